@@ -1,0 +1,219 @@
+"""Array types and the checks of arguments, in one place.
+
+Every check takes the argument's name and value, gives back a float64 array
+(or ints, where said) and raises ``ValueError`` in one form:
+``name: expected ...; got ... at index (...)``. Nothing is repaired, and what
+came in is never written to; the array given back may be the one that came in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.intp]
+BoolArray = NDArray[np.bool_]
+
+#: How far a unit vector, quaternion or rotation matrix may be from exact.
+UNIT_TOLERANCE = 1e-9
+
+
+
+def failure(name: str, expected: str, got: str, index: tuple[Any, ...] = ()) -> ValueError:
+    """The one form of a complaint about an argument."""
+    where = f" at index {tuple(int(i) for i in index)}" if len(index) else ""
+    return ValueError(f"{name}: expected {expected}; got {got}{where}")
+
+
+def _require(name: str, good: Any, expected: str, value: Array, what: str = "") -> None:
+    """Raise for the first entry that is not good; value shows what came there."""
+    if not np.all(good):
+        index = tuple(np.argwhere(~np.asarray(good))[0])
+        shown = np.asarray(value)[index]
+        got = repr(float(shown)) if shown.ndim == 0 else np.array2string(shown, separator=", ")
+        raise failure(name, expected, f"{what} {got}".strip(), index)
+
+
+def _real(name: str, value: ArrayLike, expected: str, infinite: bool) -> Array:
+    try:
+        raw = np.asarray(value)
+        if raw.dtype.kind not in "fiu":
+            raise TypeError
+        array = raw.astype(np.float64, copy=False)
+    except (TypeError, ValueError):
+        raise failure(name, expected, f"{value!r:.60}") from None
+    if infinite:
+        _require(name, ~np.isnan(array), expected, array)
+    else:
+        _require(name, np.isfinite(array), f"finite {expected}", array)
+    return array
+
+
+def scalars(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
+    """Real numbers of any shape; no NaN, and no infinity unless infinite is set."""
+    return _real(name, value, "real numbers", infinite)
+
+
+def scalar(name: str, value: ArrayLike, *, infinite: bool = False) -> float:
+    """One real number, as a float."""
+    array = _real(name, value, "one real number", infinite)
+    if array.ndim:
+        raise failure(name, "one real number", f"shape {array.shape}")
+    return float(array)
+
+
+def whole_number(name: str, value: Any, *, minimum: int = 0) -> int:
+    """One whole number at or above minimum, as an int."""
+    expected = f"a whole number of at least {minimum}"
+    array = np.asarray(value)
+    if array.ndim or array.dtype.kind not in "iu" or int(array) < minimum:
+        raise failure(name, expected, f"{value!r:.60}")
+    return int(array)
+
+
+def positive(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
+    """Numbers above zero; infinite=True where infinity has a meaning (the mass of a fixed body)."""
+    array = _real(name, value, "positive numbers", infinite)
+    _require(name, array > 0, "positive numbers", array)
+    return array
+
+
+def non_negative(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
+    """Numbers at or above zero."""
+    array = _real(name, value, "numbers at or above 0", infinite)
+    _require(name, array >= 0, "numbers at or above 0", array)
+    return array
+
+
+def in_range(name: str, value: ArrayLike, lower: float, upper: float) -> Array:
+    """Numbers between lower and upper, both included (a coefficient of restitution: 0 to 1)."""
+    expected = f"numbers from {lower:g} to {upper:g}"
+    array = _real(name, value, expected, False)
+    _require(name, (array >= lower) & (array <= upper), expected, array)
+    return array
+
+
+def vectors(name: str, value: ArrayLike, *, size: int = 3, infinite: bool = False) -> Array:
+    """Vectors along the last axis, shape (..., size)."""
+    expected = f"vectors of shape (..., {size})"
+    array = _real(name, value, expected, infinite)
+    if array.ndim == 0 or array.shape[-1] != size:
+        raise failure(name, expected, f"shape {array.shape}")
+    return array
+
+
+def _unit(name: str, value: ArrayLike, size: int, kind: str) -> Array:
+    expected = f"unit {kind} of shape (..., {size})"
+    array = _real(name, value, expected, False)
+    if array.ndim == 0 or array.shape[-1] != size:
+        raise failure(name, expected, f"shape {array.shape}")
+    length = np.sqrt(np.sum(array * array, axis=-1))
+    _require(name, np.abs(length - 1) <= UNIT_TOLERANCE, expected, length, "length")
+    return array
+
+
+def unit_vectors(name: str, value: ArrayLike) -> Array:
+    """Vectors of length 1, shape (..., 3)."""
+    return _unit(name, value, 3, "vectors")
+
+
+def unit_quaternions(name: str, value: ArrayLike) -> Array:
+    """Quaternions of length 1, scalar last, shape (..., 4)."""
+    return _unit(name, value, 4, "quaternions")
+
+
+def matrices(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
+    """Matrices on the last two axes, shape (..., 3, 3)."""
+    expected = "matrices of shape (..., 3, 3)"
+    array = _real(name, value, expected, infinite)
+    if array.shape[-2:] != (3, 3):
+        raise failure(name, expected, f"shape {array.shape}")
+    return array
+
+
+def rotations(name: str, value: ArrayLike) -> Array:
+    """Rotation matrices, columns the turned axes: R'R = 1 and det R = +1, shape (..., 3, 3)."""
+    expected = "rotation matrices of shape (..., 3, 3)"
+    array = matrices(name, value)
+    error = np.abs(np.swapaxes(array, -1, -2) @ array - np.eye(3)).max(axis=(-2, -1))
+    _require(name, error <= UNIT_TOLERANCE, expected, error, "columns off orthonormal by")
+    handedness = np.linalg.det(array)
+    _require(name, handedness > 0, expected, handedness, "determinant")
+    return array
+
+
+def inertias(name: str, value: ArrayLike) -> Array:
+    """Inertia tensors: symmetric and positive definite, shape (..., 3, 3)."""
+    expected = "symmetric positive definite matrices of shape (..., 3, 3)"
+    array = matrices(name, value)
+    asymmetry = np.abs(array - np.swapaxes(array, -1, -2)).max(axis=(-2, -1))
+    size = np.abs(array).max(axis=(-2, -1))
+    _require(name, asymmetry <= UNIT_TOLERANCE * size, expected, asymmetry, "asymmetry")
+    least = np.linalg.eigvalsh(array)[..., 0]
+    _require(name, least > 0, expected, least, "least eigenvalue")
+    return array
+
+
+def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:
+    """Whole numbers from 0, below count where that is given."""
+    expected = "whole numbers from 0" if count is None else f"whole numbers from 0 to {count - 1}"
+    array = np.asarray(value)
+    if array.dtype.kind not in "iu" and array.size:
+        raise failure(name, expected, f"{value!r:.60}")
+    array = array.astype(np.intp, copy=False)
+    good = array >= 0 if count is None else (array >= 0) & (array < count)
+    if not np.all(good):
+        index = tuple(np.argwhere(~good)[0])
+        raise failure(name, expected, str(int(array[index])), index)
+    return array
+
+
+def shaped(name: str, array: NDArray[Any], shape: Sequence[int]) -> None:
+    """Refuse an array whose shape is not this one."""
+    if array.shape != tuple(shape):
+        raise failure(name, f"shape {tuple(shape)}", f"shape {array.shape}")
+
+
+def choice(name: str, value: Any, options: Sequence[str]) -> str:
+    """One word of a closed list."""
+    if not isinstance(value, str) or value not in options:
+        raise failure(name, "one of " + ", ".join(map(repr, options)), f"{value!r:.60}")
+    return value
+
+
+def broadcast(**arguments: tuple[NDArray[Any], int]) -> tuple[int, ...]:
+    """The common batch shape of arguments given as ``name=(array, core_axes)``.
+
+    core_axes is how many last axes belong to one item: 0 scalar, 1 vector,
+    2 matrix. The error names the first two arguments that do not fit, with
+    their batch shapes.
+    """
+    known: list[tuple[str, tuple[int, ...]]] = []
+    result: tuple[int, ...] = ()
+    for name, (array, core) in arguments.items():
+        batch = array.shape[: array.ndim - core]
+        try:
+            result = np.broadcast_shapes(result, batch)
+        except ValueError:
+            other = next(pair for pair in known if not _fit(pair[1], batch))
+            expected = f"a batch that broadcasts with {other[0]} of batch shape {other[1]}"
+            raise failure(name, expected, f"batch shape {batch}") from None
+        known.append((name, batch))
+    return result
+
+
+def _fit(first: tuple[int, ...], second: tuple[int, ...]) -> bool:
+    return all(a == b or 1 in (a, b) for a, b in zip(reversed(first), reversed(second), strict=False))
+
+
+def read_only(array: NDArray[Any]) -> NDArray[Any]:
+    """The array itself if nobody can write to it, else a copy that cannot be written to."""
+    if array.flags.owndata and not array.flags.writeable:
+        return array
+    copy = np.array(array)
+    copy.flags.writeable = False
+    return copy
