@@ -1,0 +1,178 @@
+"""Run an answer over the cases and write down what came back, as plain arrays and text.
+
+This is the only module that calls a student's code: in the notebook's kernel for ``check``, in a separate limited
+process for the grader. It knows nothing of references or verdicts.
+"""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+import inspect
+import io
+import linecache
+import textwrap
+import traceback
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+OutcomeKind = Literal["value", "none", "raised", "unreadable", "unattempted", "wrote"]
+PRINTED_LIMIT = 400
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What one call gave: the returned arrays, or in ``text`` the reason why there are none."""
+
+    kind: OutcomeKind
+    values: tuple[np.ndarray, ...] = ()
+    text: str = ""
+    printed: str = ""
+
+
+def call(function: Callable[..., Any], arguments: Mapping[str, Any], result_count: int) -> Outcome:
+    """Call ``function`` on copies of the arguments, by position, and describe what happened."""
+    given = {name: _copy(value) for name, value in arguments.items()}
+    printed = io.StringIO()
+    try:
+        with warnings.catch_warnings(), contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+            warnings.simplefilter("ignore")
+            returned = function(*given.values())
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # SystemExit too: an answer that exits is an answer that raised
+        return Outcome("raised", text=describe(error), printed=printed.getvalue()[:PRINTED_LIMIT])
+    said = printed.getvalue()[:PRINTED_LIMIT]
+    changed = [name for name, value in arguments.items() if not _same(value, given[name])]
+    if changed:
+        return Outcome("wrote", text=", ".join(changed), printed=said)
+    outcome = _as_arrays(returned, result_count)
+    return Outcome(outcome.kind, outcome.values, outcome.text, said)
+
+
+def call_all(function: Callable[..., Any], cases: Sequence[Mapping[str, Any]], result_count: int) -> list[Outcome]:
+    """Call ``function`` on every case; NumPy's global random state is left as it was."""
+    state = np.random.get_state()
+    try:
+        with np.errstate(all="ignore"):
+            return [call(function, arguments, result_count) for arguments in cases]
+    finally:
+        np.random.set_state(state)
+
+
+def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
+    """A function of arrays, in the order of ``symbols``, that evaluates a SymPy expression.
+
+    Raises ``TypeError`` or ``ValueError`` in a student's words where the answer is no expression in these symbols.
+    """
+    import sympy
+
+    if isinstance(expression, (list, tuple, set, dict, sympy.FiniteSet)):
+        raise TypeError(
+            f"expected one expression; got a {type(expression).__name__} of {len(expression)}. "
+            "sympy.solve returns a list: take its entry, as in solve(...)[0]"
+        )
+    if isinstance(expression, (sympy.Equality, bool)) or expression in (sympy.true, sympy.false):
+        raise TypeError("expected an expression; got an equation. Give its right-hand side alone")
+    if callable(expression) and not isinstance(expression, sympy.Basic):
+        raise TypeError("expected an expression in SymPy's symbols; got a function")
+    try:
+        expression = sympy.sympify(expression)
+    except (sympy.SympifyError, TypeError, AttributeError):
+        raise TypeError(f"expected a SymPy expression; got {type(expression).__name__}") from None
+    foreign = sorted({str(s) for s in expression.free_symbols} - set(symbols))
+    if foreign:
+        raise ValueError(f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}")
+    by_name = {str(s): s for s in expression.free_symbols}
+    compiled = sympy.lambdify([by_name.get(s, sympy.Symbol(s)) for s in symbols], expression, "numpy")
+
+    def evaluate(*points: Any) -> np.ndarray:
+        shape = np.broadcast_shapes(*(np.shape(p) for p in points))
+        return np.broadcast_to(np.asarray(compiled(*points), dtype=float), shape).copy()
+
+    return evaluate
+
+
+def is_stub(answer: Any, source: str | None = None) -> bool:
+    """Whether the answer is the lesson's blank: ``...`` itself, or a function whose body still holds a bare ``...``.
+
+    A body that also does something else counts as a blank only while the ``...`` is there.
+    """
+    if answer is Ellipsis:
+        return True
+    if not callable(answer):
+        return False
+    try:
+        tree = ast.parse(textwrap.dedent(source if source is not None else inspect.getsource(answer)))
+    except (OSError, TypeError, SyntaxError):
+        return False
+    name = getattr(answer, "__name__", "")
+    return any(
+        isinstance(node, ast.FunctionDef) and node.name == name and any(map(_is_blank, ast.walk(node)))
+        for node in ast.walk(tree)
+    )
+
+
+def describe(error: BaseException) -> str:
+    """An exception in one or two lines: its type, its words, and the last line of the student's own code."""
+    words = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    own = [f for f in traceback.extract_tb(error.__traceback__) if _is_notebook_frame(f.filename)]
+    if own:
+        line = own[-1].line or linecache.getline(own[-1].filename, own[-1].lineno or 0).strip()
+        if line:
+            words += f"\n  in the line:  {line}"
+    return words
+
+
+def _is_notebook_frame(filename: str) -> bool:
+    return "ipykernel" in filename or filename.startswith(("<ipython", "<cell"))
+
+
+def _is_blank(node: ast.AST) -> bool:
+    value = getattr(node, "value", None)
+    is_statement = isinstance(node, (ast.Expr, ast.Assign, ast.Return))
+    return is_statement and isinstance(value, ast.Constant) and value.value is Ellipsis
+
+
+def _as_arrays(returned: Any, count: int) -> Outcome:
+    if returned is None:
+        return Outcome("none")
+    if returned is Ellipsis:
+        return Outcome("unattempted")
+    parts: Sequence[Any] = (returned,)
+    if count > 1:
+        if not isinstance(returned, (tuple, list)):
+            return Outcome("unreadable", text=f"expected {count} results, as in `return a, b`; got one {_kind(returned)}")
+        if len(returned) != count:
+            return Outcome("unreadable", text=f"expected {count} results; got {len(returned)}")
+        parts = returned
+    arrays = []
+    for part in parts:
+        if part is None or part is Ellipsis:
+            return Outcome("none" if part is None else "unattempted")
+        try:
+            array = np.array(part)
+        except (ValueError, TypeError):
+            return Outcome("unreadable", text=f"expected numbers in an array; got a ragged {_kind(part)}")
+        if array.dtype.kind not in "biufcU":
+            return Outcome("unreadable", text=f"expected numbers; got {_kind(part)}")
+        arrays.append(array)
+    return Outcome("value", tuple(arrays))
+
+
+def _kind(value: Any) -> str:
+    return type(value).__name__
+
+
+def _copy(value: Any) -> Any:
+    return np.array(value) if isinstance(value, np.ndarray) else value
+
+
+def _same(before: Any, after: Any) -> bool:
+    if not isinstance(before, np.ndarray):
+        return True
+    return before.shape == after.shape and np.array_equal(before, after, equal_nan=before.dtype.kind == "f")

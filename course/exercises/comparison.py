@@ -1,0 +1,103 @@
+"""Is what came back what was declared, and is it near enough to what was expected?"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Value
+
+
+@dataclass(frozen=True)
+class Difference:
+    """The worst element of one result: where it is, what was expected and got there, and how far apart they are.
+
+    ``excess`` is the error in units of the tolerance, so above 1 is wrong; ``fault`` says in words what is wrong
+    with an answer that cannot be compared at all (shape, type, not finite).
+    """
+
+    result: str
+    index: tuple[int, ...] = ()
+    expected: Any = None
+    got: Any = None
+    excess: float = 0.0
+    fault: str = ""
+
+    @property
+    def wrong(self) -> bool:
+        """Whether this result is wrong."""
+        return bool(self.fault) or not self.excess <= 1.0
+
+
+def compare(results: tuple[Value, ...], expected: tuple[np.ndarray, ...], got: tuple[np.ndarray, ...]) -> Difference:
+    """The worst difference over all results; the first one that cannot be compared, if any."""
+    differences = [compare_one(r, e, g) for r, e, g in zip(results, expected, got, strict=True)]
+    faults = [d for d in differences if d.fault]
+    return faults[0] if faults else max(differences, key=lambda d: d.excess)
+
+
+def compare_one(result: Value, expected: np.ndarray, got: np.ndarray) -> Difference:
+    """Compare one result with what was expected: shape first, then type, then values.
+
+    The tolerance of an element is ``absolute + relative * scale``, where scale is the largest finite magnitude in
+    the element's vector (its last axis, if the declared shape ends in a number; else the element itself).
+    """
+    fault = _shape_fault(result, expected, got) or _type_fault(result, got)
+    if fault:
+        return Difference(result.name, expected=expected, got=got, fault=fault)
+    if result.dtype != "float":
+        wrong = np.asarray(expected != got)
+        return _worst(result, expected, got, np.where(wrong, np.inf, 0.0))
+    if not np.isfinite(got[np.isfinite(expected)]).all():
+        word = "NaN" if np.isnan(got).any() else "infinity"
+        return Difference(result.name, expected=expected, got=got, fault=f"{word} where a finite number is expected")
+    with np.errstate(all="ignore"):
+        magnitude = np.where(np.isfinite(expected), np.abs(expected), 0.0)
+        scale = magnitude.max(axis=-1, keepdims=True) if is_vector(result) and expected.ndim else magnitude
+        excess = np.abs(got - expected) / (result.absolute + result.relative * scale)
+    special = ~np.isfinite(expected)
+    alike = (got == expected) | (np.isnan(got) & np.isnan(expected))
+    return _worst(result, expected, got, np.where(special, np.where(alike, 0.0, np.inf), excess))
+
+
+def is_vector(result: Value) -> bool:
+    """Whether one answer is a vector (shape ``(..., 3)``) rather than a number in a batch (``(...)``)."""
+    return result.shape.rstrip(")").rstrip().endswith(tuple("0123456789"))
+
+
+def same(results: tuple[Value, ...], one: tuple[np.ndarray, ...], other: tuple[np.ndarray, ...]) -> bool:
+    """Whether two answers are the same answer, shapes included."""
+    return not compare(results, one, other).wrong
+
+
+def _shape_fault(result: Value, expected: np.ndarray, got: np.ndarray) -> str:
+    if got.shape == expected.shape:
+        return ""
+    return f"shape {_shape(got.shape)} where {_shape(expected.shape)} is expected"
+
+
+def _type_fault(result: Value, got: np.ndarray) -> str:
+    allowed = {"float": "fiu", "int": "iu", "bool": "b", "str": "U"}[result.dtype]
+    if got.dtype.kind in allowed:
+        return ""
+    if result.dtype == "int" and got.dtype.kind == "f" and np.array_equal(got, np.round(got)):
+        return ""
+    words = {"float": "numbers", "int": "whole numbers", "bool": "True or False", "str": "words"}
+    return f"{got.dtype.name} values where {words[result.dtype]} are expected"
+
+
+def _shape(shape: tuple[int, ...]) -> str:
+    return "() (a single number)" if shape == () else str(shape)
+
+
+def _worst(result: Value, expected: np.ndarray, got: np.ndarray, excess: np.ndarray) -> Difference:
+    if excess.size == 0:
+        return Difference(result.name, expected=expected, got=got)
+    excess = np.where(np.isnan(excess), np.inf, excess)
+    flat = int(np.argmax(excess > 1.0)) if (excess > 1.0).any() else int(np.argmax(excess))
+    index = tuple(int(i) for i in np.unravel_index(flat, excess.shape))
+    if is_vector(result) and excess.ndim:
+        index = index[:-1]
+    return Difference(result.name, index, expected[index], got[index], float(excess.max()))

@@ -1,0 +1,220 @@
+"""What an exercise is: its arguments, reference, inputs, planted mistakes and hints, as plain data.
+
+A definitions module, ``course/exercises/definitions/lesson_NN_name.py``, makes one ``LESSON``. Everything that
+needs to know an exercise (the check, the grader, the syllabus, the tests) reads it from there.
+"""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+import pkgutil
+import zlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from types import MappingProxyType
+from typing import Any, Literal
+
+import numpy as np
+
+CaseKind = Literal["single", "batch", "edge"]
+
+
+@dataclass(frozen=True)
+class Value:
+    """A declared argument or result: its name, shape, type, unit and, for a result, how near is near enough.
+
+    ``shape`` is the shape in words, ``"(..., 3)"`` or ``"scalar"``; ``dtype`` one of float, int, bool, str.
+    A float result passes where ``|got - expected| <= absolute + relative * scale``, ``scale`` being the largest
+    magnitude in the expected vector (so that a zero component of a long vector is not judged by itself).
+    """
+
+    name: str
+    shape: str
+    unit: str = ""
+    meaning: str = ""
+    dtype: Literal["float", "int", "bool", "str"] = "float"
+    relative: float = 1e-9
+    absolute: float = 1e-12
+
+
+@dataclass(frozen=True)
+class Case:
+    """One call of the student's function: a label, the arguments by name, and what kind of case it is."""
+
+    label: str
+    arguments: Mapping[str, Any]
+    kind: CaseKind = "single"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "arguments", MappingProxyType({k: _frozen(v) for k, v in self.arguments.items()}))
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A wrong version a student is likely to write, and what to tell them about it."""
+
+    name: str
+    function: Callable[..., Any]
+    message: str
+
+
+@dataclass(frozen=True)
+class Property:
+    """Something true of every right answer.
+
+    ``residual(arguments, answer)`` returns numbers that are zero for a right answer; ``tolerance`` bounds their
+    magnitude; ``message`` says, in words, what is violated.
+    """
+
+    name: str
+    residual: Callable[[Mapping[str, Any], Any], Any]
+    message: str
+    tolerance: float = 1e-9
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """An exercise: a function of arrays that the student writes, or an expression in SymPy.
+
+    For ``kind="expression"`` the arguments are the expression's symbols, ``reference`` is the same formula over
+    arrays, and the student's expression is evaluated at the cases' values.
+    ``judged_by="properties"`` is for answers that are not unique: then the reference only shows the shapes.
+    """
+
+    name: str
+    rows: tuple[int, ...]
+    points: int
+    minutes: int
+    task: str
+    arguments: tuple[Value, ...]
+    results: tuple[Value, ...]
+    reference: Callable[..., Any]
+    cases: Callable[[np.random.Generator], Sequence[Case]]
+    mistakes: tuple[Mistake, ...]
+    hints: tuple[str, str, str]
+    level: Literal["core", "stretch"] = "core"
+    kind: Literal["function", "expression"] = "function"
+    judged_by: Literal["reference", "properties"] = "reference"
+    properties: tuple[Property, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.mistakes:
+            raise ValueError(f"mistakes: expected at least one planted mistake in {self.name}; got none")
+        if len(self.hints) != 3:
+            raise ValueError(f"hints: expected three tiers in {self.name}; got {len(self.hints)}")
+        if self.judged_by == "properties" and not self.properties:
+            raise ValueError(f"properties: expected at least one in {self.name}, which is judged by them; got none")
+
+    @property
+    def signature(self) -> str:
+        """The call as a student writes it."""
+        return f"{self.name}({', '.join(a.name for a in self.arguments)})"
+
+    def draw(self, seed: int | None = None) -> tuple[Case, ...]:
+        """The cases for a seed; without one, for the seed every notebook's check uses."""
+        if seed is None:
+            seed = zlib.crc32(self.name.encode())
+        return tuple(self.cases(np.random.default_rng(seed)))
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """A question the student answers before the experiment that decides it.
+
+    ``outcome()`` computes the truth with the reference code. With ``choices`` (key -> text) the answer is a key and
+    ``outcome`` returns one; else it is a number in ``unit``, right within the relative ``tolerance``.
+    ``wrong`` maps an answer many give to the reason it is tempting.
+    """
+
+    name: str
+    question: str
+    outcome: Callable[[], Any]
+    explanation: str
+    choices: Mapping[str, str] = field(default_factory=dict)
+    unit: str = ""
+    tolerance: float = 0.05
+    wrong: Mapping[Any, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """A lesson: its number, file name, question, minutes, exercises and predictions."""
+
+    number: str
+    name: str
+    title: str
+    question: str
+    minutes: int
+    exercises: tuple[Exercise, ...]
+    predictions: tuple[Prediction, ...] = ()
+
+    @property
+    def file_name(self) -> str:
+        """The notebook's file name in lessons/ and solutions/."""
+        return f"{self.number}-{self.name}.ipynb"
+
+    @property
+    def core(self) -> tuple[Exercise, ...]:
+        """The exercises that progress counts."""
+        return tuple(e for e in self.exercises if e.level == "core")
+
+
+@cache
+def all_lessons() -> tuple[Lesson, ...]:
+    """Every lesson that has a definitions module, in order."""
+    from course.exercises import definitions
+
+    names = sorted(m.name for m in pkgutil.iter_modules(definitions.__path__) if m.name.startswith("lesson_"))
+    lessons = tuple(importlib.import_module(f"{definitions.__name__}.{name}").LESSON for name in names)
+    _require_unique([e.name for lesson in lessons for e in lesson.exercises], "exercise")
+    _require_unique([p.name for lesson in lessons for p in lesson.predictions], "prediction")
+    return lessons
+
+
+def find_lesson(number: str) -> Lesson:
+    """The lesson with this number, "10"."""
+    for lesson in all_lessons():
+        if lesson.number == number:
+            return lesson
+    raise _unknown("lesson", number, [lesson.number for lesson in all_lessons()])
+
+
+def find_exercise(name: str) -> tuple[Lesson, Exercise]:
+    """The exercise of this name and its lesson; a ``ValueError`` names the nearest one where there is none."""
+    for lesson in all_lessons():
+        for exercise in lesson.exercises:
+            if exercise.name == name:
+                return lesson, exercise
+    raise _unknown("exercise", name, [e.name for lesson in all_lessons() for e in lesson.exercises])
+
+
+def find_prediction(name: str) -> tuple[Lesson, Prediction]:
+    """The prediction of this name and its lesson."""
+    for lesson in all_lessons():
+        for prediction in lesson.predictions:
+            if prediction.name == name:
+                return lesson, prediction
+    raise _unknown("prediction", name, [p.name for lesson in all_lessons() for p in lesson.predictions])
+
+
+def _unknown(what: str, name: str, known: Sequence[str]) -> ValueError:
+    near = difflib.get_close_matches(str(name), known, n=1, cutoff=0.5)
+    advice = f"; did you mean {near[0]!r}?" if near else f"; known: {', '.join(known) or 'none yet'}"
+    return ValueError(f"name: expected the name of {'an' if what[0] in 'ae' else 'a'} {what}; got {name!r}{advice}")
+
+
+def _require_unique(names: Sequence[str], what: str) -> None:
+    repeated = sorted({name for name in names if names.count(name) > 1})
+    if repeated:
+        raise ValueError(f"{what} names must be unique over all lessons; repeated: {', '.join(repeated)}")
+
+
+def _frozen(value: Any) -> Any:
+    """Arrays as read-only float64/int64/bool copies, so that no use of a case can change it for the next."""
+    if isinstance(value, (list, np.ndarray)):
+        array = np.array(value)
+        array.flags.writeable = False
+        return array
+    return value

@@ -1,0 +1,1 @@
+"""One module a lesson, each with a `LESSON`."""

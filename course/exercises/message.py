@@ -1,0 +1,233 @@
+"""A verdict in a student's words: as plain text for terminals and CSV, as HTML for notebooks and feedback pages.
+
+The order is always the same: the verdict in a symbol and a word; the counterexample, ready to paste; expected, got,
+tolerance and unit; the diagnosis; what to try next.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Literal
+
+import numpy as np
+
+from course.exercises.comparison import Difference
+from course.exercises.definition import Case, Exercise, Value
+from course.exercises.verdict import State, Verdict
+
+SYMBOLS: dict[State, str] = {
+    "passed": "✓",
+    "wrong": "✗",
+    "error": "✗",
+    "not attempted": "○",
+    "needs a person": "?",
+}
+WORDS: dict[State, str] = {
+    "passed": "Right",
+    "wrong": "Not yet",
+    "error": "Not yet",
+    "not attempted": "Not attempted",
+    "needs a person": "Needs a person",
+}
+# Dark enough on white, light enough on a dark theme; the symbol and the word carry the meaning without them.
+COLOURS: dict[State, str] = {
+    "passed": "#009E73",
+    "wrong": "#D55E00",
+    "error": "#D55E00",
+    "not attempted": "#7f7f7f",
+    "needs a person": "#0072B2",
+}
+
+
+@dataclass(frozen=True)
+class Part:
+    """One labelled piece of a message; code keeps its line breaks and can be pasted."""
+
+    label: str
+    text: str
+    style: Literal["text", "code"] = "text"
+
+
+@dataclass(frozen=True)
+class Message:
+    """A headline and its parts; displays itself in a notebook as HTML, elsewhere as text."""
+
+    state: State
+    headline: str
+    parts: tuple[Part, ...] = ()
+
+    def __str__(self) -> str:
+        lines = [f"{SYMBOLS[self.state]} {self.headline}"]
+        width = max((len(p.label) for p in self.parts), default=0)
+        for part in self.parts:
+            text = part.text if part.style == "code" else textwrap.fill(part.text, 96)
+            lines.append(f"  {part.label:<{width}}  " + text.replace("\n", "\n" + " " * (width + 4)))
+        return "\n".join(line.rstrip() for line in lines)
+
+    __repr__ = __str__
+
+    def html(self) -> str:
+        """The message as one HTML block with its styles inline (a notebook's page has none of ours)."""
+        return _template().render(
+            colour=COLOURS[self.state], symbol=SYMBOLS[self.state], headline=self.headline, parts=self.parts
+        )
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/plain": str(self), "text/html": self.html()}
+
+
+def verdict_message(exercise: Exercise, verdict: Verdict, *, after: tuple[Part, ...] = ()) -> Message:
+    """The message for a verdict; ``after`` is what comes last (the next exercise, how to ask for a hint)."""
+    headline = f"{WORDS[verdict.state]}: {exercise.name}"
+    if verdict.state == "passed":
+        return Message("passed", f"{headline} ({verdict.tried} cases)", after)
+    if verdict.state == "not attempted":
+        advice = Part("next", f"write your answer where the ... stands, then run the cell again. {exercise.task}")
+        return Message("not attempted", headline, (advice, *after))
+    parts = []
+    if verdict.case is not None:
+        parts.append(Part("case", f"{verdict.case.label} ({verdict.case.kind})"))
+        if exercise.kind == "function":
+            parts.append(Part("try it", pasteable(exercise, verdict), "code"))
+        else:
+            parts.append(Part("at", ", ".join(f"{k} = {short(v)}" for k, v in point(verdict).items()), "code"))
+    if verdict.outcome is not None and verdict.difference is not None:
+        parts += _what_came(exercise, verdict)
+    parts += _why(verdict)
+    return Message(verdict.state, headline, (*parts, *after))
+
+
+def _why(verdict: Verdict) -> list[Part]:
+    parts = [Part("look at", verdict.mistake.message)] if verdict.mistake else []
+    return parts + [Part("look at" if i == 0 and not parts else "also", r) for i, r in enumerate(verdict.reason)]
+
+
+def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
+    outcome, difference = verdict.outcome, verdict.difference
+    assert outcome is not None and difference is not None
+    printed = [Part("it printed", outcome.printed.rstrip(), "code")] if outcome.printed.strip() else []
+    plain = {
+        "raised": f"it stopped with {outcome.text}",
+        "none": "it returned None: is the last line `return ...`?",
+        "unreadable": outcome.text,
+        "wrote": f"it wrote into its input ({outcome.text}): make a new array instead, a = a + b rather than a += b",
+    }
+    if outcome.kind in plain:
+        return [Part("got", plain[outcome.kind], "code" if outcome.kind == "raised" else "text"), *printed]
+    declared = next(r for r in exercise.results if r.name == difference.result)
+    if difference.fault:
+        return [Part("got", f"{declared.name}: {difference.fault}"), *printed]
+    return [*_expected_and_got(declared, difference, many=len(exercise.results) > 1), *printed]
+
+
+def _expected_and_got(declared: Value, difference: Difference, *, many: bool) -> list[Part]:
+    name = f"{declared.name} = " if many else ""
+    unit = f" {declared.unit}" if declared.unit else ""
+    where = f", at index {list(difference.index)} of the batch" if difference.index else ""
+    parts = [
+        Part("expected", f"{name}{short(difference.expected)}{unit}{where}", "code"),
+        Part("got", f"{name}{short(difference.got)}{unit}", "code"),
+    ]
+    if declared.dtype == "float":
+        parts.append(Part("tolerance", f"{declared.relative:g} relative, {declared.absolute:g}{unit} absolute"))
+    return parts
+
+
+def pasteable(exercise: Exercise, verdict: Verdict) -> str:
+    """The failing call as code; of a batch, the failing element alone where the arguments can be cut to it."""
+    assert verdict.case is not None
+    arguments = point(verdict)
+    one_line = f"{exercise.name}({', '.join(code(v) for v in arguments.values())})"
+    if len(one_line) <= 90:
+        return one_line
+    # By position, the declared name as a comment: the student's own parameter names may differ.
+    lines = "\n".join(f"    {code(value)},  # {name}" for name, value in arguments.items())
+    return f"{exercise.name}(\n{lines}\n)" if len(lines) < 2000 else f"{exercise.name}(...)  # {verdict.case.label}"
+
+
+def point(verdict: Verdict) -> dict[str, Any]:
+    """The arguments of the failing case, cut to the failing element of its batch where values were compared."""
+    assert verdict.case is not None
+    arguments = dict(verdict.case.arguments)
+    difference = verdict.difference
+    if difference is None or difference.fault or not difference.index:
+        return arguments
+    cut = {name: _cut(value, difference.index, verdict) for name, value in arguments.items()}
+    return arguments if any(v is None for v in cut.values()) else cut
+
+
+def _cut(value: Any, index: tuple[int, ...], verdict: Verdict) -> Any:
+    """The element of an argument that broadcasts to ``index``; None where it cannot be told."""
+    if not isinstance(value, np.ndarray) or value.ndim == 0:
+        return value
+    assert verdict.outcome is not None
+    batch = np.shape(verdict.outcome.values[0])[: len(index)]
+    for trailing in range(value.ndim + 1):
+        leading = value.shape[: value.ndim - trailing]
+        try:
+            if np.broadcast_shapes(leading, batch) == batch and trailing == _trailing(verdict.case, value):
+                view = np.broadcast_to(value, batch + value.shape[value.ndim - trailing :])
+                return view[index]
+        except ValueError:
+            continue
+    return None
+
+
+def _trailing(case: Case | None, value: np.ndarray) -> int:
+    """How many of an argument's last axes are its own: one for a vector of three, none for a number."""
+    return 1 if value.shape[-1:] == (3,) or value.shape[-1:] == (4,) else 0
+
+
+def code(value: Any) -> str:
+    """A value as code that makes it again, to the digit."""
+    if isinstance(value, np.ndarray):
+        if value.ndim == 0:
+            return repr(value.item())
+        text = np.array2string(
+            value, separator=", ", threshold=10_000, max_line_width=100, floatmode="unique", formatter=_formatter(value)
+        )
+        return f"np.array({text})"
+    return repr(value.item()) if isinstance(value, np.generic) else repr(value)
+
+
+def short(value: Any) -> str:
+    """A value for reading: ten digits."""
+    array = np.asarray(value)
+    if array.dtype.kind == "f":
+        if array.ndim == 0:
+            return f"{float(array):.10g}"
+        return np.array2string(array, separator=", ", precision=10, threshold=12, max_line_width=90)
+    return repr(value.item()) if isinstance(value, np.generic) else str(value)
+
+
+def _formatter(value: np.ndarray) -> Any:
+    return {"float_kind": lambda x: repr(float(x))} if value.dtype.kind == "f" else None
+
+
+@cache
+def _template() -> Any:
+    import jinja2
+
+    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    return environment.from_string(_HTML)
+
+
+_HTML = """\
+<div style="border-left: 4px solid {{ colour }}; padding: 0.3em 0.8em; margin: 0.3em 0; max-width: 60em">
+<div style="font-weight: 600; font-size: 1.05em"><span style="color: {{ colour }}">{{ symbol }}</span> \
+{{ headline }}</div>
+{% if parts %}
+<table style="margin: 0.3em 0 0 0; border: none; border-collapse: collapse">
+{% for part in parts %}
+<tr style="background: none"><td style="text-align: right; vertical-align: top; opacity: 0.7; padding: 0.15em 0.8em \
+0.15em 0; white-space: nowrap; border: none">{{ part.label }}</td>
+<td style="text-align: left; border: none; padding: 0.15em 0">\
+{% if part.style == "code" %}<pre style="margin: 0; white-space: pre-wrap; background: none">{{ part.text }}</pre>\
+{% else %}{{ part.text }}{% endif %}</td></tr>
+{% endfor %}
+</table>
+{% endif %}
+</div>
+"""

@@ -1,0 +1,181 @@
+"""``check``, ``use`` and ``predict``: a student's answer, judged at once."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from course.exercises.answer import call_all, evaluator, is_stub
+from course.exercises.definition import Exercise, Prediction, find_exercise, find_prediction
+from course.exercises.message import Message, Part, verdict_message
+from course.exercises.verdict import Verdict, judge
+from course.workbook import progress
+from course.workbook.notebook import display_message
+from course.workbook.numbers import show
+
+MARK = "__from_use__"
+
+
+def check(answer: Any, name: str | None = None) -> None:
+    """Judge a function you wrote (or a SymPy expression, with the exercise's ``name``) and show the verdict.
+
+    Raises ``ValueError`` when no exercise has this name, and for functions that are not your own.
+    """
+    name = _name_of(answer, name)
+    lesson, exercise = find_exercise(name)
+    _refuse_borrowed(answer)
+    verdict = judge_here(exercise, answer)
+    progress.record("check", name, state=verdict.state)
+    if not verdict.passed and verdict.state != "not attempted" and verdict.mistake is None:
+        progress.record_unrecognised(name, _source(answer), str(verdict_message(exercise, verdict)))
+    passed = progress.state().passed
+    if verdict.passed:
+        following = progress.next_exercise(lesson, name, passed)
+        left = progress.minutes_left(lesson, passed)
+        after = (
+            Part("next", f"{following.name}; about {left} minutes of exercises left in this lesson")
+            if following
+            else Part("next", "that was the last core exercise of this lesson"),
+        )
+    else:
+        taken = progress.state().hints.get(name, 0)
+        advice = "the first of three hints" if taken == 0 else "the next hint" if taken < 3 else "the reference"
+        after = (Part("stuck?", f"hint({name!r}) gives {advice}"),)
+    display_message(verdict_message(exercise, verdict, after=after))
+
+
+def judge_here(exercise: Exercise, answer: Any) -> Verdict:
+    """Judge an answer in this process, on the cases that every notebook uses."""
+    if is_stub(answer):
+        return Verdict(exercise.name, "not attempted")
+    cases = exercise.draw()
+    function = answer
+    if exercise.kind == "expression":
+        try:
+            function = evaluator(answer, [a.name for a in exercise.arguments])
+        except (TypeError, ValueError) as error:
+            return Verdict(exercise.name, "error", reason=(str(error),))
+    elif not callable(answer):
+        reason = f"expected a function; got {type(answer).__name__} (pass {exercise.name}, not {exercise.name}(...))"
+        return Verdict(exercise.name, "error", reason=(reason,))
+    fault = _signature_fault(exercise, function)
+    if fault:
+        return Verdict(exercise.name, "error", reason=(fault,))
+    outcomes = call_all(function, [c.arguments for c in cases], len(exercise.results))
+    return judge(exercise, cases, outcomes)
+
+
+def use(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Your function where its check passes, otherwise the reference; a line says which.
+
+    The rest of the lesson runs on what this returns. ``check`` refuses it, as it refuses functions of ``course``.
+    """
+    name = _name_of(function, None)
+    _, exercise = find_exercise(name)
+    _refuse_borrowed(function)
+    yours = judge_here(exercise, function).passed
+    chosen = function if yours else exercise.reference
+
+    @functools.wraps(chosen)
+    def used(*args: Any, **kwargs: Any) -> Any:
+        return chosen(*args, **kwargs)
+
+    setattr(used, MARK, "yours" if yours else "reference")
+    used.__name__ = name
+    print(f"{name}: {'yours' if yours else 'the reference for now, until yours passes its check'}")
+    return used
+
+
+def predict(name: str, answer: Any) -> None:
+    """Commit to an answer, then see the outcome. Nothing is shown before an answer is given.
+
+    Raises ``ValueError`` for an unknown name and for an answer that is neither a number nor one of the choices.
+    """
+    _, prediction = find_prediction(name)
+    if answer is Ellipsis:
+        choices = tuple(Part(key, text) for key, text in prediction.choices.items())
+        ask = Part("answer", f"put {_wanted(prediction)} where the ... stands, then run the cell again")
+        display_message(Message("not attempted", f"Your prediction: {prediction.question}", (*choices, ask)))
+        return
+    given = _given(prediction, answer)
+    progress.record("predict", name, answer=given)
+    outcome = prediction.outcome()
+    right = _close(prediction, given, outcome)
+    unit = f" {prediction.unit}" if prediction.unit else ""
+    parts = [Part("you said", _said(prediction, given) + unit), Part("it is", _said(prediction, outcome) + unit)]
+    tempting = next((text for key, text in prediction.wrong.items() if not right and _close(prediction, given, key)), "")
+    parts += [Part("tempting", tempting)] if tempting else []
+    parts.append(Part("why", prediction.explanation))
+    headline = "As you predicted" if right else "Not what you predicted"
+    display_message(Message("passed" if right else "wrong", headline, tuple(parts)))
+
+
+def _wanted(prediction: Prediction) -> str:
+    if prediction.choices:
+        return " or ".join(f'"{key}"' for key in prediction.choices)
+    return f"a number in {prediction.unit}" if prediction.unit else "a number"
+
+
+def _given(prediction: Prediction, answer: Any) -> Any:
+    if prediction.choices:
+        if answer not in prediction.choices:
+            raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}")
+        return answer
+    try:
+        number = float(answer)
+    except (TypeError, ValueError):
+        raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}") from None
+    if not np.isfinite(number):
+        raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}")
+    return number
+
+
+def _close(prediction: Prediction, given: Any, outcome: Any) -> bool:
+    if prediction.choices:
+        return bool(given == outcome)
+    return abs(given - float(outcome)) <= prediction.tolerance * abs(float(outcome)) + 1e-12
+
+
+def _said(prediction: Prediction, value: Any) -> str:
+    if prediction.choices:
+        return f"{value}: {prediction.choices[value]}"
+    return "0" if abs(float(value)) < 1e-12 else str(show(float(value), 4))
+
+
+def _name_of(answer: Any, name: str | None) -> str:
+    if name is None:
+        name = getattr(answer, "__name__", None)
+    if not isinstance(name, str):
+        raise ValueError('name: expected the exercise\'s name for an expression, as in check(p_hat, "p_hat"); got none')
+    return name
+
+
+def _refuse_borrowed(answer: Any) -> None:
+    module = getattr(answer, "__module__", "") or ""
+    if hasattr(answer, MARK):
+        raise ValueError("answer: expected a function of your own; got what use() returned. Pass the function you wrote")
+    if module == "course" or module.startswith("course."):
+        raise ValueError(f"answer: expected a function of your own; got one of {module}")
+
+
+def _signature_fault(exercise: Exercise, function: Callable[..., Any]) -> str:
+    wanted = len(exercise.arguments)
+    try:
+        inspect.signature(function).bind(*range(wanted))
+    except TypeError:
+        taken = ", ".join(inspect.signature(function).parameters)
+        return f"expected a function that takes {exercise.signature}; yours takes ({taken})"
+    except ValueError:  # a built-in without a readable signature: calling it will tell
+        return ""
+    return ""
+
+
+def _source(answer: Any) -> str:
+    try:
+        return inspect.getsource(answer)
+    except (OSError, TypeError):
+        return str(answer)[:2000]

@@ -1,0 +1,143 @@
+"""What a student has done: events appended to one file in work/, and the table read from them.
+
+Events are only ever appended, one JSON line each, so two notebooks open at once cannot lose each other's. They are
+recorded only by a notebook that lies in work/; tests and graders run elsewhere and write nothing. In one session
+(a notebook's kernel) the events are also kept in memory, so that a lesson opened elsewhere still knows what passed.
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from course.exercises.definition import Exercise, Lesson, all_lessons
+
+FILE_NAME = "progress.jsonl"
+UNRECOGNISED = "unrecognised.jsonl"
+_session: list[dict[str, Any]] = []
+
+
+@dataclass(frozen=True)
+class State:
+    """What the events add up to: exercises passed, hints taken, predictions made."""
+
+    passed: frozenset[str] = frozenset()
+    hints: dict[str, int] = field(default_factory=dict)
+    predicted: frozenset[str] = frozenset()
+    reference_opened: frozenset[str] = frozenset()
+
+
+def recording_folder(start: Path | None = None) -> Path | None:
+    """The work/ folder that ``start`` (default: the current folder, a notebook's own) lies in, or None."""
+    here = (start or Path.cwd()).resolve()
+    for folder in (here, *here.parents):
+        if folder.name == "work" and (folder.parent / "lessons").is_dir():
+            return folder
+    return None
+
+
+def record(kind: str, name: str, **details: Any) -> None:
+    """Append one event; a folder that cannot be written is not worth stopping a student for."""
+    event = {"time": time.strftime("%Y-%m-%dT%H:%M:%S"), "kind": kind, "name": name, **details}
+    _session.append(event)
+    folder = recording_folder()
+    if folder is not None:
+        _append(folder / FILE_NAME, event)
+
+
+def record_unrecognised(name: str, source: str, message: str) -> None:
+    """Keep a wrong answer that matches no planted mistake, so that it can be planted later. Stays on this machine."""
+    folder = recording_folder()
+    if folder is not None:
+        _append(folder / UNRECOGNISED, {"exercise": name, "source": source, "message": message})
+
+
+def state(folder: Path | None = None) -> State:
+    """Fold the recorded events, and this session's, into a state."""
+    folder = folder or recording_folder()
+    events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
+    hints: dict[str, int] = {}
+    for event in events:
+        if event["kind"] == "hint":
+            hints[event["name"]] = max(hints.get(event["name"], 0), int(event.get("tier", 1)))
+    return State(
+        passed=frozenset(e["name"] for e in events if e["kind"] == "check" and e.get("state") == "passed"),
+        hints=hints,
+        predicted=frozenset(e["name"] for e in events if e["kind"] == "predict"),
+        reference_opened=frozenset(n for n, tier in hints.items() if tier > 3),
+    )
+
+
+def next_exercise(lesson: Lesson, after: str, passed: frozenset[str]) -> Exercise | None:
+    """The first exercise of the lesson, from the one after ``after`` on and then round, that has not passed."""
+    names = [e.name for e in lesson.exercises]
+    start = names.index(after) + 1 if after in names else 0
+    order = [*lesson.exercises[start:], *lesson.exercises[:start]]
+    return next((e for e in order if e.name not in passed and e.level == "core"), None)
+
+
+def minutes_left(lesson: Lesson, passed: frozenset[str]) -> int:
+    """The minutes that the core exercises not yet passed are reckoned at."""
+    return sum(e.minutes for e in lesson.core if e.name not in passed)
+
+
+def first_unfinished(folder: Path | None = None) -> Lesson | None:
+    """The first lesson with a core exercise that has not passed; None when all is done."""
+    passed = state(folder).passed
+    return next((le for le in all_lessons() if any(e.name not in passed for e in le.core)), None)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Progress by lesson; displays itself as a table."""
+
+    rows: tuple[tuple[str, str, int, int, int, str], ...]
+
+    def __str__(self) -> str:
+        width = max((len(r[1]) for r in self.rows), default=0)
+        lines = [
+            f"{number}  {title:<{width}}  {'█' * done}{'░' * (total - done)} {done}/{total}"
+            + (f"  {minutes} min left  next: {following}" if following else "  done")
+            for number, title, done, total, minutes, following in self.rows
+        ]
+        return "\n".join(lines) if lines else "no lessons yet"
+
+    __repr__ = __str__
+
+
+def progress(folder: Path | None = None) -> Table:
+    """How far you are: core exercises done by lesson, minutes left, and what comes next."""
+    passed = state(folder).passed
+    rows = []
+    for lesson in all_lessons():
+        following = next((e.name for e in lesson.core if e.name not in passed), "")
+        done = sum(e.name in passed for e in lesson.core)
+        rows.append((lesson.number, lesson.title, done, len(lesson.core), minutes_left(lesson, passed), following))
+    return Table(tuple(rows))
+
+
+def _append(path: Path, event: dict[str, Any]) -> None:
+    try:
+        with path.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(event) + "\n")
+    except OSError:
+        pass
+
+
+def _read(path: Path) -> Iterator[dict[str, Any]]:
+    """The events in a file; a line cut off by a crash is passed over, the rest counts."""
+    try:
+        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    except OSError:
+        return
+    for line in lines:
+        try:
+            event = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(event, dict) and isinstance(event.get("name"), str) and "kind" in event:
+            yield event
