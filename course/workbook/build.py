@@ -1,0 +1,117 @@
+"""Make lessons/ from solutions/: the answers become ``...``, the outputs go.
+
+``solutions/NN-name.ipynb`` is the one source. What stands between ``# BEGIN SOLUTION`` and ``# END SOLUTION`` in a
+code cell becomes a single ``...`` at the marker's indentation.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import nbformat
+
+BEGIN = re.compile(r"^(\s*)# BEGIN SOLUTION\s*$")
+END = re.compile(r"^\s*# END SOLUTION\s*$")
+ROOT = Path(__file__).resolve().parents[2]
+
+
+class BrokenSource(ValueError):
+    """A solution notebook that no lesson can be made from; the message names the file and the cell."""
+
+
+def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
+    """Make every lesson from its solution; return what differed before, a line each (empty: nothing did).
+
+    With ``check`` nothing is written. A lesson without a solution is reported too (and left: it may be somebody's).
+    Raises ``BrokenSource`` for unpaired markers.
+    """
+    drift = []
+    sources = sorted((root / "solutions").glob("*.ipynb"))
+    for source in sources:
+        target = root / "lessons" / source.name
+        wanted = lesson_text(source)
+        if target.exists() and target.read_text(encoding="utf-8") == wanted:
+            continue
+        drift.append(f"lessons/{source.name}: {'differs from what its solution makes' if target.exists() else 'missing'}")
+        if not check:
+            _write(target, wanted)
+    strangers = {p.name for p in (root / "lessons").glob("*.ipynb")} - {p.name for p in sources}
+    return drift + [f"lessons/{name}: has no solution to be made from" for name in sorted(strangers)]
+
+
+def lesson_text(source: Path) -> str:
+    """The lesson that a solution makes, as the text of its file."""
+    notebook = nbformat.read(source, as_version=4)
+    notebook.metadata = _metadata(notebook.metadata)
+    for index, cell in enumerate(notebook.cells):
+        if cell.cell_type != "code":
+            continue
+        cell.outputs, cell.execution_count = [], None
+        cell.metadata.pop("execution", None)
+        cell.source = blank(cell.source, where=f"{source.name}, cell {index}")
+    return str(nbformat.writes(notebook)) + "\n"
+
+
+def blank(code: str, *, where: str = "the cell") -> str:
+    """Code with each marked solution replaced by ``...``; raises ``BrokenSource`` for unpaired markers."""
+    kept: list[str] = []
+    inside = False
+    for line in code.splitlines():
+        begin, end = BEGIN.match(line), END.match(line)
+        if (begin and inside) or (end and not inside):
+            raise BrokenSource(f"{where}: expected BEGIN SOLUTION and END SOLUTION in turn; got {line.strip()!r}")
+        if begin:
+            kept.append(f"{begin.group(1)}...")
+            inside = True
+        elif end:
+            inside = False
+        elif not inside:
+            kept.append(line)
+    if inside:
+        raise BrokenSource(f"{where}: expected # END SOLUTION before the cell ends; got none")
+    return "\n".join(kept)
+
+
+def execute(source: Path, *, seconds_per_cell: int = 60) -> None:
+    """Run a solution from top to bottom and store its outputs; on an error the file stays as it was."""
+    from nbclient import NotebookClient
+
+    notebook = nbformat.read(source, as_version=4)
+    client = NotebookClient(
+        notebook, timeout=seconds_per_cell, kernel_name="python3", resources={"metadata": {"path": str(source.parent)}}
+    )
+    client.execute()
+    for cell in notebook.cells:
+        cell.metadata.pop("execution", None)  # times of day differ at every run and say nothing
+    notebook.metadata = _metadata(notebook.metadata)
+    notebook.metadata.pop("widgets", None)
+    _write(source, str(nbformat.writes(notebook)) + "\n")
+
+
+def _metadata(metadata: Any) -> Any:
+    """What a notebook says of itself, without what differs from machine to machine."""
+    kept = {
+        "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
+        "language_info": {"file_extension": ".py", "mimetype": "text/x-python", "name": "python"},
+    }
+    if "course" in metadata:
+        kept["course"] = metadata["course"]
+    return nbformat.from_dict(kept)
+
+
+def _write(path: Path, text: str) -> None:
+    """Write whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
