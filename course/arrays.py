@@ -22,7 +22,6 @@ BoolArray = NDArray[np.bool_]
 UNIT_TOLERANCE = 1e-9
 
 
-
 def failure(name: str, expected: str, got: str, index: tuple[Any, ...] = ()) -> ValueError:
     """The one form of a complaint about an argument."""
     where = f" at index {tuple(int(i) for i in index)}" if len(index) else ""

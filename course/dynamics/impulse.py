@@ -1,0 +1,305 @@
+"""Impulses between two bodies: an instant, no friction, one coefficient of restitution.
+
+Body 1 of the lecture's slides is A: n points out of body 2 toward body 1, and
+an impulse p_hat >= 0 pushes body 1 along +n and body 2 along -n. Two bodies
+approach while (v1 - v2).n < 0. To bodies that part, or touch and do not
+approach, nothing happens: the impulse is zero.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Protocol
+
+import numpy as np
+
+from course.arrays import (
+    Array,
+    ArrayLike,
+    IntArray,
+    broadcast,
+    in_range,
+    indices,
+    positive,
+    scalars,
+    unit_vectors,
+    vectors,
+)
+from course.dynamics.bodies import Bodies
+
+
+class ContactPoints(Protocol):
+    """What an impulse needs to know of contacts; ``course.overlap.Contacts`` has it."""
+
+    @property
+    def body_a(self) -> IntArray: ...
+    @property
+    def body_b(self) -> IntArray: ...
+    @property
+    def point(self) -> Array: ...
+    @property
+    def normal(self) -> Array: ...
+
+
+def momentum_after(
+    momentum_1: ArrayLike, momentum_2: ArrayLike, impulse: ArrayLike, normal: ArrayLike
+) -> tuple[Array, Array]:
+    """Momenta after an impulse: what one body gains the other loses.
+
+    p1' = p1 + p_hat n, p2' = p2 - p_hat n (syllabus row 16), so that
+    p1' + p2' = p1 + p2 whatever p_hat is (row 15). That balance alone says
+    nothing about energy: the slide's energy line defines T_lost and does not
+    follow from it (misprint 2).
+
+    Args:
+        momentum_1, momentum_2: (..., 3) [kg m/s].
+        impulse: p_hat, (...) [N s].
+        normal: n, unit, out of body 2 toward body 1, (..., 3).
+    Returns:
+        p1' and p2', (..., 3) [kg m/s].
+    Raises:
+        ValueError: a wrong shape, NaN or infinity, a normal that is not of unit length.
+    """
+    p_1, p_2 = vectors("momentum_1", momentum_1), vectors("momentum_2", momentum_2)
+    p_hat, n = scalars("impulse", impulse), unit_vectors("normal", normal)
+    broadcast(momentum_1=(p_1, 1), momentum_2=(p_2, 1), impulse=(p_hat, 0), normal=(n, 1))
+    change = p_hat[..., None] * n
+    return p_1 + change, p_2 - change
+
+
+def velocity_after(
+    mass_1: ArrayLike,
+    mass_2: ArrayLike,
+    velocity_1: ArrayLike,
+    velocity_2: ArrayLike,
+    impulse: ArrayLike,
+    normal: ArrayLike,
+) -> tuple[Array, Array]:
+    """Velocities after an impulse.
+
+    v1' = v1 + (p_hat/m1) n, v2' = v2 - (p_hat/m2) n (syllabus row 16); a body
+    of infinite mass keeps its velocity.
+
+    Args:
+        mass_1, mass_2: (...) [kg], infinity for a fixed body.
+        velocity_1, velocity_2: (..., 3) [m/s].
+        impulse: p_hat, (...) [N s].
+        normal: n, unit, out of body 2 toward body 1, (..., 3).
+    Returns:
+        v1' and v2', (..., 3) [m/s].
+    Raises:
+        ValueError: a wrong shape, mass <= 0, NaN, a normal that is not of unit length.
+    """
+    m_1, m_2, v_1, v_2, n = _pair(mass_1, mass_2, velocity_1, velocity_2, normal)
+    p_hat = scalars("impulse", impulse)
+    broadcast(velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1), impulse=(p_hat, 0))
+    return v_1 + (p_hat / m_1)[..., None] * n, v_2 - (p_hat / m_2)[..., None] * n
+
+
+def separation_speed(
+    velocity_1: ArrayLike, velocity_2: ArrayLike, normal: ArrayLike, restitution: ArrayLike
+) -> Array:
+    """How fast two bodies part along the normal after the impact, (v1' - v2').n.
+
+    (v1' - v2').n = -e (v1 - v2).n while they approach, Newton's law of
+    restitution (syllabus row 17). The slide lacks the minus sign and the
+    normal (misprint 3): taken along n as printed, p_hat would have the factor
+    1 - e, no impulse at all at e = 1. Bodies that do not approach go on as
+    they are: (v1 - v2).n.
+
+    Args:
+        velocity_1, velocity_2: before the impact, (..., 3) [m/s].
+        normal: n, unit, out of body 2 toward body 1, (..., 3).
+        restitution: e, from 0 to 1, (...).
+    Returns:
+        The separation speed, never below 0, (...) [m/s].
+    Raises:
+        ValueError: a wrong shape, restitution outside 0..1, a normal that is not of unit length.
+    """
+    v_1, v_2 = vectors("velocity_1", velocity_1), vectors("velocity_2", velocity_2)
+    n, e = unit_vectors("normal", normal), in_range("restitution", restitution, 0, 1)
+    broadcast(velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1), restitution=(e, 0))
+    u = np.sum((v_1 - v_2) * n, axis=-1)
+    return np.where(u < 0, e * -u, u)[()]
+
+
+def impulse_central(
+    mass_1: ArrayLike,
+    mass_2: ArrayLike,
+    velocity_1: ArrayLike,
+    velocity_2: ArrayLike,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+) -> Array:
+    """Impulse of two bodies whose centres lie on the line of impact, or that do not turn.
+
+    p_hat = (1 + e) (v2.n - v1.n) / (1/m1 + 1/m2) while (v1 - v2).n < 0, else
+    0 (syllabus row 17). The slide's formula is right for a central impact,
+    but only while the bodies approach (misprint 3). One body may have
+    infinite mass; between two of them the impulse is 0. A wall is 1/m2 = 0
+    and v2 = 0: p_hat = -(1 + e) m1 v1.n (row 18, misprint 4).
+
+    Args:
+        mass_1, mass_2: (...) [kg], infinity for a fixed body.
+        velocity_1, velocity_2: before the impact, (..., 3) [m/s].
+        normal: n, unit, out of body 2 toward body 1, (..., 3).
+        restitution: e, from 0 to 1, (...).
+    Returns:
+        p_hat >= 0, (...) [N s].
+    Raises:
+        ValueError: a wrong shape, mass <= 0, restitution outside 0..1, a normal that is not of unit length.
+    """
+    reduced_mass, closing, e = _impact(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
+    return (1 + e) * closing * reduced_mass
+
+
+def kinetic_energy_lost(
+    mass_1: ArrayLike,
+    mass_2: ArrayLike,
+    velocity_1: ArrayLike,
+    velocity_2: ArrayLike,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+) -> Array:
+    """T_lost, the kinetic energy that a central impact takes away.
+
+    T_lost = mu (1 - e^2) ((v1 - v2).n)^2 / 2 while the bodies approach, else
+    0, with the reduced mass mu = 1/(1/m1 + 1/m2) (syllabus rows 15 and 17).
+    It is what the energy line of the slide defines (misprint 2).
+
+    Args:
+        mass_1, mass_2: (...) [kg], infinity for a fixed body.
+        velocity_1, velocity_2: before the impact, (..., 3) [m/s].
+        normal: n, unit, out of body 2 toward body 1, (..., 3).
+        restitution: e, from 0 to 1, (...).
+    Returns:
+        T_lost >= 0, (...) [J].
+    Raises:
+        ValueError: as ``impulse_central``.
+    """
+    reduced_mass, closing, e = _impact(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
+    return 0.5 * reduced_mass * (1 - e) * (1 + e) * closing**2
+
+
+def point_velocity(velocity: ArrayLike, angular_velocity: ArrayLike, arm: ArrayLike) -> Array:
+    """Velocity of a point of a turning body: v + omega x r (syllabus row 22).
+
+    Args:
+        velocity: of the centre of mass, (..., 3) [m/s].
+        angular_velocity: omega, (..., 3) [rad/s].
+        arm: r, from the centre of mass to the point, (..., 3) [m].
+    """
+    v, omega = vectors("velocity", velocity), vectors("angular_velocity", angular_velocity)
+    r = vectors("arm", arm)
+    broadcast(velocity=(v, 1), angular_velocity=(omega, 1), arm=(r, 1))
+    return v + np.cross(omega, r)
+
+
+def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
+    """Normal velocity of each contact, u = (v_A + omega_A x r_A - v_B - omega_B x r_B).n, (c,) [m/s].
+
+    Below 0 the bodies approach there (syllabus rows 20 and 22).
+    """
+    a, b, arm_a, arm_b = _arms(bodies, contacts)
+    v, omega = bodies.velocity, bodies.angular_velocity
+    relative = v[a] - v[b] + np.cross(omega[a], arm_a) - np.cross(omega[b], arm_b)
+    return np.sum(relative * contacts.normal, axis=-1)
+
+
+def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
+    """The mass that each contact's impulse feels along n.
+
+    1/mu = 1/m_A + 1/m_B + (r_A x n).I_A^-1 (r_A x n) + (r_B x n).I_B^-1 (r_B x n)
+    (D. Baraff, "An introduction to physically based modeling: rigid body
+    simulation II", SIGGRAPH 1997 course notes, the impulse of colliding
+    contact; without spin it is the denominator of syllabus row 17).
+
+    Returns:
+        mu, (c,) [kg]; infinity between two fixed bodies.
+    """
+    a, b, arm_a, arm_b = _arms(bodies, contacts)
+    inverse = bodies.inverse_mass[a] + bodies.inverse_mass[b]
+    for body, arm in ((a, arm_a), (b, arm_b)):
+        torque = np.cross(arm, contacts.normal)
+        inverse = inverse + np.einsum("ci,cij,cj->c", torque, bodies.world_inverse_inertia[body], torque)
+    return np.divide(1.0, inverse, out=np.full(inverse.shape, np.inf), where=inverse > 0)
+
+
+def impulse_at_point(bodies: Bodies, contacts: ContactPoints, restitution: ArrayLike) -> Array:
+    """Impulse of each contact taken on its own, for bodies that turn as well.
+
+    p_hat = -(1 + e) u mu while u < 0, else 0, with the normal velocity u and
+    the effective mass mu of the contact (syllabus row 17 with the point
+    velocity of row 22). Where contacts share a body their impulses are not
+    the answer of all together; ``course.contact.resolve_collisions`` is.
+
+    Args:
+        bodies: n bodies.
+        contacts: c contacts.
+        restitution: e, from 0 to 1, one number or (c,).
+    Returns:
+        p_hat >= 0, (c,) [N s].
+    Raises:
+        ValueError: restitution outside 0..1, a contact with a body that is not there.
+    """
+    e = in_range("restitution", restitution, 0, 1)
+    mu, u = effective_mass(bodies, contacts), normal_velocity(bodies, contacts)
+    broadcast(contacts=(u, 0), restitution=(e, 0))
+    approaching = (u < 0) & np.isfinite(mu)
+    return np.where(approaching, (1 + e) * np.maximum(-u, 0) * np.where(approaching, mu, 0), 0.0)
+
+
+def apply_impulse(bodies: Bodies, contacts: ContactPoints, impulse: ArrayLike) -> Bodies:
+    """The bodies after all these impulses at once.
+
+    p_A' = p_A + p_hat n, L_A' = L_A + r_A x p_hat n, and the opposite for B
+    (syllabus rows 16 and 22). Fixed bodies stay as they are.
+
+    Args:
+        impulse: p_hat of each contact, (c,) [N s].
+    """
+    a, b, arm_a, arm_b = _arms(bodies, contacts)
+    p_hat = scalars("impulse", impulse)
+    broadcast(contacts=(contacts.normal, 1), impulse=(p_hat, 0))
+    push = np.broadcast_to(p_hat, a.shape)[:, None] * contacts.normal
+    momentum, angular = bodies.momentum.copy(), bodies.angular_momentum.copy()
+    for body, arm, sign in ((a, arm_a, 1.0), (b, arm_b, -1.0)):
+        free = ~bodies.fixed[body]
+        np.add.at(momentum, body[free], sign * push[free])
+        np.add.at(angular, body[free], sign * np.cross(arm, push)[free])
+    return replace(bodies, momentum=momentum, angular_momentum=angular)
+
+
+def _arms(bodies: Bodies, contacts: ContactPoints) -> tuple[IntArray, IntArray, Array, Array]:
+    a = indices("contacts.body_a", contacts.body_a, len(bodies))
+    b = indices("contacts.body_b", contacts.body_b, len(bodies))
+    return a, b, contacts.point - bodies.position[a], contacts.point - bodies.position[b]
+
+
+def _pair(
+    mass_1: ArrayLike, mass_2: ArrayLike, velocity_1: ArrayLike, velocity_2: ArrayLike, normal: ArrayLike
+) -> tuple[Array, Array, Array, Array, Array]:
+    m_1, m_2 = positive("mass_1", mass_1, infinite=True), positive("mass_2", mass_2, infinite=True)
+    v_1, v_2 = vectors("velocity_1", velocity_1), vectors("velocity_2", velocity_2)
+    n = unit_vectors("normal", normal)
+    broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1))
+    return m_1, m_2, v_1, v_2, n
+
+
+def _impact(
+    mass_1: ArrayLike,
+    mass_2: ArrayLike,
+    velocity_1: ArrayLike,
+    velocity_2: ArrayLike,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+) -> tuple[Array, Array, Array]:
+    """Reduced mass (0 between fixed bodies, which no impulse moves), closing speed (0 if parting), e."""
+    m_1, m_2, v_1, v_2, n = _pair(mass_1, mass_2, velocity_1, velocity_2, normal)
+    e = in_range("restitution", restitution, 0, 1)
+    batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
+                      normal=(n, 1), restitution=(e, 0))  # fmt: skip
+    inverse = np.asarray(1.0 / m_1 + 1.0 / m_2)
+    reduced_mass = np.divide(1.0, inverse, out=np.zeros(inverse.shape), where=inverse > 0)
+    closing = np.maximum(np.sum((v_2 - v_1) * n, axis=-1), 0.0)
+    return np.broadcast_to(reduced_mass, batch), np.broadcast_to(closing, batch), np.broadcast_to(e, batch)

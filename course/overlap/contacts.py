@@ -1,0 +1,194 @@
+"""The contacts between bodies, as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from course.arrays import Array, IntArray, choice, failure, indices, read_only, scalars, shaped, unit_vectors
+from course.arrays import matrices as matrices_of
+from course.arrays import vectors as vectors_of
+
+#: What carries the normal: a face of B, a face of A, two crossing edges, or neither (curved surfaces).
+FEATURES = ("face_b", "face_a", "edges", "curved")
+
+
+@dataclass(frozen=True, eq=False)
+class Contacts:
+    """c points at which body A and body B touch, or nearly do.
+
+    The normal is a unit vector out of B toward A, and the separation is
+    d = (p_A - p_B) . N: above 0 apart, 0 touching, below 0 penetrating
+    (syllabus row 19). The point lies halfway, so p_A and p_B are
+    ``point +- separation N / 2``.
+
+    Args:
+        body_a, body_b: (c,) ints, which bodies; never the same one twice.
+        point: (c, 3) [m].
+        normal: (c, 3) unit vectors out of B toward A.
+        separation: (c,) [m].
+        feature: (c,) words of ``FEATURES``; all "face_b" when nothing is said.
+        edge_a, edge_b: (c, 3) directions of the two edges, read where the
+            feature is "edges" and needed there.
+        curvature_a, curvature_b: (c, 3, 3) symmetric curvature tensors
+            [1/m], read where the feature is "curved" and needed there.
+        pair: (c,) ints, which pair of a batch the contact belongs to.
+    Raises:
+        ValueError: another shape or kind, a body against itself, a feature without its data.
+    """
+
+    body_a: IntArray
+    body_b: IntArray
+    point: Array
+    normal: Array
+    separation: Array
+    feature: NDArray[Any] | None = None
+    edge_a: Array | None = None
+    edge_b: Array | None = None
+    curvature_a: Array | None = None
+    curvature_b: Array | None = None
+    pair: IntArray | None = None
+
+    def __post_init__(self) -> None:
+        body_a, body_b = indices("body_a", self.body_a), indices("body_b", self.body_b)
+        if body_a.ndim != 1:
+            raise failure("body_a", "shape (c,)", f"shape {body_a.shape}")
+        count = body_a.size
+        shaped("body_b", body_b, (count,))
+        if np.any(body_a == body_b):
+            index = int(np.argmax(body_a == body_b))
+            raise failure("body_b", "another body than body_a", f"body {body_b[index]} twice", (index,))
+        checked: dict[str, NDArray[Any]] = {
+            "body_a": body_a,
+            "body_b": body_b,
+            "point": _table("point", vectors_of("point", self.point), (count, 3)),
+            "normal": _table("normal", unit_vectors("normal", self.normal), (count, 3)),
+            "separation": _table("separation", scalars("separation", self.separation), (count,)),
+            "feature": _features(self.feature, count),
+        }
+        edges, curved = checked["feature"] == "edges", checked["feature"] == "curved"
+        for side in "ab":
+            checked[f"edge_{side}"] = _edges(f"edge_{side}", getattr(self, f"edge_{side}"), edges)
+            checked[f"curvature_{side}"] = _curvatures(
+                f"curvature_{side}", getattr(self, f"curvature_{side}"), curved
+            )
+        if self.pair is not None:
+            checked["pair"] = _table("pair", indices("pair", self.pair), (count,))
+        for name, array in checked.items():
+            object.__setattr__(self, name, None if array is None else read_only(array))
+
+    def __len__(self) -> int:
+        return self.body_a.size
+
+    def __getitem__(self, which: ArrayLike | slice) -> Contacts:
+        """The contacts picked by a mask, by indices or by a slice, in that order; an int picks one."""
+        if not isinstance(which, slice):
+            index = np.atleast_1d(np.asarray(which))
+            if index.dtype != bool and not (index.size and index.dtype.kind in "iu"):
+                if index.size:
+                    raise failure("contacts[...]", "a mask, whole numbers or a slice", f"{which!r:.60}")
+                index = index.astype(np.intp)
+            if index.dtype == bool:
+                shaped("contacts[mask]", index, (len(self),))
+            which = index
+        picked: list[Any] = [None if f is None else f[which] for f in self._arrays()]
+        return Contacts(*picked)
+
+    @property
+    def point_a(self) -> Array:
+        """p_A = point + separation N / 2, (c, 3) [m]."""
+        return self.point + 0.5 * self.separation[:, None] * self.normal
+
+    @property
+    def point_b(self) -> Array:
+        """p_B = point - separation N / 2, (c, 3) [m]."""
+        return self.point - 0.5 * self.separation[:, None] * self.normal
+
+    @staticmethod
+    def concatenate(parts: Sequence[Contacts]) -> Contacts:
+        """All contacts of all parts, in order.
+
+        Edges and curvatures that a part does not have are filled with NaN
+        (its features do not read them); ``pair`` is kept if every part has it.
+        """
+        parts = list(parts)
+        if not parts:
+            raise failure("parts", "at least one Contacts", "none")
+        for i, part in enumerate(parts):
+            if not isinstance(part, Contacts):
+                raise failure("parts", "Contacts", type(part).__name__, (i,))
+        columns: list[Any] = []
+        for field, column in zip(
+            fields(Contacts), zip(*(p._arrays() for p in parts), strict=True), strict=True
+        ):
+            columns.append(_joined(field.name, column, [len(p) for p in parts]))
+        return Contacts(*columns)
+
+    def _arrays(self) -> tuple[Any, ...]:
+        return tuple(getattr(self, field.name) for field in fields(self))
+
+
+def _joined(name: str, column: Sequence[NDArray[Any] | None], counts: Sequence[int]) -> Any:
+    present = [array for array in column if array is not None]
+    if not present or (name == "pair" and len(present) < len(column)):
+        return None
+    core = present[0].shape[1:]
+    return np.concatenate(
+        [
+            np.full((n, *core), np.nan) if array is None else array
+            for array, n in zip(column, counts, strict=True)
+        ]
+    )
+
+
+def _table(name: str, array: NDArray[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+    shaped(name, array, shape)
+    return array
+
+
+def _features(value: ArrayLike | None, count: int) -> NDArray[Any]:
+    if value is None:
+        return np.full(count, "face_b", dtype="<U6")
+    feature = np.asarray(value)
+    for word in np.unique(feature) if feature.dtype.kind == "U" else feature.ravel().tolist():
+        choice("feature", str(word) if isinstance(word, np.str_) else word, FEATURES)
+    return _table("feature", feature.astype("<U6"), (count,))
+
+
+def _needed(name: str, value: Any, rows: NDArray[np.bool_], core: tuple[int, ...]) -> NDArray[Any] | None:
+    """The array with zeros in the rows nobody reads, ready to be checked."""
+    if value is None:
+        if np.any(rows):
+            word = "edges" if name.startswith("edge") else "curved"
+            raise failure(name, f"an array, as a feature is {word!r}", "None", (int(np.argmax(rows)),))
+        return None
+    array = np.asarray(value)
+    shaped(name, array, (rows.size, *core))
+    return np.where(rows.reshape(-1, *[1] * len(core)), array, np.zeros(core))
+
+
+def _edges(name: str, value: Any, rows: NDArray[np.bool_]) -> Any:
+    read = _needed(name, value, rows, (3,))
+    if read is None:
+        return None
+    flat = rows & ~np.any(vectors_of(name, read), axis=1)
+    if np.any(flat):
+        raise failure(name, "directions that are not zero", "length 0.0", (int(np.argmax(flat)),))
+    return np.asarray(value, dtype=np.float64)
+
+
+def _curvatures(name: str, value: Any, rows: NDArray[np.bool_]) -> Any:
+    read = _needed(name, value, rows, (3, 3))
+    if read is None:
+        return None
+    tensor = matrices_of(name, read)
+    skew = np.abs(tensor - np.swapaxes(tensor, -1, -2)).max(axis=(-2, -1), initial=0.0)
+    bad = skew > 1e-9 * np.abs(tensor).max(axis=(-2, -1), initial=0.0)
+    if np.any(bad):
+        index = int(np.argmax(bad))
+        raise failure(name, "symmetric tensors", f"asymmetry {skew[index]!r}", (index,))
+    return cast(Array, np.asarray(value, dtype=np.float64))
