@@ -1,0 +1,199 @@
+"""Collisions of any number of bodies at one instant, by three laws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from course.arrays import Array, BoolArray, IntArray, choice, failure, in_range, indices
+from course.contact.solvers.nnls import nonnegative_least_squares
+from course.dynamics.bodies import Bodies
+from course.dynamics.impulse import apply_impulse, effective_mass, normal_velocity
+from course.overlap.contacts import Contacts
+
+LAWS = ("simultaneous", "sequential", "reflection")
+#: A contact approaches while its normal velocity is below -APPROACHING times
+#: the fastest approach at the start (of the bodies connected by contacts).
+APPROACHING = 1e-12
+#: How often all contacts of connected bodies are gone through before giving up.
+MAX_ROUNDS = 20_000
+
+
+class CollisionsUnresolved(RuntimeError):
+    """Some contact still approached after MAX_ROUNDS rounds; ``bodies`` is the state reached.
+
+    A ball pinned between two fixed walls at e = 1 is the plainest case: no
+    outcome keeps its energy and parts from both.
+    """
+
+    def __init__(self, message: str, bodies: Bodies) -> None:
+        super().__init__(message)
+        self.bodies = bodies
+
+
+def resolve_collisions(
+    bodies: Bodies, contacts: Contacts, restitution: float, *, law: str = "simultaneous"
+) -> Bodies:
+    """The bodies after all their collisions, when no contact approaches any more.
+
+    With u the normal velocities, A = J M^-1 J' and impulses p (syllabus rows
+    15-17, 21-22), bodies turning as well:
+
+    "simultaneous": over the contacts that do not part (u <= 0, touching at
+        rest counts), p >= 0, u' + e u >= 0, p.(u' + e u) = 0; repeated until
+        none approaches, as a contact that parted may approach afterwards.
+        The energy changes by (1 - e) p.u / 2 <= 0.
+    "sequential": each approaching contact in turn, in the order given, as if
+        it were alone; repeated until none approaches. The order matters.
+    "reflection": over the contacts that approach, the elastic answer of the
+        simultaneous law; repeated until none approaches (B. Smith, D. Kaufman,
+        E. Vouga, R. Tamstorf, E. Grinspun, "Reflections on simultaneous
+        impact", ACM Transactions on Graphics 31(4), 2012). For e < 1 the
+        mixture (1 - e) plastic + e reflected of that and the outcome that
+        loses most energy; both part everywhere, so the mixture does.
+
+    Every law keeps the momentum and angular momentum of bodies that are free,
+    gains no energy, and keeps it at e = 1. They agree on a single contact and
+    differ on many; no single law is the truth. Nothing happens to bodies that
+    part. Every contact given counts as touching, whatever its separation.
+
+    Approaching means u < -1e-12 times the fastest approach before (or below
+    rounding, 8e-16 times the largest speed, where that is more). Where the
+    exact sequence is infinite, reaching that is success.
+
+    Args:
+        bodies: n bodies.
+        contacts: c contacts between them.
+        restitution: e, from 0 to 1, one for all contacts.
+        law: one of the three.
+    Returns:
+        The bodies with new momenta.
+    Raises:
+        ValueError: restitution outside 0..1 or an array, an unknown law, a contact with a body that is not there.
+        CollisionsUnresolved: a contact still approaches after 20,000 rounds; has the state reached.
+    """
+    if np.ndim(restitution):
+        raise failure("restitution", "one number for all contacts", f"shape {np.shape(restitution)}")
+    e = float(in_range("restitution", restitution, 0, 1))
+    choice("law", law, LAWS)
+    for name in ("body_a", "body_b"):
+        indices(f"contacts.{name}", getattr(contacts, name), len(bodies))
+    impulse, stuck = np.zeros(len(contacts)), 0
+    if len(contacts):
+        u, alone, islands = _islands(bodies, contacts)
+        mass = np.where(alone, effective_mass(bodies, contacts), 0.0)
+        impulse = np.where(alone & (u < 0), -(1 + e) * u * mass, 0.0)
+        for chosen in islands:
+            if np.any(u[chosen] < 0):
+                impulse[chosen], done = _resolve(_island(bodies, contacts, chosen), e, law)
+                stuck += not done
+    after = apply_impulse(bodies, contacts, impulse) if np.any(impulse) else bodies
+    if stuck:
+        message = f"{stuck} group(s) of touching bodies still collide after {MAX_ROUNDS} rounds, law {law!r}, e = {e:g}"
+        raise CollisionsUnresolved(message, after)
+    return after
+
+
+@dataclass(frozen=True, eq=False)
+class _Island:
+    """Bodies connected by contacts, in coordinates in which the kinetic energy is |y|^2 / 2."""
+
+    factor: Array  # G = M^-1/2 J', (rows, c)
+    start: Array  # y = M^1/2 v before, (rows,)
+    tolerance: float
+
+    def normal_velocity(self, impulse: Array) -> Array:
+        return self.factor.T @ (self.start + self.factor @ impulse)
+
+
+def _islands(bodies: Bodies, contacts: Contacts) -> tuple[Array, BoolArray, list[IntArray]]:
+    """Normal velocities, which contacts share no free body with another, and the groups of the rest."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    u, a, b = normal_velocity(bodies, contacts), contacts.body_a, contacts.body_b
+    free_a, free_b = ~bodies.fixed[a], ~bodies.fixed[b]
+    n = len(bodies)
+    used = np.bincount(a[free_a], minlength=n) + np.bincount(b[free_b], minlength=n)
+    movable = free_a | free_b
+    alone = movable & ~(free_a & (used[a] > 1)) & ~(free_b & (used[b] > 1))
+    both = free_a & free_b
+    graph = coo_array((np.ones(np.count_nonzero(both)), (a[both], b[both])), shape=(n, n))
+    label = connected_components(graph, directed=False)[1][np.where(free_a, a, b)]
+    rest = np.flatnonzero(movable & ~alone)
+    order = rest[np.argsort(label[rest], kind="stable")]
+    cuts = np.flatnonzero(np.diff(label[order])) + 1
+    return u, alone, [part for part in np.split(order, cuts) if part.size]
+
+
+def _island(bodies: Bodies, contacts: Contacts, chosen: IntArray) -> _Island:
+    a, b = contacts.body_a[chosen], contacts.body_b[chosen]
+    touched = np.unique(np.concatenate([a, b]))
+    free = touched[~bodies.fixed[touched]]
+    local = np.full(len(bodies), -1)
+    local[free] = np.arange(free.size)
+    part = Bodies(*(getattr(bodies, f)[free] for f in Bodies.__dataclass_fields__))
+    velocity = part.velocity
+    if free.size == touched.size:  # nothing fixed: a common motion is no collision's business
+        velocity = velocity - velocity.mean(axis=0)
+    root_mass, root = np.sqrt(part.mass), np.linalg.cholesky(part.world_inverse_inertia)
+    spin = np.linalg.solve(root, part.angular_velocity[:, :, None])[:, :, 0]
+    start = np.concatenate([velocity * root_mass[:, None], spin], axis=1)
+    factor = np.zeros((chosen.size, free.size, 6))
+    for body, sign in ((a, 1.0), (b, -1.0)):
+        moves = np.flatnonzero(local[body] >= 0)
+        index, n = local[body[moves]], sign * contacts.normal[chosen[moves]]
+        torque = np.cross(contacts.point[chosen[moves]] - bodies.position[body[moves]], n)
+        factor[moves, index, :3] = n / root_mass[index, None]
+        factor[moves, index, 3:] = np.einsum("cji,cj->ci", root[index], torque)
+    flat = factor.reshape(chosen.size, -1).T
+    rows = np.any(flat, axis=1)
+    g, y = flat[rows], start.reshape(-1)[rows]
+    fastest = max(float(-np.min(g.T @ y)), 0.0)
+    rounding = 4 * np.finfo(float).eps * float(np.max(np.abs(velocity), initial=0.0))
+    return _Island(g, y, max(APPROACHING * fastest, rounding))
+
+
+def _resolve(island: _Island, e: float, law: str) -> tuple[Array, bool]:
+    """Impulses of an island and whether none approaches any more."""
+    limit = island.tolerance
+    if law == "sequential":
+        return _in_turn(island, e)
+    if law == "simultaneous":
+        return _rounds(island, 1 + e, lambda u: u <= limit)
+    elastic, done = _rounds(island, 2.0, lambda u: u < -limit)
+    if e == 1:
+        return elastic, done
+    plastic, also = _rounds(island, 1.0, lambda u: np.full(u.shape, True))
+    return e * elastic + (1 - e) * plastic, done and also
+
+
+def _rounds(island: _Island, strength: float, taken: Callable[[Array], BoolArray]) -> tuple[Array, bool]:
+    """Again and again strength times the plastic impulses of the contacts taken, until none approaches."""
+    g, impulse = island.factor, np.zeros(island.factor.shape[1])
+    for _ in range(MAX_ROUNDS):
+        y = island.start + g @ impulse
+        u = g.T @ y
+        if np.min(u) >= -island.tolerance:
+            return impulse, True
+        which = taken(u)
+        impulse[which] += nonnegative_least_squares(g[:, which], -strength * y)
+    return impulse, bool(np.min(island.normal_velocity(impulse)) >= -island.tolerance)
+
+
+def _in_turn(island: _Island, e: float) -> tuple[Array, bool]:
+    """One contact after the other, each as if it were alone, until none approaches."""
+    matrix, impulse = island.factor.T @ island.factor, np.zeros(island.factor.shape[1])
+    diagonal = np.diagonal(matrix).tolist()
+    for _ in range(MAX_ROUNDS):
+        u = island.normal_velocity(impulse)  # afresh in each round, so that rounding does not add up
+        if np.min(u) >= -island.tolerance:
+            return impulse, True
+        for i, mass in enumerate(diagonal):
+            if u[i] < -island.tolerance:
+                p = -(1 + e) * u[i] / mass
+                impulse[i] += p
+                u += matrix[:, i] * p
+    return impulse, bool(np.min(island.normal_velocity(impulse)) >= -island.tolerance)

@@ -1,0 +1,181 @@
+"""Contact conditions by non-negative least squares.
+
+SciPy's ``nnls`` does the work; what it returns is checked here, because some
+releases were known to stop early or to report a zero residual for a point
+that is not the minimum (scipy issues 20302, 21140, 25389).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from course.arrays import Array, ArrayLike, failure, scalars, shaped
+from course.contact.solvers.residual import complementarity_residual
+
+#: Optimality residual above which SciPy's answer is not taken.
+ACCEPTED = 1e-10
+
+
+@dataclass(frozen=True, eq=False)
+class NonNegativeSolution:
+    """What ``solve_nnls`` found.
+
+    Args:
+        force: f >= 0, (c,); zeros where a certificate says that there is none.
+        residual: ``complementarity_residual`` of the force.
+        certificate: None, or y >= 0, (c,), with A y = 0 and b.y < 0, the proof
+            that no force exists.
+    """
+
+    force: Array
+    residual: float
+    certificate: Array | None = None
+
+
+def nonnegative_least_squares(factor: ArrayLike, target: ArrayLike) -> Array:
+    """The x >= 0 that brings F x closest to t.
+
+    minimise |F x - t|^2 with x >= 0 (C. L. Lawson and R. J. Hanson, Solving
+    Least Squares Problems, 1995, chapter 23). Its optimality conditions are
+    those of contact with A = F'F and b = -F't (syllabus rows 20 and 25).
+
+    Args:
+        factor: F, (m, c).
+        target: t, (m,).
+    Returns:
+        x, (c,).
+    Raises:
+        ValueError: shapes that do not belong together, NaN or infinity.
+    """
+    from scipy.optimize import nnls
+
+    f, t = scalars("factor", factor), scalars("target", target)
+    if f.ndim != 2:
+        raise failure("factor", "shape (m, c)", f"shape {f.shape}")
+    shaped("target", t, f.shape[:1])
+    length = np.sqrt(np.sum(f * f, axis=0))
+    used = length > 0
+    x = np.zeros(f.shape[1])
+    if not np.any(used) or not np.any(t):
+        return x
+    # Columns of unit length: Lawson and Hanson's choice of the next column,
+    # and every tolerance inside, then do not depend on masses.
+    unit, size = f[:, used] / length[used], np.sqrt(np.sum(t * t))
+    try:
+        found = nnls(unit, t / size, maxiter=30 * unit.shape[1])[0]
+    except RuntimeError:
+        found = None
+    if found is None or not _off_optimum(unit, t / size, found) <= ACCEPTED:
+        found = _bounded(unit, t / size, found)
+    x[used] = found * size / length[used]
+    return x
+
+
+def _off_optimum(factor: Array, target: Array, x: Array) -> float:
+    """Residual of the optimality conditions x >= 0, g = F'(F x - t) >= 0, x.g = 0."""
+    gradient = factor.T @ (factor @ x - target)
+    return float(np.max(np.abs(np.minimum(x, gradient)) / (1.0 + np.max(x))))
+
+
+def _bounded(factor: Array, target: Array, first: Array | None) -> Array:
+    """SciPy's other solver for the same problem, where its nnls has failed; the better of the two."""
+    from scipy.optimize import lsq_linear
+
+    other = np.maximum(lsq_linear(factor, target, bounds=(0, np.inf), method="bvls", tol=1e-15).x, 0.0)
+    if first is None or _off_optimum(factor, target, other) < _off_optimum(factor, target, first):
+        return other
+    return first
+
+
+def solve_nnls(matrix: ArrayLike, bias: ArrayLike, *, factor: ArrayLike | None = None) -> NonNegativeSolution:
+    """A force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
+
+    With A = G'G, and b = -G't for some t, f is the non-negative least squares
+    solution of G f = t. For any other b it is Lawson and Hanson's least
+    distance problem (chapter 23, section 4): minimise |E u - e| over u >= 0
+    with E = (G; -b'), e = (0, ..., 0, 1). At the minimum f = u / (1 + b.u);
+    a zero residual means that no force exists, and u is the proof: A u = 0,
+    b.u < 0. f need not be unique; A f is.
+
+    Args:
+        matrix: A, (c, c), symmetric positive semidefinite.
+        bias: b, (c,).
+        factor: G with G'G = A, (m, c), such as M^-1/2 J'; more accurate than
+            the one found from A.
+    Returns:
+        Force, residual, and the certificate where no force exists.
+    Raises:
+        ValueError: shapes that do not belong together, A not symmetric or not positive semidefinite.
+    """
+    a, b = scalars("matrix", matrix), scalars("bias", bias)
+    if a.ndim != 2 or a.shape[0] != a.shape[1]:
+        raise failure("matrix", "shape (c, c)", f"shape {a.shape}")
+    shaped("bias", b, a.shape[:1])
+    if not b.size or np.all(b >= 0):
+        return NonNegativeSolution(np.zeros(b.shape), 0.0)
+    g = _factor(a) if factor is None else scalars("factor", factor)
+    if factor is not None and (g.ndim != 2 or g.shape[1] != b.size):
+        raise failure("factor", f"shape (m, {b.size})", f"shape {g.shape}")
+    target = np.linalg.lstsq(g.T, -b, rcond=None)[0]
+    if np.max(np.abs(g.T @ target + b)) <= 1e-12 * np.max(np.abs(b)):
+        force = nonnegative_least_squares(g, target)
+    else:
+        force, certificate = _least_distance(g, b)
+        if certificate is not None:
+            zero = np.zeros(b.shape)
+            return NonNegativeSolution(zero, float(complementarity_residual(a, zero, b)), certificate)
+    force, residual = _polished(a, b, force)
+    return NonNegativeSolution(force, residual)
+
+
+def _factor(a: Array) -> Array:
+    """G with G'G = A, from the eigenvectors; rounding noise below the rank is left out."""
+    size = np.max(np.abs(a))
+    if np.max(np.abs(a - a.T)) > 1e-9 * size:
+        raise failure("matrix", "a symmetric matrix", f"asymmetry {np.max(np.abs(a - a.T))!r}")
+    values, columns = np.linalg.eigh(a)
+    noise = a.shape[0] * np.finfo(float).eps * max(values[-1], 0.0)
+    if values[0] < -max(1e3 * noise, 1e-12 * size):
+        raise failure("matrix", "a positive semidefinite matrix", f"least eigenvalue {float(values[0])!r}")
+    kept = values > noise
+    return np.sqrt(values[kept])[:, None] * columns[:, kept].T
+
+
+def _least_distance(g: Array, b: Array) -> tuple[Array, Array | None]:
+    """Force and None, or zeros and the certificate that none exists."""
+    length = np.sqrt(np.sum(g * g, axis=0))
+    bare = (length == 0) & (b < 0)
+    if np.any(bare):  # nothing can push there: a contact between two fixed bodies
+        return np.zeros(b.shape), np.where(bare, 1.0, 0.0)
+    scale = 1.0 / np.max(np.abs(b) / np.where(length > 0, length, np.inf))
+    end = np.zeros(g.shape[0] + 1)
+    end[-1] = 1.0
+    for _ in range(4):
+        u = nonnegative_least_squares(np.vstack([g, -scale * b]), end)
+        moved = g @ u
+        if np.sqrt(np.sum(moved**2)) <= 1e-10 * np.sum(length * u):
+            return np.zeros(b.shape), u / np.sum(u)
+        # s = 1 + b.u without its cancellation: s = |G u|^2 + s^2 at the minimum.
+        square = float(np.sum(moved**2))
+        s = 1.0 + scale * float(b @ u) if square > 0.1 else square * (1.0 + square * (1.0 + 2.0 * square))
+        if s > 1e-3:
+            break
+        scale *= np.sqrt(s)
+    return u / (s * scale), None
+
+
+def _polished(a: Array, b: Array, force: Array) -> tuple[Array, float]:
+    """One more solve on the contacts that push, kept only if it is better."""
+    best, residual = force, float(complementarity_residual(a, force, b))
+    push = np.flatnonzero(force > 0)
+    if residual > 0 and push.size:
+        block = a[np.ix_(push, push)]
+        change = np.linalg.lstsq(block, -(a[push] @ force + b[push]), rcond=None)[0]
+        better = force.copy()
+        better[push] = np.maximum(force[push] + change, 0.0)
+        again = float(complementarity_residual(a, better, b))
+        if again < residual:
+            best, residual = better, again
+    return best, residual
