@@ -92,7 +92,12 @@ def general_advice(
     """Slips that no exercise needs to plant: wrong only in a batch, one answer for all, wrong only at edges."""
     wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
     advice = []
-    if wrong_kinds == {"batch"}:
+    if any("truth value of an array" in o.text for o in outcomes):
+        advice.append(
+            "`if` asks one question, a batch has many answers: use np.where(condition, this, that), which answers "
+            "each element for itself."
+        )
+    elif wrong_kinds == {"batch"}:
         advice.append(
             "Right for one, wrong for many at once: take sums over the last axis, np.sum(a * b, axis=-1), and give a "
             "number one more axis before it multiplies vectors, s[..., None] * n."

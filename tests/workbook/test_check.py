@@ -1,0 +1,232 @@
+"""check, hint, predict and use, as a student meets them (outside a notebook they print)."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from course.dynamics import impulse
+from course.exercises.definition import find_exercise
+from course.workbook import check, hint, predict, progress, use
+from course.workbook import progress as progress_module  # noqa: F401  (the function shadows the module)
+from course.workbook.check import judge_here
+
+NAME = "impulse_central"
+
+
+def right(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
+    closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)
+    return np.where(closing > 0, (1 + restitution) * closing / (1 / mass_1 + 1 / mass_2), 0.0)
+
+
+def named(function, name=NAME):
+    function.__name__ = name
+    return function
+
+
+@pytest.fixture(autouse=True)
+def a_session_of_its_own(monkeypatch, tmp_path):
+    import sys
+
+    monkeypatch.setattr(sys.modules["course.workbook.progress"], "_session", [])
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture
+def work(tmp_path, monkeypatch):
+    (tmp_path / "lessons").mkdir()
+    folder = tmp_path / "work"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def said(capsys) -> str:
+    return re.sub(r"\s+", " ", capsys.readouterr().out)
+
+
+def test_right_answer_names_the_next_exercise_and_the_minutes_left(capsys):
+    check(named(right))
+    text = said(capsys)
+    assert text.startswith("✓ Right: impulse_central")
+    assert "kinetic_energy_lost" in text and "minutes" in text
+
+
+def test_wrong_answer_gives_a_counterexample_that_can_be_pasted(capsys):
+    def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
+        return restitution * right(mass_1, mass_2, velocity_1, velocity_2, normal, 0.0)
+
+    check(impulse_central)
+    out = capsys.readouterr().out
+    assert "✗ Not yet" in out and "The factor is e where it must be 1 + e" in re.sub(r"\s+", " ", out)
+    call = out[out.index("impulse_central(\n") : out.index("expected")].strip()
+    value = eval(call, {"np": np, "impulse_central": impulse_central})
+    got = float(re.search(r"got\s+([-\d.]+) N s", out).group(1))
+    assert value == pytest.approx(got, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        (lambda *a: None, "returned None"),
+        (lambda *a: np.nan, "NaN"),
+        (lambda *a: np.inf, "infinity"),
+        (lambda *a: np.zeros((2, 2, 2)), "shape (2, 2, 2) where () (a single number) is expected"),
+        (lambda *a: "four", "where numbers are expected"),
+        (lambda *a: 1 / 0, "ZeroDivisionError"),
+        (lambda *a: [[1.0], [1.0, 2.0]], "ragged"),
+        (lambda *a: 1.0, "the same for every input"),
+        (lambda *a: exit(), "SystemExit"),
+    ],
+)
+def test_broken_answers_are_told_in_plain_words(capsys, body, words):
+    def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
+        return body()
+
+    check(impulse_central)
+    text = said(capsys)
+    assert "✗ Not yet" in text and words in text
+
+
+def test_writing_into_an_input_is_told(capsys):
+    def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
+        velocity_2 -= velocity_1
+        return 0.0
+
+    check(impulse_central)
+    assert "it wrote into its input (velocity_2)" in said(capsys)
+
+
+def test_wrong_signature_is_told(capsys):
+    check(named(lambda mass, velocity: 0.0))
+    assert "yours takes (mass, velocity)" in said(capsys)
+
+
+def test_if_on_a_batch_is_told(capsys):
+    def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
+        value = right(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
+        if value > 0:
+            return value
+        return 0.0
+
+    check(impulse_central)
+    assert "np.where(condition, this, that)" in said(capsys)
+
+
+def test_a_stub_is_not_attempted_and_no_error(capsys):
+    def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
+        """Words."""
+        ...
+
+    check(impulse_central)
+    assert said(capsys).startswith("○ Not attempted: impulse_central")
+    check(..., "p_hat")
+    assert said(capsys).startswith("○ Not attempted: p_hat")
+
+
+def test_functions_that_are_not_ones_own_are_refused(capsys):
+    with pytest.raises(ValueError, match="got one of course.dynamics.impulse"):
+        check(impulse.impulse_central)
+    used = use(named(right))
+    with pytest.raises(ValueError, match="got what use"):
+        check(used)
+
+
+def test_unknown_names_say_the_nearest():
+    with pytest.raises(ValueError, match="did you mean 'impulse_central'"):
+        check(named(lambda: 0, "impulse_centrl"))
+    with pytest.raises(ValueError, match="expected the exercise's name"):
+        check(sp.Symbol("e") + 1)
+
+
+def test_expressions_are_judged_by_their_values(capsys):
+    m_1, m_2, v_1, v_2, e = sp.symbols("m_1 m_2 v_1 v_2 e", positive=True)
+    check(m_1 * m_2 * (1 + e) * (v_2 - v_1) / (m_1 + m_2), "p_hat")
+    assert said(capsys).startswith("✓ Right: p_hat")
+    check((1 - e) * (v_2 - v_1) / (1 / m_1 + 1 / m_2), "p_hat")
+    assert "as the slide prints it" in said(capsys)
+    check([m_1], "p_hat")
+    assert "take its entry" in said(capsys)
+    check(sp.Eq(m_1, m_2), "p_hat")
+    assert "right-hand side" in said(capsys)
+    check(m_1 * sp.Symbol("k"), "p_hat")
+    assert "yours also contains k" in said(capsys)
+
+
+def test_use_falls_back_to_the_reference_and_says_so(capsys):
+    given = dict(mass_1=2.0, mass_2=1.0, velocity_1=np.array([-3.0, 0, 0]), velocity_2=np.array([1.0, 0, 0]),
+                 normal=np.array([1.0, 0, 0]), restitution=0.5)  # fmt: skip
+    assert use(named(right))(**given) == pytest.approx(4.0)
+    assert "yours" in said(capsys)
+    assert use(named(lambda a, b, c, d, n, e: 0.0))(**given) == pytest.approx(4.0)
+    assert "the reference for now" in said(capsys)
+
+
+def test_hints_go_up_in_three_tiers_then_the_reference(work, capsys):
+    seen = []
+    for _ in range(4):
+        hint(NAME)
+        seen.append(said(capsys))
+    assert ["Hint 1 of 3" in seen[0], "Hint 2 of 3" in seen[1], "____" in seen[2]] == [True] * 3
+    assert "def impulse_central" in seen[3] and "def impulse_central" not in "".join(seen[:3])
+    events = [json.loads(line) for line in (work / "progress.jsonl").read_text().splitlines()]
+    assert [e["tier"] for e in events] == [1, 2, 3, 4]
+
+
+def test_progress_is_recorded_only_in_work(work, tmp_path, monkeypatch, capsys):
+    check(named(right))
+    assert "1/5" in str(progress()).split("10  ")[1].split("\n")[0]
+    before = (work / "progress.jsonl").read_bytes()
+    monkeypatch.chdir(tmp_path)
+    check(named(right))
+    assert (work / "progress.jsonl").read_bytes() == before
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["lessons", "work"]
+
+
+def test_a_cut_off_line_loses_nothing_else(work, capsys):
+    check(named(right))
+    with (work / "progress.jsonl").open("a") as file:
+        file.write('{"kind": "check", "na')
+    assert "1/5" in str(progress())
+
+
+def test_wrong_answers_that_match_nothing_are_kept_here(work, capsys):
+    check(named(lambda a, b, c, d, n, e: 17.0 + np.sum(c * n, axis=-1)))
+    check(named(lambda a, b, c, d, n, e: e * right(a, b, c, d, n, 0.0)))
+    kept = [json.loads(line) for line in (work / "unrecognised.jsonl").read_text().splitlines()]
+    assert [k["exercise"] for k in kept] == [NAME]
+    assert "17.0" in kept[0]["source"]
+
+
+def test_predictions_show_the_outcome_only_after_an_answer(capsys):
+    predict("parting", ...)
+    asked = said(capsys)
+    assert "○ Your prediction" in asked and "it is" not in asked
+    predict("parting", 2)
+    answered = said(capsys)
+    assert "Not what you predicted" in answered and "-1 m/s" in answered and "tempting" in answered
+    predict("parting", -1.0)
+    assert "✓ As you predicted" in said(capsys)
+    with pytest.raises(ValueError, match="answer: expected a number in m/s; got 'fast'"):
+        predict("parting", "fast")
+    with pytest.raises(ValueError, match='answer: expected "stands" or "back" or "on"; got 3'):
+        predict("cradle", 3)
+
+
+def test_a_check_leaves_numpys_random_state_alone(capsys):
+    np.random.seed(5)
+    expected = np.random.random()
+    np.random.seed(5)
+    check(named(lambda a, b, c, d, n, e: np.random.random()))
+    assert np.random.random() == expected
+
+
+def test_judging_takes_no_printing_from_the_student(capsys):
+    def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
+        print("debug " * 1000)
+        return right(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
+
+    assert judge_here(find_exercise(NAME)[1], impulse_central).passed
+    assert capsys.readouterr().out == ""
