@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,7 +18,7 @@ LAWS = ("simultaneous", "sequential", "reflection")
 #: the fastest approach at the start (of the bodies connected by contacts).
 APPROACHING = 1e-12
 #: How often all contacts of connected bodies are gone through before giving up.
-MAX_ROUNDS = 20_000
+MAX_ROUNDS = 50_000
 
 
 class CollisionsUnresolved(RuntimeError):
@@ -72,7 +72,7 @@ def resolve_collisions(
         The bodies with new momenta.
     Raises:
         ValueError: restitution outside 0..1 or an array, an unknown law, a contact with a body that is not there.
-        CollisionsUnresolved: a contact still approaches after 20,000 rounds; has the state reached.
+        CollisionsUnresolved: a contact still approaches after 50,000 rounds; has the state reached.
     """
     if np.ndim(restitution):
         raise failure("restitution", "one number for all contacts", f"shape {np.shape(restitution)}")
@@ -80,16 +80,19 @@ def resolve_collisions(
     choice("law", law, LAWS)
     for name in ("body_a", "body_b"):
         indices(f"contacts.{name}", getattr(contacts, name), len(bodies))
-    impulse, stuck = np.zeros(len(contacts)), 0
-    if len(contacts):
-        u, alone, islands = _islands(bodies, contacts)
-        mass = np.where(alone, effective_mass(bodies, contacts), 0.0)
-        impulse = np.where(alone & (u < 0), -(1 + e) * u * mass, 0.0)
-        for chosen in islands:
-            if np.any(u[chosen] < 0):
-                impulse[chosen], done = _resolve(_island(bodies, contacts, chosen), e, law)
-                stuck += not done
-    after = apply_impulse(bodies, contacts, impulse) if np.any(impulse) else bodies
+    if not len(contacts):
+        return bodies
+    u, alone, groups = _groups(bodies, contacts)
+    mass = np.where(alone, effective_mass(bodies, contacts), 0.0)
+    after = apply_impulse(bodies, contacts, np.where(alone & (u < 0), -(1 + e) * u * mass, 0.0))
+    momentum, angular_momentum, stuck = after.momentum.copy(), after.angular_momentum.copy(), 0
+    for chosen in groups:
+        if np.any(u[chosen] < 0):
+            island = _island(bodies, contacts, chosen)
+            change, done = _resolve(island, e, law)
+            island.add(change, momentum, angular_momentum)
+            stuck += not done
+    after = replace(bodies, momentum=momentum, angular_momentum=angular_momentum)
     if stuck:
         message = f"{stuck} group(s) of touching bodies still collide after {MAX_ROUNDS} rounds, law {law!r}, e = {e:g}"
         raise CollisionsUnresolved(message, after)
@@ -98,17 +101,30 @@ def resolve_collisions(
 
 @dataclass(frozen=True, eq=False)
 class _Island:
-    """Bodies connected by contacts, in coordinates in which the kinetic energy is |y|^2 / 2."""
+    """Bodies connected by contacts, in coordinates y in which the kinetic energy is |y|^2 / 2.
 
+    There every impulse at e = 1 is a mirror image, so that rounding does not
+    grow, whatever the masses.
+    """
+
+    bodies: IntArray  # the free bodies, (k,)
+    root_mass: Array  # sqrt(m), (k,)
+    root: Array  # C with C C' = I^-1 in the world, (k, 3, 3)
+    rows: BoolArray  # which of the 6 k coordinates the contacts can change
     factor: Array  # G = M^-1/2 J', (rows, c)
-    start: Array  # y = M^1/2 v before, (rows,)
+    start: Array  # y before, (rows,): of each body sqrt(m) v, then C^-1 omega
     tolerance: float
 
-    def normal_velocity(self, impulse: Array) -> Array:
-        return self.factor.T @ (self.start + self.factor @ impulse)
+    def add(self, change: Array, momentum: Array, angular_momentum: Array) -> None:
+        """Add a change of y to the momenta: sqrt(m) y and C^-T y."""
+        each = np.zeros((self.bodies.size, 6))
+        each.reshape(-1)[self.rows] = change
+        momentum[self.bodies] += self.root_mass[:, None] * each[:, :3]
+        turned = np.linalg.solve(np.swapaxes(self.root, -1, -2), each[:, 3:, None])
+        angular_momentum[self.bodies] += turned[:, :, 0]
 
 
-def _islands(bodies: Bodies, contacts: Contacts) -> tuple[Array, BoolArray, list[IntArray]]:
+def _groups(bodies: Bodies, contacts: Contacts) -> tuple[Array, BoolArray, list[IntArray]]:
     """Normal velocities, which contacts share no free body with another, and the groups of the rest."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -138,7 +154,8 @@ def _island(bodies: Bodies, contacts: Contacts, chosen: IntArray) -> _Island:
     velocity = part.velocity
     if free.size == touched.size:  # nothing fixed: a common motion is no collision's business
         velocity = velocity - velocity.mean(axis=0)
-    root_mass, root = np.sqrt(part.mass), np.linalg.cholesky(part.world_inverse_inertia)
+    root_mass: Array = np.sqrt(part.mass)
+    root: Array = np.linalg.cholesky(part.world_inverse_inertia)
     spin = np.linalg.solve(root, part.angular_velocity[:, :, None])[:, :, 0]
     start = np.concatenate([velocity * root_mass[:, None], spin], axis=1)
     factor = np.zeros((chosen.size, free.size, 6))
@@ -148,52 +165,62 @@ def _island(bodies: Bodies, contacts: Contacts, chosen: IntArray) -> _Island:
         torque = np.cross(contacts.point[chosen[moves]] - bodies.position[body[moves]], n)
         factor[moves, index, :3] = n / root_mass[index, None]
         factor[moves, index, 3:] = np.einsum("cji,cj->ci", root[index], torque)
-    flat = factor.reshape(chosen.size, -1).T
-    rows = np.any(flat, axis=1)
-    g, y = flat[rows], start.reshape(-1)[rows]
+    rows = factor.reshape(chosen.size, -1).any(axis=0)
+    g, y = factor.reshape(chosen.size, -1)[:, rows].T.copy(), start.reshape(-1)[rows]
     fastest = max(float(-np.min(g.T @ y)), 0.0)
     rounding = 4 * np.finfo(float).eps * float(np.max(np.abs(velocity), initial=0.0))
-    return _Island(g, y, max(APPROACHING * fastest, rounding))
+    # Half of it, so that rounding in the answer's own velocities does not cross the line.
+    return _Island(free, root_mass, root, rows, g, y, max(0.5 * APPROACHING * fastest, rounding))
 
 
 def _resolve(island: _Island, e: float, law: str) -> tuple[Array, bool]:
-    """Impulses of an island and whether none approaches any more."""
+    """The change of y by a law, and whether none approaches any more."""
     limit = island.tolerance
     if law == "sequential":
         return _in_turn(island, e)
     if law == "simultaneous":
-        return _rounds(island, 1 + e, lambda u: u <= limit)
-    elastic, done = _rounds(island, 2.0, lambda u: u < -limit)
+        return _at_once(island, 1 + e, lambda u: u <= limit)
+    elastic, done = _at_once(island, 2.0, lambda u: u < -limit)
     if e == 1:
         return elastic, done
-    plastic, also = _rounds(island, 1.0, lambda u: np.full(u.shape, True))
+    plastic, also = _at_once(island, 1.0, lambda u: np.full(u.shape, True))
     return e * elastic + (1 - e) * plastic, done and also
 
 
-def _rounds(island: _Island, strength: float, taken: Callable[[Array], BoolArray]) -> tuple[Array, bool]:
+def _at_once(island: _Island, strength: float, taken: Callable[[Array], BoolArray]) -> tuple[Array, bool]:
     """Again and again strength times the plastic impulses of the contacts taken, until none approaches."""
-    g, impulse = island.factor, np.zeros(island.factor.shape[1])
+    g, change = island.factor, np.zeros(island.start.shape)
     for _ in range(MAX_ROUNDS):
-        y = island.start + g @ impulse
+        y = island.start + change
         u = g.T @ y
         if np.min(u) >= -island.tolerance:
-            return impulse, True
-        which = taken(u)
-        impulse[which] += nonnegative_least_squares(g[:, which], -strength * y)
-    return impulse, bool(np.min(island.normal_velocity(impulse)) >= -island.tolerance)
+            return change, True
+        which = np.flatnonzero(taken(u))
+        columns = g[:, which]
+        if which.size == 1:
+            impulse = -strength * np.minimum(u[which], 0.0) / np.sum(columns * columns)
+        else:
+            impulse = nonnegative_least_squares(columns, -strength * y)
+        change = change + columns @ impulse
+    return change, False
 
 
 def _in_turn(island: _Island, e: float) -> tuple[Array, bool]:
     """One contact after the other, each as if it were alone, until none approaches."""
-    matrix, impulse = island.factor.T @ island.factor, np.zeros(island.factor.shape[1])
-    diagonal = np.diagonal(matrix).tolist()
+    g, change, limit = island.factor, np.zeros(island.start.shape), -island.tolerance
+    matrix = g.T @ g
+    mass_felt = (1.0 / np.diagonal(matrix)).tolist()
+    # Plain lists: an impulse changes u only at the few contacts that share a body with it.
+    sharing = [[(int(j), float(row[j])) for j in np.flatnonzero(row)] for row in matrix]
     for _ in range(MAX_ROUNDS):
-        u = island.normal_velocity(impulse)  # afresh in each round, so that rounding does not add up
-        if np.min(u) >= -island.tolerance:
-            return impulse, True
-        for i, mass in enumerate(diagonal):
-            if u[i] < -island.tolerance:
-                p = -(1 + e) * u[i] / mass
-                impulse[i] += p
-                u += matrix[:, i] * p
-    return impulse, bool(np.min(island.normal_velocity(impulse)) >= -island.tolerance)
+        u = (g.T @ (island.start + change)).tolist()  # afresh, so that rounding does not add up
+        if min(u) >= limit:
+            return change, True
+        impulse = [0.0] * len(u)
+        for i, mass in enumerate(mass_felt):
+            if u[i] < limit:
+                p = impulse[i] = -(1 + e) * u[i] * mass
+                for j, coupling in sharing[i]:
+                    u[j] += coupling * p
+        change = change + g @ np.array(impulse)
+    return change, False
