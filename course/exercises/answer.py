@@ -14,7 +14,7 @@ import linecache
 import textwrap
 import traceback
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -22,6 +22,9 @@ import numpy as np
 
 OutcomeKind = Literal["value", "none", "raised", "unreadable", "unattempted", "wrote"]
 PRINTED_LIMIT = 400
+FLOOD_LIMIT = 1_000_000
+TEXT_LIMIT = 1_000
+SIZE_LIMIT = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -34,27 +37,47 @@ class Outcome:
     printed: str = ""
 
 
+class OutputFlood(BaseException):
+    """An answer printed without end. No ``Exception``, so that ``except Exception`` in a loop does not keep it."""
+
+
+class _Kept(io.TextIOBase):
+    """Keeps the first characters that are printed, counts the rest, and stops a flood."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.text = ""
+        self.count = 0
+
+    def write(self, text: str) -> int:
+        self.count += len(text)
+        if len(self.text) < PRINTED_LIMIT:
+            self.text = (self.text + text)[:PRINTED_LIMIT]
+        if self.count > FLOOD_LIMIT:
+            raise OutputFlood(f"it printed more than {FLOOD_LIMIT:,} characters: a print in a loop without end?")
+        return len(text)
+
+
 def call(function: Callable[..., Any], arguments: Mapping[str, Any], result_count: int) -> Outcome:
     """Call ``function`` on copies of the arguments, by position, and describe what happened."""
     given = {name: _copy(value) for name, value in arguments.items()}
-    printed = io.StringIO()
+    printed = _Kept()
     try:
         with warnings.catch_warnings(), contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
             warnings.simplefilter("ignore")
             returned = function(*given.values())
+            outcome = _as_arrays(returned, result_count)  # may run an object's own __array__ or __len__
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # SystemExit too: an answer that exits is an answer that raised
-        return Outcome("raised", text=describe(error), printed=printed.getvalue()[:PRINTED_LIMIT])
-    said = printed.getvalue()[:PRINTED_LIMIT]
+        return Outcome("raised", text=describe(error), printed=printed.text)
     changed = [name for name, value in arguments.items() if not _same(value, given[name])]
     if changed:
-        return Outcome("wrote", text=", ".join(changed), printed=said)
-    outcome = _as_arrays(returned, result_count)
-    return Outcome(outcome.kind, outcome.values, outcome.text, said)
+        return Outcome("wrote", text=", ".join(changed), printed=printed.text)
+    return Outcome(outcome.kind, outcome.values, outcome.text, printed.text)
 
 
-def call_all(function: Callable[..., Any], cases: Sequence[Mapping[str, Any]], result_count: int) -> list[Outcome]:
+def call_all(function: Callable[..., Any], cases: Iterable[Mapping[str, Any]], result_count: int) -> list[Outcome]:
     """Call ``function`` on every case; NumPy's global random state is left as it was."""
     state = np.random.get_state()
     try:
@@ -62,6 +85,27 @@ def call_all(function: Callable[..., Any], cases: Sequence[Mapping[str, Any]], r
             return [call(function, arguments, result_count) for arguments in cases]
     finally:
         np.random.set_state(state)
+
+
+def as_function(answer: Any, kind: str, name: str, arguments: Sequence[str]) -> Callable[..., Any]:
+    """The answer as a function of arrays: itself, or for ``kind="expression"`` its evaluation.
+
+    Raises ``TypeError`` or ``ValueError`` in a student's words where the answer is neither, or takes other arguments.
+    """
+    if kind == "expression":
+        return evaluator(answer, arguments)
+    if not callable(answer):
+        raise TypeError(f"expected a function; got {_kind(answer)} (pass {name}, not {name}(...))")
+    try:
+        signature = inspect.signature(answer)
+    except ValueError:  # a built-in without a readable signature: calling it will tell
+        return answer
+    try:
+        signature.bind(*arguments)
+    except TypeError:
+        wanted, taken = ", ".join(arguments), ", ".join(signature.parameters)
+        raise TypeError(f"expected a function that takes {name}({wanted}); yours takes ({taken})") from None
+    return answer
 
 
 def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
@@ -107,24 +151,42 @@ def is_stub(answer: Any, source: str | None = None) -> bool:
     if not callable(answer):
         return False
     try:
-        tree = ast.parse(textwrap.dedent(source if source is not None else inspect.getsource(answer)))
-    except (OSError, TypeError, SyntaxError):
+        source = textwrap.dedent(source if source is not None else inspect.getsource(answer))
+    except (OSError, TypeError):
         return False
-    name = getattr(answer, "__name__", "")
-    return any(
-        isinstance(node, ast.FunctionDef) and node.name == name and any(map(_is_blank, ast.walk(node)))
-        for node in ast.walk(tree)
-    )
+    return is_blank(source, getattr(answer, "__name__", ""))
+
+
+def is_blank(source: str, name: str) -> bool:
+    """Whether a cell's source leaves ``name`` blank, without running it: the last thing it binds to it counts."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(source)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    blank = False
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef) and node.name == name:
+            blank = any(map(_is_blank, ast.walk(node)))
+        elif isinstance(node, (ast.Assign, ast.AnnAssign)) and name in _targets(node):
+            blank = _is_blank(node)
+    return blank
 
 
 def describe(error: BaseException) -> str:
     """An exception in one or two lines: its type, its words, and the last line of the student's own code."""
-    words = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    words = type(error).__name__
+    try:
+        said = str(error)[:TEXT_LIMIT]
+    except Exception:  # a student's exception may fail to print itself
+        said = ""
+    words += f": {said}" if said else ""
     own = [f for f in traceback.extract_tb(error.__traceback__) if _is_notebook_frame(f.filename)]
     if own:
         line = own[-1].line or linecache.getline(own[-1].filename, own[-1].lineno or 0).strip()
         if line:
-            words += f"\n  in the line:  {line}"
+            words += f"\n  in the line:  {line[:TEXT_LIMIT]}"
     return words
 
 
@@ -134,8 +196,13 @@ def _is_notebook_frame(filename: str) -> bool:
 
 def _is_blank(node: ast.AST) -> bool:
     value = getattr(node, "value", None)
-    is_statement = isinstance(node, (ast.Expr, ast.Assign, ast.Return))
+    is_statement = isinstance(node, (ast.Expr, ast.Assign, ast.AnnAssign, ast.Return))
     return is_statement and isinstance(value, ast.Constant) and value.value is Ellipsis
+
+
+def _targets(node: ast.Assign | ast.AnnAssign) -> list[str]:
+    targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+    return [t.id for t in targets if isinstance(t, ast.Name)]
 
 
 def _as_arrays(returned: Any, count: int) -> Outcome:
@@ -154,14 +221,22 @@ def _as_arrays(returned: Any, count: int) -> Outcome:
     for part in parts:
         if part is None or part is Ellipsis:
             return Outcome("none" if part is None else "unattempted")
+        if isinstance(part, np.ndarray) and part.size > SIZE_LIMIT:
+            return Outcome("unreadable", text=_too_many(part.size))  # before a copy is made of it
         try:
             array = np.array(part)
         except (ValueError, TypeError):
             return Outcome("unreadable", text=f"expected numbers in an array; got a ragged {_kind(part)}")
         if array.dtype.kind not in "biufcU":
             return Outcome("unreadable", text=f"expected numbers; got {_kind(part)}")
+        if array.size > SIZE_LIMIT:
+            return Outcome("unreadable", text=_too_many(array.size))
         arrays.append(array)
     return Outcome("value", tuple(arrays))
+
+
+def _too_many(size: int) -> str:
+    return f"expected at most {SIZE_LIMIT:,} numbers; got {size:,}"
 
 
 def _kind(value: Any) -> str:
@@ -169,10 +244,14 @@ def _kind(value: Any) -> str:
 
 
 def _copy(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(_copy(part) for part in value)
     return np.array(value) if isinstance(value, np.ndarray) else value
 
 
 def _same(before: Any, after: Any) -> bool:
+    if isinstance(before, tuple):
+        return all(_same(b, a) for b, a in zip(before, after, strict=True))
     if not isinstance(before, np.ndarray):
         return True
     return before.shape == after.shape and np.array_equal(before, after, equal_nan=before.dtype.kind == "f")

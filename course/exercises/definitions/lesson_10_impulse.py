@@ -567,6 +567,18 @@ PREDICTIONS = (
         },
     ),
     Prediction(
+        "equal_balls",
+        "Two balls of 1 kg, e = 1, v_1 = -2 m/s, v_2 = 0. What is p_hat?",
+        lambda: float(
+            impulse.impulse_central(1.0, 1.0, np.array([-2.0, 0.0, 0.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 1.0)
+        ),
+        "The bracket is 1/m_1 + 1/m_2 = 2, so -2 + 2 p_hat = 2 and p_hat = 2 N s: body 1 stops, body 2 leaves with "
+        "the speed body 1 had.",
+        unit="N s",
+        tolerance=1e-9,
+        wrong={4: "-2 + p_hat (1 + 1) = 2: both bodies take part, so the bracket is 2.", 1: "This only stops the approach: e = 0."},
+    ),
+    Prediction(
         "cradle",
         "Three equal balls hang in a row and touch; the first comes in at 1 m/s, nothing is lost. You solve for both "
         "impulses at once. What does the *first* ball do afterwards?",

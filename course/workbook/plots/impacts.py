@@ -1,0 +1,127 @@
+"""Pictures of impacts: one pair, a row of balls, a rack of balls, two blocks and a wall."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Circle, Rectangle
+
+from course.dynamics.impulse import impulse_central, kinetic_energy_lost
+from course.workbook.plots.figure import PALETTE, axes, describe, style
+
+
+def impact(
+    mass_1: float, mass_2: float, velocity_1: float, velocity_2: float, restitution: float, *, ax: Axes | None = None
+) -> Axes:
+    """Two balls on one line before and after a central impact, and where their kinetic energy goes.
+
+    Speeds in m/s along n (body 2 on the left, body 1 on the right, n to the right), masses in kg.
+    """
+    x = np.array([1.0, 0.0, 0.0])
+    given = (mass_1, mass_2, velocity_1 * x, velocity_2 * x, x, restitution)
+    p_hat, lost = float(impulse_central(*given)), float(kinetic_energy_lost(*given))
+    before = np.array([velocity_1, velocity_2])
+    after = before + p_hat * np.array([1 / mass_1, -1 / mass_2])
+    masses = np.array([mass_1, mass_2])
+    with style():
+        if ax is None:
+            _, (ax, bars) = plt.subplots(1, 2, figsize=(8.6, 3.4), width_ratios=(3, 2))
+            _energy_bars(bars, 0.5 * masses * before**2, 0.5 * masses * after**2, lost)
+        scale = 1.4 / max(1.0, np.abs([*before, *after]).max())
+        for row, (name, speeds) in enumerate((("before", before), ("after", after))):
+            _two_balls(ax, -1.6 * row, masses, speeds, scale)
+            ax.text(-2.9, -1.6 * row, name, va="center", ha="left")
+        ax.set(xlim=(-3.0, 3.0), ylim=(-2.6, 1.0), aspect="equal", xticks=[], yticks=[])
+        ax.set_title(f"$\\hat p$ = {p_hat:.3g} N s" + ("" if p_hat > 0 else ": they do not approach"))
+        ax.grid(False)
+        for side in ax.spines.values():
+            side.set_visible(False)
+    describe(
+        ax,
+        f"Body 1 ({mass_1:.3g} kg) and body 2 ({mass_2:.3g} kg) along the normal. Before: {before[0]:.3g} and "
+        f"{before[1]:.3g} m/s; after an impulse of {p_hat:.3g} N s: {after[0]:.3g} and {after[1]:.3g} m/s. "
+        f"Kinetic energy lost: {lost:.3g} J of {0.5 * float(masses @ before**2):.3g} J.",
+    )
+    return ax
+
+
+def _two_balls(ax: Axes, height: float, masses: np.ndarray, speeds: np.ndarray, scale: float) -> None:
+    """Body 2 left of the contact, body 1 right of it, radius growing with the cube root of the mass."""
+    radii = np.clip(0.32 * np.cbrt(masses), 0.14, 0.62)
+    for side, index, colour in ((1, 0, "blue"), (-1, 1, "vermillion")):
+        centre = side * radii[index]
+        ax.add_patch(Circle((centre, height), radii[index], fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.85))
+        ax.text(centre, height, str(index + 1), color="white", ha="center", va="center", fontweight="bold")
+        tip = scale * speeds[index]
+        if abs(speeds[index]) > 1e-9:
+            lift = height + radii[index] + 0.14
+            ax.annotate("", (centre + tip, lift), (centre, lift), arrowprops={"arrowstyle": "-|>", "lw": 2, "color": PALETTE[colour]})  # fmt: skip
+        ax.text(side * 1.75, height, f"{speeds[index]:+.2f} m/s", ha="center", va="center", color=PALETTE[colour])
+
+
+def _energy_bars(ax: Axes, before: np.ndarray, after: np.ndarray, lost: float) -> None:
+    parts = (
+        ("body 1", (before[0], after[0]), "blue", ""),
+        ("body 2", (before[1], after[1]), "vermillion", "//"),
+        ("lost", (0.0, lost), "grey", ".."),
+    )
+    foot = np.zeros(2)
+    for name, heights, colour, hatch in parts:
+        ax.bar(["before", "after"], heights, bottom=foot, color=PALETTE[colour], hatch=hatch, ec="white", label=name)
+        foot = foot + np.array(heights)
+    ax.set(ylabel="kinetic energy [J]", ylim=(0, max(foot.max(), 1e-9) * 1.45))
+    ax.grid(axis="x", visible=False)
+    ax.legend(ncols=3, loc="upper center", handlelength=1.2, columnspacing=1.0)
+
+
+def ball_row(outcomes: Mapping[str, Sequence[float]], *, radius: float = 0.5, ax: Axes | None = None) -> Axes:
+    """Balls in a row under several laws: one row a law, each ball with its velocity [m/s] as an arrow and a number."""
+    with style():
+        ax = axes(ax, size=(7.6, 0.85 * len(outcomes) + 0.5))
+        for row, (name, velocities) in enumerate(outcomes.items()):
+            for i, velocity in enumerate(velocities):
+                centre = 2 * radius * i - (0.9 if row == 0 and i == 0 else 0.0)
+                ax.add_patch(Circle((centre, -1.5 * row), radius, fc="0.93" if row else "0.8", ec="0.3"))
+                if abs(velocity) > 1e-9:
+                    ax.annotate("", (centre + 0.85 * velocity, -1.5 * row + 0.22), (centre, -1.5 * row + 0.22),
+                                arrowprops={"arrowstyle": "-|>", "lw": 1.8, "color": PALETTE["vermillion"]})  # fmt: skip
+                ax.text(centre, -1.5 * row - 0.2, _signed(velocity), ha="center", va="center", fontsize=8.5)
+            ax.text(-1.8, -1.5 * row, name, ha="right", va="center")
+        count = len(next(iter(outcomes.values())))
+        ax.set(xlim=(-5.2, 2 * radius * count + 0.8), ylim=(-1.5 * len(outcomes) + 0.7, 0.8), aspect="equal")
+        ax.set_title("velocities [m/s]", fontsize=10)
+        _bare(ax)
+    spoken = "; ".join(f"{name}: " + ", ".join(f"{v + 0.0:.3f}" for v in values) for name, values in outcomes.items())
+    describe(ax, f"Balls in a row, velocities in m/s. {spoken}.")
+    return ax
+
+
+def blocks_and_wall(*, ax: Axes | None = None) -> Axes:
+    """The scene of the question: a wall, a small block, and a heavy one coming in."""
+    with style():
+        ax = axes(ax, size=(7.2, 2.1))
+        ax.add_patch(Rectangle((-0.35, 0), 0.35, 2.0, fc="0.8", ec="0.3", hatch="///"))
+        ax.plot([-0.35, 9.2], [0, 0], color="0.3", lw=1.2, marker="", ls="-")
+        for left, size, colour, label in ((2.0, 0.55, "blue", "1 kg"), (5.4, 1.7, "vermillion", "10,000 kg")):
+            ax.add_patch(Rectangle((left, 0), size, size, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.85))
+            ax.text(left + size / 2, size + 0.1, label, ha="center", va="bottom")
+        ax.annotate("", (4.1, 0.85), (5.3, 0.85), arrowprops={"arrowstyle": "-|>", "lw": 2.4, "color": PALETTE["vermillion"]})  # fmt: skip
+        ax.text(4.7, 1.0, "1 m/s", ha="center")
+        ax.set(xlim=(-0.5, 9.2), ylim=(-0.1, 2.3), aspect="equal")
+        _bare(ax)
+    describe(ax, "A wall on the left, a block of 1 kg at rest, and a block of 10,000 kg sliding toward it at 1 m/s.")
+    return ax
+
+
+def _signed(velocity: float) -> str:
+    return "0" if abs(velocity) < 5e-4 else f"{velocity:+.3f}".replace("-", "\N{MINUS SIGN}")
+
+
+def _bare(ax: Axes) -> None:
+    ax.set(xticks=[], yticks=[])
+    ax.grid(False)
+    for side in ax.spines.values():
+        side.set_visible(False)
