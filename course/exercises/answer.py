@@ -38,7 +38,7 @@ class Outcome:
 
 
 class OutputFlood(BaseException):
-    """An answer printed without end. No ``Exception``, so that ``except Exception`` in a loop does not keep it."""
+    """An answer printed without end; no ``Exception``, or ``except Exception`` in a loop would keep it."""
 
 
 class _Kept(io.TextIOBase):
@@ -54,7 +54,7 @@ class _Kept(io.TextIOBase):
         if len(self.text) < PRINTED_LIMIT:
             self.text = (self.text + text)[:PRINTED_LIMIT]
         if self.count > FLOOD_LIMIT:
-            raise OutputFlood(f"it printed more than {FLOOD_LIMIT:,} characters: a print in a loop without end?")
+            raise OutputFlood(f"it printed more than {FLOOD_LIMIT:,} characters: a loop without end?")
         return len(text)
 
 
@@ -63,7 +63,11 @@ def call(function: Callable[..., Any], arguments: Mapping[str, Any], result_coun
     given = {name: _copy(value) for name, value in arguments.items()}
     printed = _Kept()
     try:
-        with warnings.catch_warnings(), contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+        with (
+            warnings.catch_warnings(),
+            contextlib.redirect_stdout(printed),
+            contextlib.redirect_stderr(printed),
+        ):
             warnings.simplefilter("ignore")
             returned = function(*given.values())
             outcome = _as_arrays(returned, result_count)  # may run an object's own __array__ or __len__
@@ -77,7 +81,9 @@ def call(function: Callable[..., Any], arguments: Mapping[str, Any], result_coun
     return Outcome(outcome.kind, outcome.values, outcome.text, printed.text)
 
 
-def call_all(function: Callable[..., Any], cases: Iterable[Mapping[str, Any]], result_count: int) -> list[Outcome]:
+def call_all(
+    function: Callable[..., Any], cases: Iterable[Mapping[str, Any]], result_count: int
+) -> list[Outcome]:
     """Call ``function`` on every case; NumPy's global random state is left as it was."""
     state = np.random.get_state()
     try:
@@ -90,7 +96,8 @@ def call_all(function: Callable[..., Any], cases: Iterable[Mapping[str, Any]], r
 def as_function(answer: Any, kind: str, name: str, arguments: Sequence[str]) -> Callable[..., Any]:
     """The answer as a function of arrays: itself, or for ``kind="expression"`` its evaluation.
 
-    Raises ``TypeError`` or ``ValueError`` in a student's words where the answer is neither, or takes other arguments.
+    Raises ``TypeError`` or ``ValueError`` in a student's words where the answer is neither, or takes other
+    arguments.
     """
     if kind == "expression":
         return evaluator(answer, arguments)
@@ -130,7 +137,9 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
         raise TypeError(f"expected a SymPy expression; got {type(expression).__name__}") from None
     foreign = sorted({str(s) for s in expression.free_symbols} - set(symbols))
     if foreign:
-        raise ValueError(f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}")
+        raise ValueError(
+            f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}"
+        )
     by_name = {str(s): s for s in expression.free_symbols}
     compiled = sympy.lambdify([by_name.get(s, sympy.Symbol(s)) for s in symbols], expression, "numpy")
 
@@ -158,7 +167,7 @@ def is_stub(answer: Any, source: str | None = None) -> bool:
 
 
 def is_blank(source: str, name: str) -> bool:
-    """Whether a cell's source leaves ``name`` blank, without running it: the last thing it binds to it counts."""
+    """Whether a cell's source leaves ``name`` blank, without running it: the last binding counts."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -213,7 +222,9 @@ def _as_arrays(returned: Any, count: int) -> Outcome:
     parts: Sequence[Any] = (returned,)
     if count > 1:
         if not isinstance(returned, (tuple, list)):
-            return Outcome("unreadable", text=f"expected {count} results, as in `return a, b`; got one {_kind(returned)}")
+            return Outcome(
+                "unreadable", text=f"expected {count} results, as in `return a, b`; got one {_kind(returned)}"
+            )
         if len(returned) != count:
             return Outcome("unreadable", text=f"expected {count} results; got {len(returned)}")
         parts = returned

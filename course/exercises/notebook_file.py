@@ -123,7 +123,9 @@ def _load(path: Path) -> Mapping[str, Any]:
     if size == 0:
         raise UnusableNotebook("the file is empty")
     if size > MAXIMUM_BYTES:
-        raise UnusableNotebook(f"{size / 1e6:.0f} MB is too large for a notebook (limit {MAXIMUM_BYTES / 1e6:.0f} MB)")
+        raise UnusableNotebook(
+            f"{size / 1e6:.0f} MB is too large for a notebook (limit {MAXIMUM_BYTES / 1e6:.0f} MB)"
+        )
     try:
         notebook = json.loads(path.read_text(encoding="utf-8-sig"))
     except UnicodeDecodeError:
@@ -169,7 +171,9 @@ def _code_cells(notebook: Mapping[str, Any]) -> list[_Cell]:
     return code
 
 
-def _lesson_of(notebook: Mapping[str, Any], path: Path, cells: Sequence[_Cell], known: Sequence[Lesson]) -> Lesson:
+def _lesson_of(
+    notebook: Mapping[str, Any], path: Path, cells: Sequence[_Cell], known: Sequence[Lesson]
+) -> Lesson:
     """The lesson by the notebook's own word, else by its file name, else by the exercises it defines."""
     lessons = {lesson.number: lesson for lesson in known}
     metadata = notebook.get("metadata", {})
@@ -193,7 +197,9 @@ def _find(name: str, names: Sequence[str], cells: Sequence[_Cell]) -> ExerciseCe
         return ExerciseCell(name, holder.source)
     own = next((cell for cell in cells if cell.exercise == name), None)
     if own is not None and _parse(own.source) is None:
-        return ExerciseCell(name, own.source, fault="the cell is not valid Python: " + _syntax_error(own.source))
+        return ExerciseCell(
+            name, own.source, fault="the cell is not valid Python: " + _syntax_error(own.source)
+        )
     others = [n for cell in cells for n in cell.defines if n not in names]
     local = [n for n in (own.defines if own else ()) if n not in names]
     near = difflib.get_close_matches(name, local, n=1, cutoff=0.5) or (local if len(local) == 1 else [])
@@ -216,7 +222,10 @@ def _holder(name: str, cells: Sequence[_Cell]) -> _Cell | None:
     """
     holders = [(i, cell) for i, cell in enumerate(cells) if name in cell.defines]
     theirs = [(i, cell) for i, cell in holders if cell.exercise == name or not cell.told]
-    ranked = [((not is_blank(python_only(cell.source), name), cell.exercise == name, i), cell) for i, cell in theirs or holders]
+    ranked = [
+        ((not is_blank(python_only(cell.source), name), cell.exercise == name, i), cell)
+        for i, cell in theirs or holders
+    ]
     return max(ranked, key=lambda pair: pair[0])[1] if ranked else None
 
 

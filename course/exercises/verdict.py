@@ -120,7 +120,9 @@ def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...
             with np.errstate(all="ignore"):
                 residual = np.max(np.abs(np.asarray(rule.residual(case.arguments, answer), dtype=float)), initial=0.0)
         except (ValueError, TypeError, IndexError):
-            continue  # an answer of another shape: the comparison has said so already
+            if exercise.judged_by == "reference":
+                continue  # an answer of another shape: the comparison has said so already
+            residual = np.inf  # nothing else judges it: an answer the rule cannot be asked of is no right one
         if not residual <= rule.tolerance:
             lacking.append(rule.message)
     return tuple(lacking)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from course.exercises.answer import call_all, evaluator, is_stub
+from course.exercises.answer import as_function, call_all, is_stub
 from course.exercises.definition import Exercise, Prediction, find_exercise, find_prediction
 from course.exercises.message import Message, Part, verdict_message
 from course.exercises.verdict import Verdict, judge
@@ -53,18 +53,10 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
     if is_stub(answer):
         return Verdict(exercise.name, "not attempted")
     cases = exercise.draw()
-    function = answer
-    if exercise.kind == "expression":
-        try:
-            function = evaluator(answer, [a.name for a in exercise.arguments])
-        except (TypeError, ValueError) as error:
-            return Verdict(exercise.name, "error", reason=(str(error),))
-    elif not callable(answer):
-        reason = f"expected a function; got {type(answer).__name__} (pass {exercise.name}, not {exercise.name}(...))"
-        return Verdict(exercise.name, "error", reason=(reason,))
-    fault = _signature_fault(exercise, function)
-    if fault:
-        return Verdict(exercise.name, "error", reason=(fault,))
+    try:
+        function = as_function(answer, exercise.kind, exercise.name, [a.name for a in exercise.arguments])
+    except (TypeError, ValueError) as error:
+        return Verdict(exercise.name, "error", reason=(str(error),))
     outcomes = call_all(function, [c.arguments for c in cases], len(exercise.results))
     return judge(exercise, cases, outcomes)
 
@@ -160,18 +152,6 @@ def _refuse_borrowed(answer: Any) -> None:
         raise ValueError("answer: expected a function of your own; got what use() returned. Pass the function you wrote")
     if module == "course" or module.startswith("course."):
         raise ValueError(f"answer: expected a function of your own; got one of {module}")
-
-
-def _signature_fault(exercise: Exercise, function: Callable[..., Any]) -> str:
-    wanted = len(exercise.arguments)
-    try:
-        inspect.signature(function).bind(*range(wanted))
-    except TypeError:
-        taken = ", ".join(inspect.signature(function).parameters)
-        return f"expected a function that takes {exercise.signature}; yours takes ({taken})"
-    except ValueError:  # a built-in without a readable signature: calling it will tell
-        return ""
-    return ""
 
 
 def _source(answer: Any) -> str:
