@@ -194,7 +194,7 @@ def parse_requirement(requirement):
 
 def release(version):
     """The release numbers at the start of a version, trailing zeros gone: "2.10.0rc1" -> (2, 10)."""
-    numbers = [int(part) for part in re.match(r"[0-9.]*", version).group().split(".") if part]
+    numbers = [int(part) for part in re.sub(r"[^0-9.].*", "", version).split(".") if part]
     while numbers and numbers[-1] == 0:
         numbers.pop()
     return tuple(numbers)

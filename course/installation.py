@@ -35,14 +35,15 @@ from course.environment import (
 )
 
 LOG = "setup.log"
+PYTHON = f"{sys.version_info.major}.{sys.version_info.minor}"
 BEGINNING = {"absent": "Setting up", "unfinished": "Completing the set-up of", "stale": "Renewing"}
 SPACE_NEEDED = 1.5e9               # bytes: 1.1 GB stay, the rest is pip's while it unpacks
 LONGEST_FILE = 160                 # characters below .venv on Windows (JupyterLab's fonts), see test_environment
 WINDOWS_LIMIT = 259
 COMPILE_NOT = r"[\\/](tests|benchmarks)[\\/]"
 
-MODULES = ("on Debian and Ubuntu run sudo apt install python%d.%d-venv, elsewhere install Python from "
-           "https://www.python.org" % sys.version_info[:2])
+MODULES = (f"on Debian and Ubuntu run sudo apt install python{PYTHON}-venv, elsewhere install Python from "
+           "https://www.python.org")
 IN_USE = ("Files in {venv} are in use or may not be changed: close every JupyterLab of this workbook and leave the "
           "environment (deactivate); if the project lies where you may not write, copy it to your home folder.")
 
@@ -253,7 +254,7 @@ def site_packages(python: Path) -> Path:
     """The packages' folder of the environment that ``python`` belongs to."""
     if os.name == "nt":
         return python.parent.parent / "Lib" / "site-packages"
-    return python.parent.parent / "lib" / ("python%d.%d" % sys.version_info[:2]) / "site-packages"
+    return python.parent.parent / "lib" / f"python{PYTHON}" / "site-packages"
 
 
 # Running pip, seeing how far it is, and what went wrong
@@ -300,7 +301,7 @@ def _text(log: Path, begin: int) -> str:
 
 def explain(output: str, venv: Path) -> str:
     """The sentence for what pip said."""
-    words = {"venv": venv, "start": START, "python": "%d.%d" % sys.version_info[:2],
+    words = {"venv": venv, "start": START, "python": PYTHON,
              "short": r"C:\course" if os.name == "nt" else "a folder in your home",
              "modules": MODULES, "in_use": IN_USE.format(venv=venv)}
     for pattern, sentence in FAILURES:

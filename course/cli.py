@@ -1,0 +1,205 @@
+"""The command line: ``python3 -m course COMMAND``, also installed as ``course``.
+
+Each command is a thin call; what it needs is imported when it runs, so that opening the workbook waits for nothing else.
+Exit codes: 0 done, 1 something was found wrong (a test, a check, a drift), 2 the request could not be carried out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from course import environment
+
+app = typer.Typer(
+    help="How bodies collide and rest on each other: the workbook. Without a command, opens it in JupyterLab.",
+    invoke_without_command=True, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None,
+)  # fmt: skip
+Browser = Annotated[bool, typer.Option("--browser/--no-browser", help="Open the browser, or only print the address.")]
+Port = Annotated[int | None, typer.Option(min=1, max=65535, help="Port to serve on; a taken one gets the next.")]
+
+
+def run(arguments: list[str]) -> int:
+    """Carry out a command line; returns its exit code."""
+    try:
+        app(args=arguments, prog_name=environment.START)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 1 if end.code else 0
+    return 0
+
+
+@app.callback()
+def main(context: typer.Context, browser: Browser = True, port: Port = None) -> None:
+    """Without a command: open the workbook. Options before a command are that command's defaults."""
+    context.default_map = dict.fromkeys(("open", "demo"), {"browser": browser, "port": port})
+    if context.invoked_subcommand is None:
+        open_workbook(None, browser=browser, port=port)
+
+
+@app.command("open")
+def open_workbook(
+    lesson: Annotated[str | None, typer.Argument(help='Such as "10" or "impulse"; default: the first unfinished.')] = None,
+    browser: Browser = True, port: Port = None,
+) -> None:  # fmt: skip
+    """Open a lesson in JupyterLab. It is copied to work/ first; what you saved there is never overwritten."""
+    from course.workbook import lab
+    from course.workbook.work_folder import open_lesson
+
+    root = checkout()
+    notebook = None
+    with plainly():
+        name = lesson or lesson_to_open(root)
+        if name is None:
+            typer.echo("There is no lesson in lessons/ yet; JupyterLab opens at the project.")
+        else:
+            opened = open_lesson(name, root)
+            notebook = opened.path
+            for line in filter(None, [opened.message, f"JupyterLab opens work/{notebook.name}."]):
+                typer.echo(line)
+    typer.echo("Ctrl-C in this window ends it.")
+    lab.start(root, notebook, port=port, browser=browser)
+
+
+def lesson_to_open(root: Path) -> str | None:
+    """The first lesson where nothing was begun; afterwards the first that is unfinished, of those there are."""
+    from course.workbook.progress import first_unfinished
+    from course.workbook.work_folder import lesson_files
+
+    files = [path.stem for path in lesson_files(root)]
+    begun = any((root / "work" / f"{name}.ipynb").exists() for name in files)
+    unfinished = first_unfinished(root / "work") if begun else None
+    wanted = Path(unfinished.file_name).stem if unfinished else None
+    return wanted if wanted in files else files[0] if files else None
+
+
+@app.command()
+def test(
+    quick: Annotated[bool, typer.Option("--quick", help="Under a minute: unit tests, floors, lint.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="Also browser, peers, a fresh clone, the long ones.")] = False,
+) -> None:
+    """Run the project's tests, stage by stage."""
+    from course.testing import run_tests
+
+    if quick and everything:
+        fail("--quick and --all exclude each other")
+    raise typer.Exit(run_tests(checkout(), "quick" if quick else "all" if everything else "standard"))
+
+
+@app.command()
+def check(notebook: Annotated[Path, typer.Argument(help="A notebook, or the number of a lesson in work/.")]) -> None:
+    """Check a notebook's exercises. Exit code 1 if one fails, 2 if the file cannot be used."""
+    from course.grading.grade import check_notebook
+
+    with plainly():
+        report = check_notebook(notebook_named(notebook))
+    typer.echo(str(report))
+    raise typer.Exit(0 if report.passed else 1)
+
+
+@app.command()
+def progress() -> None:
+    """Show how far you are."""
+    from course.workbook.progress import progress as table
+
+    typer.echo(str(table(checkout() / "work")))
+
+
+@app.command()
+def build(
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; exit code 1 where lessons/ differs.")] = False,
+) -> None:
+    """Make lessons/ from solutions/."""
+    from course.workbook.build import build as build_lessons
+
+    with plainly():
+        drift = build_lessons(check=check)
+    for line in drift:
+        typer.echo(line)
+    typer.echo(f"{len(drift)} lessons differ" if check else f"{len(drift)} lessons written" if drift else "nothing to do")
+    raise typer.Exit(1 if check and drift else 0)
+
+
+@app.command()
+def grade(
+    folder: Annotated[Path, typer.Argument(help="The folder with the submitted notebooks.")],
+    out: Annotated[Path, typer.Option(help="The table to write; feedback pages are put beside it.")] = Path("grades.csv"),
+) -> None:
+    """Grade every notebook in a folder: a CSV table, and a page of feedback a student."""
+    from course.grading.grade import grade_folder
+
+    with plainly(), bar("grading") as advance:
+        grade_folder(folder, out, advance=advance)
+    typer.echo(f"written: {out}")
+
+
+@app.command()
+def syllabus() -> None:
+    """Show slide -> lesson section -> reference code -> exercise -> test, row by row."""
+    from course.workbook.syllabus import syllabus_table
+
+    typer.echo(syllabus_table(checkout()))
+
+
+@app.command()
+def demo(
+    name: Annotated[str | None, typer.Argument(help="The demo's name.")] = None,
+    listing: Annotated[bool, typer.Option("--list", help="Name the demos, with slide and minutes.")] = False,
+    browser: Browser = True, port: Port = None,
+) -> None:  # fmt: skip
+    """Serve a lesson's demo full screen, for a lecture room."""
+    from course.workbook import demos
+
+    if listing or name is None:
+        typer.echo(demos.table())
+        return
+    with plainly():
+        demos.serve(name, port=port, browser=browser)
+
+
+def checkout() -> Path:
+    """The project's folder; a sentence and exit code 2 where only the library is installed."""
+    root = environment.project_root()
+    if root is None:
+        fail("this needs the project's folder (lessons, solutions, work): clone it and start there")
+    return Path(root)
+
+
+def notebook_named(name: Path) -> Path:
+    """A notebook's path as given, or the copy in work/ of the lesson of that name."""
+    if name.exists() or name.suffix == ".ipynb":
+        return name
+    from course.workbook.work_folder import find_lesson
+
+    root = checkout()
+    return root / "work" / find_lesson(name, root).name
+
+
+def fail(sentence: str) -> None:
+    """Say why the request cannot be carried out, and end with 2."""
+    typer.echo(sentence, err=True)
+    raise typer.Exit(2)
+
+
+@contextmanager
+def plainly() -> Iterator[None]:
+    """Turn a bad argument or an unusable file into its sentence and exit code 2."""
+    try:
+        yield
+    except (ValueError, OSError) as problem:
+        fail(str(problem))
+
+
+@contextmanager
+def bar(what: str) -> Iterator[Callable[[int, int, str], None]]:
+    """A progress bar; the function it gives is called with how many are done, of how many, and the current name."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True)) as shown:
+        task = shown.add_task(what, total=None)
+        yield lambda done, total, name: shown.update(task, completed=done, total=total, description=f"{what} {name}")

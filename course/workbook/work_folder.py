@@ -1,0 +1,139 @@
+"""The place to work: a lesson that is opened is copied from lessons/ to work/, and nothing there is ever overwritten.
+
+Every file is created exclusively, whole or not at all, so that even two starts at once cannot replace what a student
+saved. ``work/.started-from`` is only ever appended to: one line a copy, the SHA-256 of the lesson it was made from.
+A lesson counts as newer when its content is one that no copy was made from; dates and line endings do not matter.
+"""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+import os
+import re
+import secrets
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+RECORD = ".started-from"
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A lesson opened for work: the notebook, a newer one laid beside it (or None), and what to tell the student."""
+
+    path: Path
+    newer: Path | None = None
+    message: str = ""
+
+
+def lesson_files(root: Path = ROOT) -> list[Path]:
+    """The lessons that can be opened, in order."""
+    return sorted((root / "lessons").glob("[0-9][0-9]-*.ipynb"))
+
+
+def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
+    """The lesson that ``name`` means: "10", "10-impulse", "impulse", or a path to the lesson or to a copy of it.
+
+    Raises ``ValueError`` that names the nearest lesson where there is none.
+    """
+    wanted = re.sub(r" \(new \d+\)$", "", Path(name).name.removesuffix(".ipynb"))
+    known = {path.stem: path for path in lesson_files(root)}
+    for stem, path in known.items():
+        number, _, title = stem.partition("-")
+        if wanted in (stem, title) or (wanted.isdecimal() and int(wanted) == int(number)):
+            return path
+    near = difflib.get_close_matches(wanted, [*known, *(stem[3:] for stem in known)], n=1, cutoff=0.5)
+    advice = f"did you mean {near[0]!r}?" if near else f"known: {', '.join(known) or 'none yet'}"
+    raise ValueError(f"lesson: expected a lesson's number or name; got {str(name)!r}; {advice}")
+
+
+def open_lesson(name: str | Path, root: Path = ROOT) -> Opened:
+    """Copy a lesson to work/ unless it is there; where the lesson has changed since, lay the new one beside.
+
+    A copy that the student deleted is made again; a newer one that they deleted is not offered again.
+    Raises ``ValueError`` for a lesson that is not there and ``OSError`` where work/ cannot be written.
+    """
+    lesson = find_lesson(name, root)
+    work = root / "work"
+    work.mkdir(exist_ok=True)
+    content = lesson.read_bytes()
+    version = _version(content)
+    target = work / lesson.name
+    if not target.exists():
+        _note(work, version, target.name)      # first, so that no copy is ever without its version
+        if create_exclusively(target, content):
+            return Opened(target, message=f"{lesson.name} was copied to work/. Your work is saved there.")
+    started_from = _versions(work, lesson.stem)
+    if version in started_from or _version(target.read_bytes()) == version:
+        return Opened(target)
+    return _offer(work, target, content, known_start=bool(started_from))
+
+
+def _offer(work: Path, target: Path, content: bytes, *, known_start: bool) -> Opened:
+    """Lay a newer lesson beside the student's copy, under the first number that is free."""
+    number = 2
+    while True:
+        beside = work / f"{target.stem} (new {number}).ipynb"
+        if not beside.exists():
+            _note(work, _version(content), beside.name)
+            if create_exclusively(beside, content):
+                break
+        number += 1
+    why = ("This lesson has changed since you started it." if known_start
+           else "It is not known from which version of this lesson yours was started.")
+    return Opened(target, beside, f"{why} Yours is left as it is; the new one lies beside it: work/{beside.name}")
+
+
+def create_exclusively(path: Path, content: bytes) -> bool:
+    """Create a file whole or not at all; False, and nothing touched, where something of that name is there."""
+    beside = path.with_name(f".{secrets.token_hex(8)}.part")
+    try:
+        with open(beside, "xb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        if os.name == "nt":
+            os.rename(beside, path)            # refuses an existing target; on POSIX it would replace it
+        else:
+            _link(beside, path)
+    except FileExistsError:
+        return False
+    finally:
+        beside.unlink(missing_ok=True)
+    return True
+
+
+def _link(source: Path, target: Path) -> None:
+    """Give a finished file its name; the name is taken at once or not at all."""
+    try:
+        os.link(source, target)
+    except FileExistsError:
+        raise
+    except OSError:                            # a file system without hard links (a memory stick, some networks)
+        with open(target, "xb") as file:
+            try:
+                file.write(source.read_bytes())
+            except OSError:
+                target.unlink()
+                raise
+
+
+def _version(content: bytes) -> str:
+    return hashlib.sha256(content.replace(b"\r\n", b"\n")).hexdigest()
+
+
+def _note(work: Path, version: str, name: str) -> None:
+    with open(work / RECORD, "a", encoding="utf-8") as file:
+        file.write(f"{version}  {name}\n")
+
+
+def _versions(work: Path, stem: str) -> set[str]:
+    """The versions of a lesson that copies were made from; a line that cannot be read is passed over."""
+    try:
+        text = (work / RECORD).read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return set()
+    form = re.compile(rf"([0-9a-f]{{64}})  {re.escape(stem)}(?: \(new \d+\))?\.ipynb")
+    return {found.group(1) for line in text.splitlines() if (found := form.fullmatch(line))}
