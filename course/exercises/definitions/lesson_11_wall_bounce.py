@@ -456,13 +456,20 @@ def _long_normal() -> float:
     return float(np.linalg.norm(down - 2 * np.sum(down * twice) * twice))
 
 
+def _order_choice() -> str:
+    from course.study.bouncing_ball import energy_error
+
+    ratio = energy_error("bullet", 1e-4) / energy_error("ode", 1e-4)
+    return "alike" if ratio < 2 else "few" if ratio < 50 else "hundreds"
+
+
 PREDICTIONS = (
     Prediction(
         "order",
-        "49 balls bounce for 20 s, nothing lost, a step of 1e-5 s. One program reflects and then lets gravity act, the "
+        "49 balls bounce for 20 s, nothing lost, a step of 1e-4 s. One program reflects and then lets gravity act, the "
         "other lets gravity act and then reflects. How do their energy errors (mean square) compare?",
-        lambda: "hundreds",
-        "The published figures at this step are .0185 and 7.52. The lesson finds both to the digit, and why.",
+        _order_choice,
+        "The published figures at this step are 1.85 and 752 J^2. The lesson finds both to the digit, and why.",
         choices={"alike": "about alike", "few": "a few times", "hundreds": "hundreds of times"},
         wrong={"alike": "The two lines differ by one g dt, once a bounce; but a bounce repeats, and errors add up."},
     ),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from course.workbook.demos.panel import Panel, log_slider, slider
-from course.workbook.plots import impacts
+from course.workbook.plots import bounces, impacts
 
 
 def impulse() -> Panel:
@@ -16,6 +16,19 @@ def impulse() -> Panel:
             "restitution": slider("restitution e", 0.5, 0.0, 1.0, 0.05),
             "velocity_1": slider("speed 1 along n", -3.0, -4.0, 4.0, 0.25, "m/s"),
             "velocity_2": slider("speed 2 along n", 1.0, -4.0, 4.0, 0.25, "m/s"),
+        },
+        columns=2,
+    )
+
+
+def wall() -> Panel:
+    """A ball meets a wall: turn the wall and the ball, and choose how much comes back."""
+    return Panel(
+        bounces.reflection,
+        {
+            "wall_angle": slider("angle of the wall", 20.0, -60.0, 60.0, 1.0, "degrees"),
+            "incoming_angle": slider("direction of the ball", -25.0, -180.0, 180.0, 1.0, "degrees"),
+            "restitution": slider("restitution e", 0.8, 0.0, 1.0, 0.05),
         },
         columns=2,
     )
