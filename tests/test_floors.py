@@ -1,0 +1,232 @@
+"""The floors of the house: who may import whom. Read from the source, imports inside functions included.
+
+A room is a subpackage or a module directly in ``course``. It imports from floors below and from itself;
+two rooms on one floor do not import each other. docs/architecture.md draws the same table.
+"""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+FLOORS = [
+    {"foundation"},
+    {"shapes"},
+    {"overlap", "dynamics"},
+    {"detection", "contact"},
+    {"simulation"},
+    {"study"},
+    {"exercises"},
+    {"workbook", "grading"},
+    {"entrance"},
+]
+FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
+SHARED = {                                               # rooms of several modules that stand directly in course/
+    "arrays": "foundation", "rotations": "foundation",
+    "cli": "entrance", "__main__": "entrance", "testing": "entrance",
+}  # fmt: skip
+GROUND = {"environment", "installation"}                 # standard library only; for the upper floors alone
+NUMERICS = 5                                             # floors 0-5: NumPy and SciPy, no printing
+NUMERIC_LIBRARIES = {"numpy", "scipy"}
+# What else a numeric module may import, and only inside a function.
+WHEN_CALLED = {
+    "course.contact.solvers.qp": {"cvxpy"},
+    "course.study.engines": {"fcl", "coal", "trimesh", "mujoco", "pybullet", "pymunk", "piqp", "daqp", "osqp"},
+}
+HEAVY = {"scipy", "matplotlib", "cvxpy", "sympy", "ipywidgets", "IPython", "k3d", "pandas", "jupyterlab"}
+
+
+def imports(source, module, *, package=False):
+    """(absolute name, whether at module level) of everything a module imports."""
+    tree = ast.parse(source)
+    deferred = {
+        id(inner)
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda))
+        for inner in ast.walk(node)
+    }
+    parts = module.split(".")
+    found = []
+    for node in ast.walk(tree):
+        top = id(node) not in deferred
+        if isinstance(node, ast.Import):
+            found += [(alias.name, top) for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            home = parts[: len(parts) - node.level + package] if node.level else []
+            base = ".".join([*home, *([node.module] if node.module else [])])
+            # "from course import x": x may be a room; "from course.shapes import Sphere": shapes is
+            found += [(f"{base}.{alias.name}" if base == "course" else base, top) for alias in node.names]
+        elif isinstance(node, ast.Call) and ast.unparse(node.func) in ("importlib.import_module", "__import__"):
+            if node.args and isinstance(node.args[0], ast.Constant):
+                found.append((str(node.args[0].value), top))
+    return found
+
+
+def room(module):
+    """The room of a module: "course.contact.solvers.nnls" -> "contact"."""
+    parts = module.split(".")
+    first = parts[1] if len(parts) > 1 else ""
+    return SHARED.get(first, first)
+
+
+def faults(source, module, *, package=False):
+    """What a module's source breaks, a line each."""
+    here, said = room(module), []
+    if here and here not in FLOOR and here not in GROUND:
+        return [f"{module}: no floor is given to {here}"]
+    numeric = FLOOR.get(here, 99) <= NUMERICS
+    bare = here in GROUND or module in ("course", "course.__main__")
+    for name, top in imports(source, module, package=package):
+        outer, there = name.split(".")[0], room(name)
+        if outer in ("lessons", "solutions", "tests"):
+            said.append(f"{module} imports from {outer}")
+        elif outer == "course":
+            said += house_faults(module, here, there, numeric)
+        elif outer in sys.stdlib_module_names:
+            continue
+        elif bare:
+            said.append(f"{module} imports {name}, which is not in the standard library")
+        elif numeric and outer not in NUMERIC_LIBRARIES and (top or outer not in WHEN_CALLED.get(module, ())):
+            said.append(f"{module} imports {name}{' at module level' if top else ''}: numerics use NumPy and SciPy")
+        elif outer == "cvxpy" and (top or module != "course.contact.solvers.qp"):
+            said.append(f"{module} imports cvxpy; only course.contact.solvers.qp may, when called")
+    if numeric:
+        said += [f"{module} prints (line {line})" for line in prints(source)]
+    return said
+
+
+def house_faults(module, here, there, numeric):
+    """What an import of ``there`` breaks in the room ``here``."""
+    if module == "course":
+        return [f"course/__init__ imports course.{there}"]
+    if here in GROUND:
+        return [] if there in GROUND | {""} else [f"{module} imports course.{there}: it must run before all else"]
+    if there in GROUND:
+        return [f"{module} imports course.{there}: numerics need no environment"] if numeric else []
+    if there == here or there == "":
+        return []
+    if there not in FLOOR:
+        return [] if there.startswith("__") else [f"{module} imports course.{there}, which has no floor"]
+    if FLOOR[there] >= FLOOR[here]:
+        return [f"{module} (floor {FLOOR[here]}) imports course.{there} (floor {FLOOR[there]})"]
+    return []
+
+
+def prints(source):
+    """The lines that call print."""
+    return [
+        node.lineno
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print"
+    ]
+
+
+def modules():
+    """(name, path) of every module of course."""
+    for path in sorted((ROOT / "course").rglob("*.py")):
+        parts = path.relative_to(ROOT).with_suffix("").parts
+        yield ".".join(parts[:-1] if parts[-1] == "__init__" else parts), path
+
+
+@pytest.mark.parametrize("module, path", list(modules()), ids=lambda value: value if isinstance(value, str) else "")
+def test_floors_are_kept(module, path):
+    assert faults(path.read_text(encoding="utf-8"), module, package=path.name == "__init__.py") == []
+
+
+def test_every_module_is_looked_at():
+    assert {"course", "course.__main__", "course.environment", "course.dynamics.impulse"} <= dict(modules()).keys()
+
+
+# The test above must be able to fail.
+
+@pytest.mark.parametrize(
+    "module, source, said",
+    [
+        ("course.shapes.sphere", "from course.overlap import gap", "floor 1) imports course.overlap (floor 2"),
+        ("course.overlap.gjk", "def f():\n    from course.contact import solve", "imports course.contact (floor 3"),
+        ("course.overlap.gjk", "import course.dynamics.bodies", "imports course.dynamics (floor 2"),
+        ("course.overlap.gjk", "from course import dynamics", "imports course.dynamics (floor 2"),
+        ("course.overlap.gjk", "from ..dynamics import Bodies", "imports course.dynamics (floor 2"),
+        ("course.overlap.gjk", "if TYPE_CHECKING:\n    from course.dynamics import Bodies", "imports course.dynamics"),
+        ("course.grading.judge", "from course.workbook import check", "imports course.workbook (floor 7"),
+        ("course.workbook.check", "from course.cli import app", "imports course.entrance (floor 8"),
+        ("course.workbook.check", "from course.attic import ghost", "has no floor"),
+        ("course.arrays", "import course.shapes", "imports course.shapes (floor 1"),
+        ("course.attic", "import numpy", "no floor is given to attic"),
+        ("course.dynamics.impulse", "def f():\n    import matplotlib.pyplot as plt", "imports matplotlib"),
+        ("course.study.stability", "from ipywidgets import IntSlider", "imports ipywidgets"),
+        ("course.study.stability", "import IPython", "imports IPython"),
+        ("course.simulation.scene", "def f():\n    import k3d", "imports k3d"),
+        ("course.contact.solvers.qp", "import cvxpy", "imports cvxpy at module level"),
+        ("course.contact.solvers.nnls", "def f():\n    import cvxpy", "imports cvxpy"),
+        ("course.workbook.plots", "def f():\n    import cvxpy", "imports cvxpy; only"),
+        ("course.study.engines", "import pymunk", "imports pymunk at module level"),
+        ("course.arrays", "from course.environment import project_root", "numerics need no environment"),
+        ("course.arrays", "def f(x):\n    print(x)", "prints (line 2)"),
+        ("course", "import numpy", "not in the standard library"),
+        ("course", "from course.dynamics import Bodies", "course/__init__ imports course.dynamics"),
+        ("course.__main__", "def main():\n    import typer", "not in the standard library"),
+        ("course.environment", "import packaging", "not in the standard library"),
+        ("course.environment", "def f():\n    from course.cli import app", "it must run before all else"),
+        ("course.workbook.check", "import solutions.tools", "imports from solutions"),
+        ("course.workbook.check", "import importlib\nimportlib.import_module('lessons.x')", "imports from lessons"),
+    ],
+)
+def test_a_broken_floor_is_reported(module, source, said):
+    assert any(said in line for line in faults(source, module)), faults(source, module)
+
+
+@pytest.mark.parametrize(
+    "module, source",
+    [
+        ("course.contact.solvers.qp", "def solve():\n    import cvxpy"),
+        ("course.rotations", "from course.arrays import vectors"),
+        ("course.contact.solve", "from course.contact.solvers.nnls import solve"),
+        ("course.contact.collisions", "from course.dynamics import Bodies\nimport scipy.optimize"),
+        ("course.grading.judge", "from course.exercises.definition import all_lessons\nimport rich"),
+        ("course.cli", "import typer\nfrom course import environment\nfrom course.workbook import build"),
+        ("course.__main__", "from course import environment\ndef main():\n    from course import cli"),
+        ("course.environment", "from course import installation"),
+        ("course.workbook.plots", "import matplotlib\nfrom course.workbook.numbers import show\nprint('seen')"),
+    ],
+)
+def test_what_is_allowed_is_not_reported(module, source):
+    assert faults(source, module) == []
+
+
+def numeric_packages():
+    return [name for name, path in modules() if path.name == "__init__.py" and FLOOR.get(room(name), 99) <= NUMERICS]
+
+
+@pytest.mark.parametrize("package", [*numeric_packages(), "course.arrays", "course.rotations"])
+def test_importing_numerics_loads_no_heavy_library(package):
+    assert heavy_after(f"import {package}") == set()
+
+
+def test_starting_loads_nothing_but_the_standard_library():
+    assert heavy_after("import course, course.__main__, course.environment, course.installation") == set()
+    loaded = loaded_after("import course, course.__main__, course.environment, course.installation")
+    assert {name for name in loaded if name not in sys.stdlib_module_names} <= {"course"} | nothing_loaded()
+
+
+def test_heavy_libraries_would_be_seen():
+    assert "scipy" in heavy_after("import numpy, scipy.optimize")
+
+
+def loaded_after(statement):
+    code = f"{statement}\nimport sys\nprint(*{{name.split('.')[0] for name in sys.modules}})"
+    return set(subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True,
+                              text=True).stdout.split())  # fmt: skip
+
+
+def nothing_loaded():
+    """What a bare start has loaded: hooks that a site may have put there."""
+    return loaded_after("pass")
+
+
+def heavy_after(statement):
+    return loaded_after(statement) & HEAVY
