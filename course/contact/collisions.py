@@ -151,11 +151,11 @@ def _island(bodies: Bodies, contacts: Contacts, chosen: IntArray) -> _Island:
     local = np.full(len(bodies), -1)
     local[free] = np.arange(free.size)
     part = Bodies(*(getattr(bodies, f)[free] for f in Bodies.__dataclass_fields__))
-    velocity = part.velocity
+    velocity: Array = part.velocity
     if free.size == touched.size:  # nothing fixed: a common motion is no collision's business
         velocity = velocity - velocity.mean(axis=0)
-    root_mass: Array = np.sqrt(part.mass)
-    root: Array = np.linalg.cholesky(part.world_inverse_inertia)
+    root_mass = np.asarray(np.sqrt(part.mass), dtype=np.float64)
+    root = np.asarray(np.linalg.cholesky(part.world_inverse_inertia), dtype=np.float64)
     spin = np.linalg.solve(root, part.angular_velocity[:, :, None])[:, :, 0]
     start = np.concatenate([velocity * root_mass[:, None], spin], axis=1)
     factor = np.zeros((chosen.size, free.size, 6))
@@ -165,7 +165,7 @@ def _island(bodies: Bodies, contacts: Contacts, chosen: IntArray) -> _Island:
         torque = np.cross(contacts.point[chosen[moves]] - bodies.position[body[moves]], n)
         factor[moves, index, :3] = n / root_mass[index, None]
         factor[moves, index, 3:] = np.einsum("cji,cj->ci", root[index], torque)
-    rows = factor.reshape(chosen.size, -1).any(axis=0)
+    rows = np.asarray(np.any(factor.reshape(chosen.size, -1), axis=0))
     g, y = factor.reshape(chosen.size, -1)[:, rows].T.copy(), start.reshape(-1)[rows]
     fastest = max(float(-np.min(g.T @ y)), 0.0)
     rounding = 4 * np.finfo(float).eps * float(np.max(np.abs(velocity), initial=0.0))
