@@ -28,7 +28,7 @@ def failure(name: str, expected: str, got: str, index: tuple[Any, ...] = ()) -> 
     return ValueError(f"{name}: expected {expected}; got {got}{where}")
 
 
-def _require(name: str, good: Any, expected: str, value: Array, what: str = "") -> None:
+def _require(name: str, good: Any, expected: str, value: NDArray[Any], what: str = "") -> None:
     """Raise for the first entry that is not good; value shows what came there."""
     if not np.all(good):
         index = tuple(np.argwhere(~np.asarray(good))[0])

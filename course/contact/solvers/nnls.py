@@ -132,15 +132,20 @@ def solve_nnls(matrix: ArrayLike, bias: ArrayLike, *, factor: ArrayLike | None =
 
 def _factor(a: Array) -> Array:
     """G with G'G = A, from the eigenvectors; rounding noise below the rank is left out."""
-    size = np.max(np.abs(a))
-    if np.max(np.abs(a - a.T)) > 1e-9 * size:
+    if np.max(np.abs(a - a.T)) > 1e-9 * np.max(np.abs(a)):
         raise failure("matrix", "a symmetric matrix", f"asymmetry {np.max(np.abs(a - a.T))!r}")
-    values, columns = np.linalg.eigh(a)
-    noise = a.shape[0] * np.finfo(float).eps * max(values[-1], 0.0)
-    if values[0] < -max(1e3 * noise, 1e-12 * size):
-        raise failure("matrix", "a positive semidefinite matrix", f"least eigenvalue {float(values[0])!r}")
-    kept = values > noise
-    return np.sqrt(values[kept])[:, None] * columns[:, kept].T
+    # With a diagonal of ones first, so that noise is small beside every
+    # contact, not only beside the one of the lightest bodies.
+    size = np.sqrt(np.maximum(np.diagonal(a), 0.0))
+    unit = np.divide(a, size[:, None] * size, out=np.zeros(a.shape), where=(size[:, None] * size) > 0)
+    values, columns = np.linalg.eigh(unit)
+    off_diagonal = np.abs(a[size == 0]).max(initial=0.0)
+    if values[0] < -1e-9 or off_diagonal > 0:
+        raise failure(
+            "matrix", "a positive semidefinite matrix", f"least eigenvalue {np.linalg.eigvalsh(a)[0]!r}"
+        )
+    kept = values > a.shape[0] * np.finfo(float).eps * max(values[-1], 0.0)
+    return np.sqrt(values[kept])[:, None] * columns[:, kept].T * size
 
 
 def _least_distance(g: Array, b: Array) -> tuple[Array, Array | None]:
@@ -154,15 +159,16 @@ def _least_distance(g: Array, b: Array) -> tuple[Array, Array | None]:
     end[-1] = 1.0
     for _ in range(4):
         u = nonnegative_least_squares(np.vstack([g, -scale * b]), end)
-        moved = g @ u
-        if np.sqrt(np.sum(moved**2)) <= 1e-10 * np.sum(length * u):
-            return np.zeros(b.shape), u / np.sum(u)
-        # s = 1 + b.u without its cancellation: s = |G u|^2 + s^2 at the minimum.
-        square = float(np.sum(moved**2))
-        s = 1.0 + scale * float(b @ u) if square > 0.1 else square * (1.0 + square * (1.0 + 2.0 * square))
+        s, moved = 1.0 + scale * float(b @ u), g @ u
+        if s < 0.5:
+            if np.sqrt(np.sum(moved**2)) <= 1e-10 * np.sum(length * u):
+                return np.zeros(b.shape), u / np.sum(u)
+            # The same s without the cancellation: |G u|^2 + s^2 = s at the minimum.
+            square = min(float(np.sum(moved**2)), 0.25)
+            s = 2.0 * square / (1.0 + np.sqrt(1.0 - 4.0 * square))
         if s > 1e-3:
             break
-        scale *= np.sqrt(s)
+        scale *= np.sqrt(s)  # the force is large: bring f'A f back to about 1
     return u / (s * scale), None
 
 
