@@ -1,5 +1,22 @@
-"""What contact does to bodies: collisions at an instant."""
+"""What contact does to bodies: collisions at an instant, and the forces of resting contact."""
 
 from course.contact.collisions import CollisionsUnresolved, resolve_collisions
+from course.contact.separation import (
+    normal_rate,
+    resting,
+    separation,
+    separation_acceleration,
+    separation_acceleration_terms,
+    separation_rate,
+)
 
-__all__ = ["CollisionsUnresolved", "resolve_collisions"]
+__all__ = [
+    "CollisionsUnresolved",
+    "normal_rate",
+    "resolve_collisions",
+    "resting",
+    "separation",
+    "separation_acceleration",
+    "separation_acceleration_terms",
+    "separation_rate",
+]
