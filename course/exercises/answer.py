@@ -41,7 +41,7 @@ class OutputFlood(BaseException):
     """An answer printed without end; no ``Exception``, or ``except Exception`` in a loop would keep it."""
 
 
-class _Kept(io.TextIOBase):
+class Printed(io.TextIOBase):
     """Keeps the first characters that are printed, counts the rest, and stops a flood."""
 
     def __init__(self) -> None:
@@ -61,7 +61,7 @@ class _Kept(io.TextIOBase):
 def call(function: Callable[..., Any], arguments: Mapping[str, Any], result_count: int) -> Outcome:
     """Call ``function`` on copies of the arguments, by position, and describe what happened."""
     given = {name: _copy(value) for name, value in arguments.items()}
-    printed = _Kept()
+    printed = Printed()
     try:
         with (
             warnings.catch_warnings(),

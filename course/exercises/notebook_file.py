@@ -31,7 +31,7 @@ class ExerciseCell:
     """Where an exercise's answer is: its source, or in ``fault`` why there is none.
 
     ``needs_person`` marks what a grader should look at (a renamed function, a deleted cell), ``nearest`` the name
-    found in its place.
+    found in its place, in ``source``.
     """
 
     name: str
@@ -206,6 +206,7 @@ def _find(name: str, names: Sequence[str], cells: Sequence[_Cell]) -> ExerciseCe
     near = near or difflib.get_close_matches(name, others, n=1, cutoff=0.7)
     source = own.source if own else ""
     if near:
+        source = next((c.source for c in (own, *cells) if c is not None and near[0] in c.defines), source)
         fault = f"no {name} in the notebook; the nearest name is {near[0]}"
         return ExerciseCell(name, source, fault, needs_person=True, nearest=near[0])
     if own is not None:

@@ -27,6 +27,7 @@ from course.study.bouncing_ball import (
     energy_error,
     event_driven_error,
 )
+from course.study.stepped_cradle import cradle_by_steps
 from course.study.two_blocks import (
     TwoBlocks,
     count_collisions,
@@ -62,6 +63,7 @@ __all__ = [
     "count_collisions",
     "cradle",
     "cradle_by_springs",
+    "cradle_by_steps",
     "critical_mass_ratio",
     "energy_error",
     "event_driven_error",

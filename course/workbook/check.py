@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from course.workbook.notebook import display_message
 from course.workbook.numbers import show
 
 MARK = "__from_use__"
+_lent: list[Any] = []  # reference expressions that use() has given out
 
 
 def check(answer: Any, name: str | None = None) -> None:
@@ -61,16 +62,24 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
     return judge(exercise, cases, outcomes)
 
 
-def use(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Your function where its check passes, otherwise the reference; a line says which.
+def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) -> Any:
+    """Your function (or expression) where its check passes, otherwise the reference; a line says which.
 
     The rest of the lesson runs on what this returns. ``check`` refuses it, as it refuses functions of ``course``.
+    For an expression give its ``name`` and the ``symbols`` it is written in, in the exercise's order, so that the
+    reference can be written in the same ones.
     """
-    name = _name_of(function, None)
+    name = _name_of(answer, name)
     _, exercise = find_exercise(name)
-    _refuse_borrowed(function)
-    yours = judge_here(exercise, function).passed
-    chosen = function if yours else exercise.reference
+    _refuse_borrowed(answer)
+    yours = judge_here(exercise, answer).passed
+    print(f"{name}: {'yours' if yours else 'the reference for now, until yours passes its check'}")
+    if exercise.kind == "expression":
+        if yours:
+            return answer
+        _lent.append(exercise.reference(*symbols))
+        return _lent[-1]
+    chosen = answer if yours else exercise.reference
 
     @functools.wraps(chosen)
     def used(*args: Any, **kwargs: Any) -> Any:
@@ -78,7 +87,6 @@ def use(function: Callable[..., Any]) -> Callable[..., Any]:
 
     setattr(used, MARK, "yours" if yours else "reference")
     used.__name__ = name
-    print(f"{name}: {'yours' if yours else 'the reference for now, until yours passes its check'}")
     return used
 
 
@@ -148,7 +156,7 @@ def _name_of(answer: Any, name: str | None) -> str:
 
 def _refuse_borrowed(answer: Any) -> None:
     module = getattr(answer, "__module__", "") or ""
-    if hasattr(answer, MARK):
+    if hasattr(answer, MARK) or any(answer is lent for lent in _lent):
         raise ValueError("answer: expected a function of your own; got what use() returned. Pass the function you wrote")
     if module == "course" or module.startswith("course."):
         raise ValueError(f"answer: expected a function of your own; got one of {module}")

@@ -540,9 +540,9 @@ KINETIC_ENERGY_LOST = Exercise(
 
 
 def _blocks() -> int:
-    from course.study import ball_impacts
+    from course.study.two_blocks import count_collisions
 
-    return ball_impacts.count_collisions(2)
+    return count_collisions(100**2)
 
 
 def _cradle_choice() -> str:
@@ -558,7 +558,7 @@ PREDICTIONS = (
         "A block of 10,000 kg slides toward one of 1 kg that stands before a wall. Nothing is lost. How many "
         "collisions are there in all, block against block and block against wall?",
         _blocks,
-        "Count them in the section See: these are the first three digits of pi, and lesson 10 shows why.",
+        "Count them in the section See: these are the first three digits of pi, and the pictures there show why.",
         tolerance=0.0,
         wrong={
             2: "One block against block, one against the wall: but the small block comes back, again and again.",

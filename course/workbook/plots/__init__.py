@@ -4,7 +4,36 @@ Every function draws into ``ax`` (a new one in the house's style when none is gi
 what it drew, and returns the Axes, so that a student can go on drawing.
 """
 
+from course.workbook.plots.bounces import bouncing_errors, energy_over_time, heights, reflection
 from course.workbook.plots.charts import stability_sweep, work_precision
-from course.workbook.plots.figure import PALETTE, axes, describe, figure_html, show
+from course.workbook.plots.figure import PALETTE, axes, describe, figure_html, show, side_by_side, style
+from course.workbook.plots.impacts import (
+    ball_row,
+    billiard_break,
+    block_paths,
+    blocks_and_wall,
+    impact,
+    velocity_circle,
+)
 
-__all__ = ["PALETTE", "axes", "describe", "figure_html", "show", "stability_sweep", "work_precision"]
+__all__ = [
+    "PALETTE",
+    "axes",
+    "ball_row",
+    "billiard_break",
+    "block_paths",
+    "blocks_and_wall",
+    "bouncing_errors",
+    "describe",
+    "energy_over_time",
+    "figure_html",
+    "heights",
+    "impact",
+    "reflection",
+    "show",
+    "side_by_side",
+    "stability_sweep",
+    "style",
+    "velocity_circle",
+    "work_precision",
+]

@@ -47,6 +47,13 @@ def axes(ax: Axes | None = None, *, size: tuple[float, float] | None = None, **o
     return made
 
 
+def side_by_side(columns: int, *, size: tuple[float, float]) -> tuple[Figure, Any]:
+    """A figure with several Axes in a row, in the house's style: (figure, array of Axes)."""
+    with style():
+        figure, several = plt.subplots(1, columns, figsize=size)
+    return figure, several
+
+
 def describe(ax: Axes, text: str) -> None:
     """Add a sentence of alternative text to the figure that ``ax`` is in."""
     figure = ax.get_figure(root=True)

@@ -10,6 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle, Rectangle
 
 from course.dynamics.impulse import impulse_central, kinetic_energy_lost
+from course.study.ball_impacts import BilliardBreak
+from course.study.two_blocks import TwoBlocks
 from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 
@@ -125,3 +127,73 @@ def _bare(ax: Axes) -> None:
     ax.grid(False)
     for side in ax.spines.values():
         side.set_visible(False)
+
+
+def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
+    """Two blocks and a wall in space and time: where each block is, and every collision."""
+    with style():
+        ax = axes(ax, size=(7.2, 4.2))
+        last = motion.time[-1]
+        end = 1.6 * last
+        time = np.concatenate([[0.0], motion.time, [end]])
+        before = motion.position[0] - motion.velocity[0] * motion.time[0]
+        place = np.vstack([before, motion.position, motion.position[-1] + motion.velocity[-1] * (end - last)])
+        for i, (name, colour, line) in enumerate((("block 1", "blue", "-"), ("block 2", "vermillion", "--"))):
+            ax.plot(place[:, i], time, color=PALETTE[colour], ls=line, marker="", label=f"{name}, {motion.mass[i]:g} kg")
+        ax.plot(motion.position[:, 0], motion.time, ls="none", marker="o", ms=3.5, color="black", label="a collision")
+        ax.axvline(0.0, color="0.4", lw=3, marker="", ls="-")
+        ax.set(xlabel="distance from the wall [m]", ylabel="time [s]", xlim=(-0.05, 2.1), ylim=(0, end))
+        ax.set_title(f"{motion.count} collisions")
+        ax.legend(loc="upper right")
+    describe(
+        ax,
+        f"Paths of two blocks before a wall, mass ratio {motion.mass[1] / motion.mass[0]:g}: the light block zigzags "
+        f"between the wall and the heavy one, {motion.count} collisions in all, then both leave.",
+    )
+    return ax
+
+
+def velocity_circle(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
+    """The same collisions in the plane of sqrt(m) v: equal energy is a circle, each collision a chord."""
+    with style():
+        ax = axes(ax, size=(4.8, 4.6))
+        points = motion.scaled_velocity[:, ::-1]
+        radius = float(np.linalg.norm(points[0]))
+        turn = np.linspace(0, 2 * np.pi, 300)
+        ax.plot(radius * np.cos(turn), radius * np.sin(turn), color="0.7", lw=1, ls="-", marker="")
+        ax.plot(points[:, 0], points[:, 1], color=PALETTE["blue"], lw=1.1, ls="-", marker="o", ms=3)
+        ax.plot(*points[0], marker="s", ms=8, color=PALETTE["vermillion"], ls="none", label="before")
+        ax.plot(*points[-1], marker="^", ms=8, color=PALETTE["green"], ls="none", label="at the end")
+        ax.set(xlabel=r"$\sqrt{m_2}\,v_2$ [J$^{1/2}$]", ylabel=r"$\sqrt{m_1}\,v_1$ [J$^{1/2}$]", aspect="equal")
+        ax.set_title(f"{motion.count} collisions on one circle")
+        ax.legend(loc="upper left")
+    describe(
+        ax,
+        f"The velocities of both blocks, each times the root of its mass: {motion.count + 1} points on one circle, "
+        "joined by chords that lead from the left side of the circle step by step to the right side.",
+    )
+    return ax
+
+
+def billiard_break(outcome: BilliardBreak, *, ax: Axes | None = None) -> Axes:
+    """A break just after the impact: every ball with its velocity as an arrow."""
+    with style():
+        ax = axes(ax, size=(4.4, 4.0))
+        position, velocity = outcome.after.position, outcome.after.velocity
+        fastest = float(np.linalg.norm(outcome.before.velocity, axis=-1).max())
+        scale = 6 * outcome.radius / fastest
+        for i, (x, v) in enumerate(zip(position, velocity, strict=True)):
+            ax.add_patch(Circle((x[0], x[1]), outcome.radius, fc="0.35" if i == 0 else "0.9", ec="0.3"))
+            if np.linalg.norm(v) > 1e-3 * fastest:
+                tip = x + scale * v
+                ax.annotate("", tip[:2], x[:2], arrowprops={"arrowstyle": "-|>", "lw": 1.6,
+                            "color": PALETTE["vermillion"], "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+        moving = int(np.sum(np.linalg.norm(velocity, axis=-1) > 1e-3 * fastest))
+        ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=f"{outcome.law}: {moving} of {len(velocity)} move")
+        ax.set(xlim=(-0.22, 0.42), ylim=(-0.25, 0.25))
+    describe(
+        ax,
+        f"A rack of {len(velocity) - 1} balls just after the cue ball hit it, law {outcome.law}: {moving} balls move; "
+        f"the fastest leaves at {np.linalg.norm(velocity, axis=-1).max():.2f} m/s.",
+    )
+    return ax

@@ -1,0 +1,185 @@
+"""The notebooks as files: built from their source, comparable by nbval, in the shape every lesson has."""
+
+import ast
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from course.exercises.definition import all_lessons
+from course.exercises.message import SYMBOLS
+from course.workbook.build import BrokenSource, blank, build, lesson_text
+
+ROOT = Path(__file__).resolve().parents[2]
+SOLUTIONS = sorted((ROOT / "solutions").glob("*.ipynb"))
+SECTIONS = (
+    "On the slide",
+    "Derive",
+    "Build",
+    "See",
+    "Speed against accuracy",
+    "Where it breaks",
+    "No more than needed",
+    "Recap",
+)
+# What may differ from run to run, and so is shown but not compared; each such cell says which in its tags.
+REASONS = {"measured", "widget"}
+each = pytest.mark.parametrize("path", SOLUTIONS, ids=lambda p: p.stem)
+
+
+def code_cells(path):
+    return [c for c in nbformat.read(path, as_version=4).cells if c.cell_type == "code"]
+
+
+def uncompared(cell) -> str:
+    """Why nbval would run this cell without comparing it, or would compare too much; empty if neither."""
+    tags = set(cell.metadata.get("tags", []))
+    if cell.execution_count is None:
+        return "it was not run before it was saved"
+    if "raises-exception" in tags or any(o.output_type == "error" for o in cell.outputs):
+        return "it raises"
+    if "nbval-skip" in tags:
+        return "it is skipped"
+    if "nbval-ignore-output" in tags and not tags & REASONS:
+        return "its output is ignored without a reason among its tags (measured, widget)"
+    if tags & REASONS and "nbval-ignore-output" not in tags:
+        return "its tags say that its output differs from run to run, but nbval compares it"
+    if cell.source.rstrip().endswith(";"):
+        return "a trailing ; hides what nbval shows"
+    return ""
+
+
+def test_there_are_lessons():
+    assert [p.name for p in SOLUTIONS] == [lesson.file_name for lesson in all_lessons()]
+
+
+def test_lessons_are_what_their_solutions_make():
+    assert build(check=True) == []
+
+
+@each
+def test_every_cell_is_compared(path):
+    faults = [f"cell {i}: {fault}" for i, c in enumerate(code_cells(path)) if (fault := uncompared(c))]
+    assert faults == []
+
+
+@pytest.mark.parametrize(
+    ("cell", "fault"),
+    [
+        (dict(execution_count=None), "not run"),
+        (dict(metadata={"tags": ["raises-exception"]}), "raises"),
+        (dict(outputs=[nbformat.v4.new_output("error", ename="E", evalue="", traceback=[])]), "raises"),
+        (dict(metadata={"tags": ["nbval-ignore-output"]}), "without a reason"),
+        (dict(metadata={"tags": ["measured"]}), "compares it"),
+        (dict(source="x;"), "trailing"),
+    ],
+)
+def test_a_cell_that_would_not_be_compared_is_found(cell, fault):
+    assert fault in uncompared(nbformat.v4.new_code_cell(**({"source": "x", "execution_count": 1} | cell)))
+    assert uncompared(nbformat.v4.new_code_cell("x", execution_count=1)) == ""
+
+
+@each
+def test_figures_are_shown_with_alternative_text(path):
+    for i, cell in enumerate(code_cells(path)):
+        for output in cell.outputs:
+            data = output.get("data", {})
+            assert "image/png" not in data, f"cell {i}: a figure without alternative text; end the cell with plots.show()"
+            for image in re.findall(r"<img[^>]*>", "".join(data.get("text/html", ""))):
+                alt = re.search(r'alt="([^"]*)"', image)
+                assert alt and len(alt.group(1)) > 40, f"cell {i}: alternative text of a few words says nothing"
+
+
+@each
+def test_parts_stand_in_order(path):
+    headings = re.findall(r"^## (.+)$", "\n".join(_markdown(path)), flags=re.M)
+    expected = [s for s in SECTIONS if s in headings]
+    assert [h for h in headings if h in SECTIONS] == expected
+    if not path.name.startswith("00-"):
+        assert tuple(expected) == SECTIONS
+
+
+@each
+def test_style_that_can_be_counted(path):
+    for text in _markdown(path):
+        for paragraph in re.split(r"\n\s*\n", text):
+            prose = re.sub(r"\$\$.*?\$\$|\$.*?\$|`.*?`|\[.*?\]\(.*?\)", "x", paragraph, flags=re.S)
+            if prose.lstrip().startswith(("|", "-", "1.", "#", "*")) and not prose.lstrip().startswith("**"):
+                continue
+            sentences = len(re.findall(r"[.!?:](?=\s|$|\*)", prose.replace("...", "").replace(":", "")))
+            assert sentences <= 5, f"a long paragraph ({sentences} sentences): {paragraph[:80]!r}"
+    for cell in code_cells(path):
+        if cell.metadata.get("course", {}).get("exercise") is None:
+            assert len(cell.source.splitlines()) <= 18, f"a long cell: {cell.source[:60]!r}"
+
+
+@each
+def test_student_code_is_called_only_through_use(path):
+    """A cell that is no exercise names a student's function only as what use, check or hint is given."""
+    names = {e.name for lesson in all_lessons() for e in lesson.exercises}
+    for i, cell in enumerate(code_cells(path)):
+        if "exercise" in cell.metadata.get("course", {}):
+            continue
+        tree = ast.parse(cell.source)
+        allowed = {
+            id(arg)
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("use", "check", "hint")
+            for arg in node.args
+        }
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Name) and node.id in names and isinstance(node.ctx, ast.Load):
+                assert id(node) in allowed, f"cell {i} calls {node.id} directly"
+
+
+@each
+def test_every_exercise_has_its_cell_and_its_check(path):
+    lesson = next(le for le in all_lessons() if le.file_name == path.name)
+    cells = {c.metadata.course.exercise: c.source for c in code_cells(path) if "exercise" in c.metadata.get("course", {})}
+    assert list(cells) == [e.name for e in lesson.exercises]
+    for exercise in lesson.exercises:
+        call = f'check({exercise.name}, "{exercise.name}")' if exercise.kind == "expression" else f"check({exercise.name})"
+        assert call in cells[exercise.name]
+        assert "# BEGIN SOLUTION" in cells[exercise.name]
+    predicted = re.findall(r'predict\(\s*"(\w+)"', "\n".join(c.source for c in code_cells(path)))
+    assert predicted == [p.name for p in lesson.predictions]
+
+
+@each
+def test_checks_pass_in_the_solution_as_stored(path):
+    for cell in code_cells(path):
+        if "exercise" in cell.metadata.get("course", {}):
+            shown = "".join("".join(o.get("data", {}).get("text/plain", "")) for o in cell.outputs)
+            assert shown.startswith(SYMBOLS["passed"])
+
+
+def test_blank_replaces_what_is_marked_and_refuses_unpaired_markers():
+    code = "def f(x):\n    # BEGIN SOLUTION\n    y = x\n    return y\n    # END SOLUTION\n\n\ncheck(f)"
+    assert blank(code) == "def f(x):\n    ...\n\n\ncheck(f)"
+    for broken in ("# BEGIN SOLUTION\nx", "x\n# END SOLUTION", "# BEGIN SOLUTION\n# BEGIN SOLUTION\n# END SOLUTION"):
+        with pytest.raises(BrokenSource, match="cell 3"):
+            blank(broken, where="cell 3")
+
+
+def test_drift_is_reported(tmp_path):
+    (tmp_path / "solutions").mkdir()
+    source = tmp_path / "solutions" / "00-x.ipynb"
+    cell = nbformat.v4.new_code_cell("# BEGIN SOLUTION\n1\n# END SOLUTION", execution_count=3)
+    source.write_text(nbformat.writes(nbformat.v4.new_notebook(cells=[cell])))
+    assert build(check=True, root=tmp_path) == ["lessons/00-x.ipynb: missing"]
+    assert not (tmp_path / "lessons").exists()
+    build(root=tmp_path)
+    assert build(check=True, root=tmp_path) == []
+    lesson = tmp_path / "lessons" / "00-x.ipynb"
+    assert lesson.read_text() == lesson_text(source) and "BEGIN" not in lesson.read_text()
+    lesson.write_text(lesson.read_text().replace("...", "1"))
+    (tmp_path / "lessons" / "99-y.ipynb").write_text("{}")
+    assert build(check=True, root=tmp_path) == [
+        "lessons/00-x.ipynb: differs from what its solution makes",
+        "lessons/99-y.ipynb: has no solution to be made from",
+    ]
+
+
+def _markdown(path) -> list[str]:
+    return [c.source for c in nbformat.read(path, as_version=4).cells if c.cell_type == "markdown"]
