@@ -1,0 +1,115 @@
+"""SciPy's DOP853 as the truth where there is no closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from course.arrays import Array, ArrayLike, failure, scalar, scalars
+from course.dynamics.bodies import Bodies
+from course.dynamics.integrators.components import multiplied, normalized
+from course.dynamics.integrators.motion import Motion, Wrench, step_and_time
+
+
+def dop853(
+    bodies: Bodies,
+    wrench: Wrench | None,
+    step: float,
+    *,
+    time: float = 0.0,
+    relative_tolerance: float = 1e-13,
+) -> Bodies:
+    """The bodies one step on, however long, by as many smaller steps as the tolerance asks for.
+
+    The method of order 8 of Dormand and Prince with the error control of
+    Hairer, Norsett and Wanner (*Solving Ordinary Differential Equations I*,
+    section II.5), from ``scipy.integrate``; quaternions as four numbers,
+    brought back to unit length where they are read.
+
+    Args:
+        bodies, wrench, step, time: as in ``explicit_euler``.
+        relative_tolerance: of the error in one smaller step, 1e-13 to below 1. The
+            absolute tolerance is the same number of m, m/s, rad and rad/s.
+    Raises:
+        ValueError: as ``explicit_euler``, and a tolerance out of range.
+        RuntimeError: SciPy gave up.
+    """
+    h, t = step_and_time(step, time)
+    return reference_motion(bodies, wrench, [t + h], time=t, relative_tolerance=relative_tolerance)[0]
+
+
+def reference_motion(
+    bodies: Bodies,
+    wrench: Wrench | None,
+    times: ArrayLike,
+    *,
+    time: float = 0.0,
+    relative_tolerance: float = 1e-13,
+) -> list[Bodies]:
+    """The bodies at each of these times, by ``dop853``.
+
+    Args:
+        times: (t,) [s], one after the other in one direction from ``time``.
+    """
+    from scipy.integrate import solve_ivp
+
+    start = scalar("time", time)
+    at = scalars("times", times)
+    if at.ndim != 1 or not at.size:
+        raise failure("times", "shape (t,) with at least one", f"shape {at.shape}")
+    direction = np.diff(np.concatenate([[start], at]))
+    if not (np.all(direction >= 0) or np.all(direction <= 0)):
+        raise failure("times", "times one after the other in one direction from time", f"{at!r:.60}")
+    tolerance = scalar("relative_tolerance", relative_tolerance)
+    if not 1e-13 <= tolerance < 1:
+        raise failure("relative_tolerance", "a number from 1e-13 to below 1", repr(tolerance))
+    motion, size = Motion.of(bodies), len(bodies)
+    if at[-1] == start:
+        return [motion.to_bodies() for _ in at]
+    solution = solve_ivp(
+        lambda t, y: _rates(motion, wrench, t, y),
+        (start, at[-1]),
+        _packed(motion),
+        method="DOP853",
+        t_eval=at,
+        rtol=tolerance,
+        atol=tolerance,
+    )
+    if not solution.success:
+        raise RuntimeError(f"dop853: {solution.message}")
+    return [_unpacked(motion, y.reshape(13, size)).to_bodies() for y in solution.y.T]
+
+
+def _scales(motion: Motion) -> tuple[Array, Array]:
+    """Mass and middle moment: momenta are integrated as velocities, so that one tolerance fits all bodies."""
+    mass = np.where(np.isfinite(motion.bodies.mass), motion.bodies.mass, 1.0)
+    return mass, motion.frames.moments[1]
+
+
+def _packed(motion: Motion) -> Array:
+    mass, moment = _scales(motion)
+    rows = (motion.position, motion.orientation, motion.momentum / mass, motion.angular_momentum / moment)
+    return np.concatenate(rows).ravel()
+
+
+def _unpacked(motion: Motion, y: Array) -> Motion:
+    mass, moment = _scales(motion)
+    q = normalized(y[3:7])
+    if motion.fixed is not None:
+        q = np.where(motion.fixed, motion.orientation, q)
+    return motion.moved(
+        position=y[:3].copy(), orientation=q, momentum=y[7:10] * mass, angular_momentum=y[10:] * moment
+    )
+
+
+def _rates(motion: Motion, wrench: Wrench | None, time: float, flat: Array) -> Array:
+    y = flat.reshape(13, -1)
+    here = _unpacked(motion, y)
+    mass, moment = _scales(motion)
+    force, torque = here.wrench(wrench, time)
+    rates = np.zeros(y.shape)
+    rates[:3] = here.velocity
+    omega = np.concatenate([0.5 * here.angular_velocity, np.zeros((1, y.shape[1]))])
+    rates[3:7] = multiplied(omega, y[3:7])
+    rates[7:10] = force / mass
+    rates[10:] = torque / moment
+    return rates.ravel()
