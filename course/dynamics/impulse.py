@@ -299,7 +299,8 @@ def _impact(
     e = in_range("restitution", restitution, 0, 1)
     batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
                       normal=(n, 1), restitution=(e, 0))  # fmt: skip
-    inverse = np.asarray(1.0 / m_1 + 1.0 / m_2)
-    reduced_mass = np.divide(1.0, inverse, out=np.zeros(inverse.shape), where=inverse > 0)
+    light, heavy = np.minimum(m_1, m_2), np.maximum(m_1, m_2)
+    share = np.divide(heavy, light + heavy, out=np.ones(heavy.shape), where=np.isfinite(heavy))
+    reduced_mass = np.where(np.isfinite(light), light, 0.0) * share  # m1 m2/(m1 + m2), infinity allowed
     closing = np.maximum(np.sum((v_2 - v_1) * n, axis=-1), 0.0)
     return np.broadcast_to(reduced_mass, batch), np.broadcast_to(closing, batch), np.broadcast_to(e, batch)
