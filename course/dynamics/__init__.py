@@ -2,6 +2,16 @@
 
 from course.dynamics.bodies import Bodies
 from course.dynamics.bounces import bounce_path_length, bounce_rest_time, bounce_times, wall_bounce
+from course.dynamics.energy import (
+    angular_kinetic_energy,
+    kinetic_energy,
+    linear_kinetic_energy,
+    potential_energy,
+    total_angular_momentum,
+    total_energy,
+    total_momentum,
+)
+from course.dynamics.faulty_integrators import body_frame_euler, quaternion_euler
 from course.dynamics.impulse import (
     apply_impulse,
     effective_mass,
@@ -39,7 +49,9 @@ __all__ = [
     "Bodies",
     "MassProperties",
     "Wrench",
+    "angular_kinetic_energy",
     "apply_impulse",
+    "body_frame_euler",
     "bounce_path_length",
     "bounce_rest_time",
     "bounce_times",
@@ -52,18 +64,25 @@ __all__ = [
     "hull_mass_properties",
     "impulse_at_point",
     "impulse_central",
+    "kinetic_energy",
     "kinetic_energy_lost",
+    "linear_kinetic_energy",
     "midpoint",
     "momentum_after",
     "normal_velocity",
     "point_velocity",
+    "potential_energy",
     "principal_axes",
+    "quaternion_euler",
     "reference_motion",
     "rk4",
     "separation_speed",
     "sphere_mass_properties",
     "splitting",
     "symplectic_euler",
+    "total_angular_momentum",
+    "total_energy",
+    "total_momentum",
     "uniform_gravity",
     "velocity_after",
     "wall_bounce",
