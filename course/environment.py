@@ -101,7 +101,7 @@ def state(root, extras=False):
 
 def stamp_for(root, extras):
     """What the stamp of a ``.venv`` made here and now would say."""
-    base = os.path.realpath(getattr(sys, "_base_executable", None) or sys.executable)
+    base = os.path.abspath(getattr(sys, "_base_executable", None) or sys.executable)
     return {"lock": lock_hash(root, extras), "extras": bool(extras), "folder": os.path.realpath(root),
             "base": base, "python": "%d.%d" % tuple(sys.version_info[:2])}
 

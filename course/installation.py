@@ -62,10 +62,13 @@ FAILURES = [
      r"|CERTIFICATE_VERIFY_FAILED|SSLError",
      "The package index could not be reached: connect to the network (behind a proxy set HTTPS_PROXY) "
      "and run {start} again. Only the first start needs it."),
+    (r"satisfies the requirement (?P<detail>\S+) [^\n]*from versions: none",
+     "Nothing was found of {detail}: check the network and run {start} again; if that is well, start with 64-bit "
+     "Python 3.11 to 3.13 from https://www.python.org instead of {python}."),
     (r"No matching distribution found for (?P<detail>\S+)",
      "There is no ready-made package of {detail} for this Python ({python}): start with 64-bit Python 3.11 to 3.13 "
      "from https://www.python.org."),
-    (r"ensurepip is not available|No module named ensurepip|returned non-zero exit status 1",
+    (r"ensurepip is not available|No module named '?(ensurepip|venv)|ensurepip is disabled",
      "This Python cannot make virtual environments: {modules}, then run {start} again."),
     (r"WinError 5|WinError 32|Access is denied|Permission denied",
      "{in_use} Then run {start} again."),
@@ -97,10 +100,10 @@ def _set_up(root: Path, venv: Path, now: str, extras: bool) -> None:
     stamp = read_stamp(str(venv)) or {}
     extras = extras or stamp.get("extras", False)
     want = stamp_for(str(root), extras)
-    in_place = now == "stale" and all(stamp.get(key) == want[key] for key in ("folder", "base", "python"))
+    in_place = now == "stale" and same_place(stamp, want) and os.path.exists(venv_python(str(venv)))
     started = time.monotonic()
     if in_place:
-        say(f"The project's packages have changed: bringing {venv} up to date.")
+        say(f"Bringing {venv} up to date with the packages that this version of the project needs.")
     else:
         say(f"{BEGINNING[now]} {venv}: about 1 GB of packages, one or two minutes, only this once. "
             "Ctrl-C is safe, the next start completes it.")
@@ -113,6 +116,12 @@ def _set_up(root: Path, venv: Path, now: str, extras: bool) -> None:
     compile_ahead(venv, python)
     write_stamp(venv, want)
     say(f"Ready after {time.monotonic() - started:.0f} s.")
+
+
+def same_place(stamp: dict, want: dict) -> bool:
+    """Whether an environment was made here by the Python that would make it now (under whatever name)."""
+    same_python = os.path.realpath(stamp.get("base", "")) == os.path.realpath(want["base"])
+    return same_python and all(stamp.get(key) == want[key] for key in ("folder", "python"))
 
 
 # Before anything is touched
@@ -134,11 +143,11 @@ def require_modules() -> None:
     raise SetupError(f"This Python cannot make virtual environments: {MODULES}, then run {START} again.")
 
 
-def require_short_path(venv: Path) -> None:
+def require_short_path(venv: Path, *, windows: bool = os.name == "nt") -> None:
     """Raise SetupError where Windows could not hold the longest file name."""
-    room = WINDOWS_LIMIT - LONGEST_FILE - len(str(venv))
-    if os.name == "nt" and room < 0 and not long_paths_enabled():
-        raise SetupError(f"The path {venv.parent} is {-room} characters too long for Windows. Move the project to "
+    excess = len(str(venv)) + LONGEST_FILE - WINDOWS_LIMIT
+    if windows and excess > 0 and not long_paths_enabled():
+        raise SetupError(f"The path {venv.parent} is {excess} characters too long for Windows. Move the project to "
                          rf"a shorter one, such as C:\course, and run {START} again.")
 
 
@@ -205,7 +214,8 @@ def create(venv: Path, base: str) -> None:
             shutil.rmtree(entry)
         else:
             entry.unlink()
-    run(venv, [base, "-I", "-m", "venv", str(venv)])
+    run(venv, [base, "-I", "-m", "venv", "--without-pip", str(venv)])
+    run(venv, [venv_python(str(venv)), "-I", "-m", "ensurepip", "--default-pip"])   # apart, so that it can say why not
 
 
 def install(venv: Path, python: Path, lock: Path, old_stamp: dict | None = None) -> None:
