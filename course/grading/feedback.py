@@ -1,0 +1,139 @@
+"""One page of feedback a submission: points, what was found, what to try next. Nothing is loaded from outside."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from course.exercises.message import SYMBOLS, WORDS, Part, verdict_message
+from course.grading.judge import Row
+from course.grading.report import Submission, write_whole
+
+
+def write_page(path: Path, submission: Submission, *, seed: int) -> None:
+    """Write the page of a submission."""
+    text = page(submission, seed=seed)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, lambda file: file.write(text))
+
+
+def page(submission: Submission, *, seed: int) -> str:
+    """The page as HTML; everything a student wrote is escaped."""
+    from markupsafe import Markup
+
+    lesson = submission.lesson
+    sections = [
+        {
+            "name": row.exercise.name,
+            "signature": row.exercise.signature if row.exercise.kind == "function" else row.exercise.name,
+            "task": row.exercise.task,
+            "word": WORDS[row.state],
+            "symbol": SYMBOLS[row.state],
+            "points": _points(row),
+            "message": Markup(verdict_message(row.exercise, row.verdict, after=_after(row)).html()),
+        }
+        for row in submission.rows
+    ]
+    return str(
+        _template().render(
+            title=f"Lesson {lesson.number}: {lesson.title}" if lesson else "This file could not be marked",
+            submission=submission, sections=sections, following=_following(submission), seed=seed,
+        )
+    )  # fmt: skip
+
+
+def _points(row: Row) -> str:
+    return f"{'?' if row.points is None else row.points} of {row.exercise.points}"
+
+
+def _after(row: Row) -> tuple[Part, ...]:
+    """The first hint, where an answer is wrong and nothing says yet in what way."""
+    if row.state in ("wrong", "error") and row.verdict.mistake is None:
+        return (Part("hint", row.exercise.hints[0]),)
+    return ()
+
+
+def _following(submission: Submission) -> str:
+    """What to try next: the first exercise that is not right, core before stretch."""
+    left = [r for r in submission.rows if r.state not in ("passed", "needs a person")]
+    left.sort(key=lambda row: row.exercise.level != "core")
+    if not submission.rows:
+        return "Hand in the notebook itself, the file that ends in .ipynb, as JupyterLab saves it."
+    if not left:
+        return "Nothing is left to do in this lesson." if submission.state == "marked" else ""
+    first = left[0].exercise
+    minutes = sum(row.exercise.minutes for row in left if row.exercise.level == "core")
+    rest = f" About {minutes} minutes of core exercises are left in this lesson." if minutes else ""
+    return (
+        f"Next: {first.name}. Open the lesson, change its cell and run it: check shows the same case again, and "
+        f"hint({first.name!r}) gives the first of three hints.{rest}"
+    )
+
+
+@cache
+def _template() -> Any:
+    import jinja2
+
+    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    return environment.from_string(_PAGE)
+
+
+_PAGE = """\
+<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
+<title>{{ title }}{% if submission.student %} - {{ submission.student }}{% endif %}</title>
+<style>
+:root { color-scheme: light dark; }
+body { font: 1rem/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem; }
+table.points { border-collapse: collapse; }
+table.points th, table.points td { text-align: left; padding: 0.2rem 1rem 0.2rem 0; border-bottom: 1px solid #888; }
+caption { text-align: left; font-weight: 600; padding-bottom: 0.3rem; }
+pre { overflow-x: auto; }
+section { margin: 1.5rem 0; }
+footer { margin-top: 2rem; font-size: 0.9rem; }
+</style>
+</head>
+<body>
+<header>
+<h1>{{ title }}</h1>
+<p>{% if submission.student %}{{ submission.student }}, {% endif %}{{ submission.file }}</p>
+</header>
+<main>
+{% if submission.lesson %}
+<p><strong>{{ submission.total }} of {{ submission.out_of }} points</strong>
+{%- if submission.state == "needs a person" %}, and a person has still to look at what is marked with ?{% endif %}.</p>
+{% else %}
+<p><strong>{{ submission.reason }}</strong></p>
+{% endif %}
+{% if following %}
+<p>{{ following }}</p>
+{% endif %}
+{% if sections %}
+<table class="points">
+<caption>Points by exercise</caption>
+<thead><tr><th scope="col">exercise</th><th scope="col">result</th><th scope="col">points</th></tr></thead>
+<tbody>
+{% for s in sections %}
+<tr><th scope="row"><a href="#{{ s.name }}">{{ s.name }}</a></th><td>{{ s.symbol }} {{ s.word }}</td>\
+<td>{{ s.points }}</td></tr>
+{% endfor %}
+</tbody>
+</table>
+{% for s in sections %}
+<section id="{{ s.name }}" aria-labelledby="{{ s.name }}-heading">
+<h2 id="{{ s.name }}-heading"><code>{{ s.signature }}</code></h2>
+<p>{{ s.task }} ({{ s.points }} points)</p>
+{{ s.message }}
+</section>
+{% endfor %}
+{% endif %}
+</main>
+<footer>Marked by program with the seed {{ seed }}; the same seed gives the same inputs again.</footer>
+</body>
+</html>
+"""

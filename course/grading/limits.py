@@ -1,0 +1,124 @@
+"""The limits a process sets on itself before it runs what a student wrote.
+
+POSIX has resource limits; Windows has job objects. ``apply_limits`` returns what took hold on this machine, in
+words, so that a report can say it.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What one run of an answer may use: seconds (of the clock and of the processor), memory, files written."""
+
+    seconds: float = 10.0
+    memory_mb: int = 2000
+    file_mb: int = 100
+
+    def __post_init__(self) -> None:
+        if not 0 < self.seconds < math.inf:
+            raise ValueError(f"time_limit: expected seconds above 0; got {self.seconds!r}")
+        if not self.memory_mb >= 256:  # Python with NumPy alone maps about half of that
+            raise ValueError(f"memory_mb: expected at least 256; got {self.memory_mb!r}")
+        if not self.file_mb > 0:
+            raise ValueError(f"file_mb: expected a number above 0; got {self.file_mb!r}")
+
+
+def apply_limits(limits: Limits) -> list[str]:
+    """Limit the calling process for good; returns the limits that took hold."""
+    if sys.platform == "win32":
+        return _by_job_object(limits)
+    else:
+        return _by_resource(limits)
+
+
+if sys.platform == "win32":
+    # Written from the documentation of the job object API (learn.microsoft.com, "Job Objects").
+    import ctypes
+    from ctypes import wintypes
+
+    class _Basic(ctypes.Structure):
+        _fields_ = [
+            ("PerProcessUserTimeLimit", ctypes.c_int64),
+            ("PerJobUserTimeLimit", ctypes.c_int64),
+            ("LimitFlags", wintypes.DWORD),
+            ("MinimumWorkingSetSize", ctypes.c_size_t),
+            ("MaximumWorkingSetSize", ctypes.c_size_t),
+            ("ActiveProcessLimit", wintypes.DWORD),
+            ("Affinity", ctypes.c_size_t),
+            ("PriorityClass", wintypes.DWORD),
+            ("SchedulingClass", wintypes.DWORD),
+        ]
+
+    class _Extended(ctypes.Structure):
+        _fields_ = [
+            ("BasicLimitInformation", _Basic),
+            ("IoInfo", ctypes.c_uint64 * 6),
+            ("ProcessMemoryLimit", ctypes.c_size_t),
+            ("JobMemoryLimit", ctypes.c_size_t),
+            ("PeakProcessMemoryUsed", ctypes.c_size_t),
+            ("PeakJobMemoryUsed", ctypes.c_size_t),
+        ]
+
+    _EXTENDED_LIMITS = 9
+    _TIME, _PROCESSES, _MEMORY, _KILL_ON_CLOSE = 0x2, 0x8, 0x100, 0x2000
+
+    def _by_job_object(limits: Limits) -> list[str]:
+        """Join a job of one process. The handle stays open: when this process ends, the job ends with it."""
+        try:
+            kernel = ctypes.WinDLL("kernel32", use_last_error=True)
+            kernel.CreateJobObjectW.restype = wintypes.HANDLE
+            kernel.CreateJobObjectW.argtypes = [ctypes.c_void_p, wintypes.LPCWSTR]
+            kernel.SetInformationJobObject.argtypes = [
+                wintypes.HANDLE, ctypes.c_int, ctypes.c_void_p, wintypes.DWORD
+            ]  # fmt: skip
+            kernel.GetCurrentProcess.restype = wintypes.HANDLE
+            kernel.AssignProcessToJobObject.argtypes = [wintypes.HANDLE, wintypes.HANDLE]
+            job = kernel.CreateJobObjectW(None, None)
+            told = _Extended()
+            told.BasicLimitInformation.LimitFlags = _TIME | _PROCESSES | _MEMORY | _KILL_ON_CLOSE
+            told.BasicLimitInformation.PerProcessUserTimeLimit = int((limits.seconds + 2) * 1e7)
+            told.BasicLimitInformation.ActiveProcessLimit = 1
+            told.ProcessMemoryLimit = limits.memory_mb * 1_000_000
+            size = ctypes.sizeof(told)
+            done = kernel.SetInformationJobObject(job, _EXTENDED_LIMITS, ctypes.byref(told), size)
+            if done and kernel.AssignProcessToJobObject(job, kernel.GetCurrentProcess()):
+                return ["processor time", "memory", "one process"]
+        except (OSError, AttributeError):
+            pass  # what did not take hold is not claimed
+        return []
+
+else:
+    import resource
+
+    def _by_resource(limits: Limits) -> list[str]:
+        seconds = math.ceil(limits.seconds) + 2  # what Python needed to start is on this clock too
+        wanted = [
+            ("", "RLIMIT_CORE", 0),
+            ("processor time", "RLIMIT_CPU", seconds),
+            ("memory", "RLIMIT_AS", limits.memory_mb * 1_000_000),
+            ("file size", "RLIMIT_FSIZE", limits.file_mb * 1_000_000),
+            ("open files", "RLIMIT_NOFILE", 64),
+        ]
+        if os.geteuid() != 0:  # the kernel does not ask it of root
+            wanted.append(("one process", "RLIMIT_NPROC", 0))
+        return [words for words, name, value in wanted if _set(name, value) and words]
+
+    def _set(name: str, value: int) -> bool:
+        kind = getattr(resource, name, None)
+        if kind is None:
+            return False
+        _, hardest = resource.getrlimit(kind)
+        value = value if hardest == resource.RLIM_INFINITY else min(value, hardest)
+        # The softer limit on the processor tells why the process ends (SIGXCPU), the harder one only ends it.
+        hard = value + 2 if name == "RLIMIT_CPU" and hardest == resource.RLIM_INFINITY else value
+        try:
+            resource.setrlimit(kind, (value, hard))
+        except (ValueError, OSError):  # macOS refuses RLIMIT_AS
+            return False
+        return True

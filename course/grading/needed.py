@@ -1,0 +1,62 @@
+"""Which of a notebook's cells an answer needs, told from their source without running them.
+
+A cell that no name leads to is left out: its loop without end then costs its own exercise alone, and a picture in it
+costs nothing.
+"""
+
+from __future__ import annotations
+
+import symtable
+import warnings
+from collections.abc import Sequence
+
+DYNAMIC = frozenset({"globals", "locals", "vars", "eval", "exec", "__import__", "get_ipython"})
+
+
+def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
+    """The indices of the cells that ``wanted`` needs, straight or by way of others.
+
+    Names are all that is looked at. Where they cannot tell (``eval``, ``from x import *``) a cell is kept.
+    """
+    names = [names_of(source) for source in sources]
+    bound_here, used = names_of(wanted)
+    if used & DYNAMIC:
+        return tuple(range(len(sources)))
+    kept: set[int] = {i for i, (bound, _) in enumerate(names) if "*" in bound}
+    used = used.union(*(names[i][1] for i in kept))
+    while True:
+        more = {i for i, (bound, _) in enumerate(names) if i not in kept and bound & used}
+        if not more:
+            return tuple(sorted(kept))
+        kept |= more
+        used = used.union(*(names[i][1] for i in more))
+
+
+def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
+    """The names a cell binds in the notebook's namespace, and those it takes from there; none if it is not Python."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            table = symtable.symtable(source, "<cell>", "exec")
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return frozenset(), frozenset()
+    bound, used = set(), set()
+    tables = [table]
+    while tables:
+        part = tables.pop()
+        tables += part.get_children()
+        top = part.get_type() == "module"
+        for symbol in part.get_symbols():
+            if not top and not symbol.is_global():
+                continue
+            if symbol.is_assigned() or symbol.is_imported():
+                bound.add(symbol.get_name())
+            if symbol.is_referenced():
+                used.add(symbol.get_name())
+    if _star_import(source):
+        bound.add("*")
+    return frozenset(bound), frozenset(used)
+
+
+def _star_import(source: str) -> bool:
+    return any("import" in line and line.rstrip().endswith("*") for line in source.splitlines())

@@ -1,0 +1,119 @@
+"""What student code sees in place of the course, and of packages that only pictures need.
+
+``course`` and everything in it is a stand-in: import cells run, ``check`` and ``hint`` do nothing, ``use`` gives
+back what it got, and the reference is not there. ``import matplotlib.pyplot as plt`` and its like load nothing until
+the name is used, because a lesson's import cell names them and an answer hardly ever does.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import importlib.abc
+import importlib.machinery
+import sys
+from types import ModuleType
+from typing import Any
+
+WORKBOOK = ("check", "hint", "predict", "progress", "show", "use")
+LATER = frozenset({"IPython", "cvxpy", "ipywidgets", "k3d", "matplotlib", "pandas", "scipy", "sympy"})
+LATER_NAME = "__import_later__"
+
+
+class StandInForCourse:
+    """Anything of the course. Called or asked for an attribute it gives itself, so that cells run; it is no number."""
+
+    def __call__(self, *_: Any, **__: Any) -> Any:
+        return self
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self
+
+    def __enter__(self) -> Any:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        return None
+
+
+class _Module(ModuleType):
+    __path__: list[str] = []
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "__all__":
+            return list(WORKBOOK) if self.__name__ == "course.workbook" else []
+        if name.startswith("__"):
+            raise AttributeError(name)
+        if name == "use":
+            return _same
+        return _nothing if name in WORKBOOK else StandInForCourse()
+
+
+class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
+        if name == "course" or name.startswith("course."):
+            return importlib.machinery.ModuleSpec(name, self, is_package=True)
+        return None
+
+    def create_module(self, spec: Any) -> ModuleType:
+        return _Module(spec.name)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """A stand-in has nothing to run."""
+
+
+class Later:
+    """A module that is imported when an attribute is first asked of it."""
+
+    _wanted: dict[str, set[str]] = {}
+
+    def __init__(self, shown: str, loaded: str) -> None:
+        self.__dict__["_shown"] = shown
+        self._wanted.setdefault(shown, set()).add(loaded)
+
+    def __getattr__(self, name: str) -> Any:
+        for module in sorted(self._wanted[self._shown]):
+            importlib.import_module(module)
+        return getattr(sys.modules[self._shown], name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        setattr(importlib.import_module(self._shown), name, value)
+
+
+def install_stand_ins() -> None:
+    """Put the stand-in in the course's place; what was imported of it before stays with those who hold it."""
+    for name in [n for n in sys.modules if n == "course" or n.startswith("course.")]:
+        del sys.modules[name]
+    sys.meta_path.insert(0, _Finder())
+
+
+def with_later_imports(tree: ast.Module) -> ast.Module:
+    """The cell with its plain imports of heavy packages put off; ``from`` imports stay as they are."""
+    body: list[ast.stmt] = []
+    for node in tree.body:
+        body += _put_off(node) if isinstance(node, ast.Import) else [node]
+    tree.body = body
+    return ast.fix_missing_locations(tree)
+
+
+def _put_off(node: ast.Import) -> list[ast.stmt]:
+    statements: list[ast.stmt] = []
+    for alias in node.names:
+        top = alias.name.split(".")[0]
+        if top not in LATER or top in sys.modules:
+            statements.append(ast.Import([alias]))
+            continue
+        shown = alias.name if alias.asname else top
+        text = f"{alias.asname or top} = {LATER_NAME}({shown!r}, {alias.name!r})"
+        statements += ast.parse(text).body
+    return [ast.copy_location(statement, node) for statement in statements]
+
+
+def _same(function: Any, *_: Any, **__: Any) -> Any:
+    return function
+
+
+def _nothing(*_: Any, **__: Any) -> None:
+    return None
