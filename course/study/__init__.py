@@ -27,6 +27,7 @@ from course.study.bouncing_ball import (
     energy_error,
     event_driven_error,
 )
+from course.study.falling_boxes import FallingBoxes, falling_boxes
 from course.study.stepped_cradle import cradle_by_steps
 from course.study.two_blocks import (
     TwoBlocks,
@@ -46,6 +47,7 @@ __all__ = [
     "BilliardBreak",
     "BouncingErrors",
     "CradleComparison",
+    "FallingBoxes",
     "Method",
     "Problem",
     "PublishedBouncing",
@@ -67,6 +69,7 @@ __all__ = [
     "critical_mass_ratio",
     "energy_error",
     "event_driven_error",
+    "falling_boxes",
     "pi_count",
     "predicted_count",
     "rack",

@@ -6,6 +6,7 @@ what it drew, and returns the Axes, so that a student can go on drawing.
 
 from course.workbook.plots.bounces import bouncing_errors, energy_over_time, heights, reflection
 from course.workbook.plots.charts import stability_sweep, work_precision
+from course.workbook.plots.course_map import course_map, falling_boxes
 from course.workbook.plots.figure import PALETTE, axes, describe, figure_html, show, side_by_side, style
 from course.workbook.plots.impacts import (
     ball_row,
@@ -24,8 +25,10 @@ __all__ = [
     "block_paths",
     "blocks_and_wall",
     "bouncing_errors",
+    "course_map",
     "describe",
     "energy_over_time",
+    "falling_boxes",
     "figure_html",
     "heights",
     "impact",
