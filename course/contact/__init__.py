@@ -1,6 +1,7 @@
 """What contact does to bodies: collisions at an instant, and the forces of resting contact."""
 
 from course.contact.collisions import CollisionsUnresolved, resolve_collisions
+from course.contact.contact_system import ContactSystem, contact_system, contact_wrench
 from course.contact.separation import (
     normal_rate,
     resting,
@@ -12,6 +13,9 @@ from course.contact.separation import (
 
 __all__ = [
     "CollisionsUnresolved",
+    "ContactSystem",
+    "contact_system",
+    "contact_wrench",
     "normal_rate",
     "resolve_collisions",
     "resting",

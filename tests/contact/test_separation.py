@@ -1,10 +1,18 @@
 """d, d_dot, N_dot and d_ddot against motion that is integrated to 1e-13, its geometry in closed form at each moment."""
 
-from dataclasses import dataclass
-
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
+from contact.moving_geometry import (
+    EYE,
+    KINDS,
+    Flight,
+    ball_in_bowl,
+    capsules,
+    draw_numbers,
+    edges,
+    rod,
+    sphere_sphere,
+)
 
 from course import rotations
 from course.contact import (
@@ -18,186 +26,27 @@ from course.contact import (
 from course.dynamics import Bodies
 from course.overlap import Contacts
 
-EYE = np.eye(3)
-
-
-def unit(x):
-    return x / np.linalg.norm(x)
-
-
-@dataclass
-class Touch:
-    """One contact as closed-form geometry finds it: where each surface is nearest, N, d, and the feature's data."""
-
-    point_a: np.ndarray
-    point_b: np.ndarray
-    normal: np.ndarray
-    feature: str
-    data: dict
-
-    @property
-    def gap(self):
-        return float((self.point_a - self.point_b) @ self.normal)
-
-    def contacts(self):
-        data = {name: value[None] for name, value in self.data.items()}
-        return Contacts(np.array([0]), np.array([1]), 0.5 * (self.point_a + self.point_b)[None], self.normal[None],
-                        np.array([self.gap]), np.array([self.feature]), **data)  # fmt: skip
-
-
-def nearest_on_lines(p, d, q, e):
-    """The points nearest to each other of the lines p + s d and q + t e."""
-    s, t = np.linalg.lstsq(np.stack([d, -e], axis=1), q - p, rcond=None)[0]
-    return p + s * d, q + t * e
-
-
-def curved(centre_a, centre_b, r_a, r_b, k_a, k_b):
-    """Round surfaces about two centres (of a ball, or nearest on a capsule's axis)."""
-    n = unit(centre_a - centre_b)
-    return Touch(
-        centre_a - r_a * n, centre_b + r_b * n, n, "curved", {"curvature_a": k_a, "curvature_b": k_b}
-    )
-
-
-def ball(r):
-    return EYE / r
-
-
-def rod(r, axis):
-    axis = unit(axis)
-    return (EYE - np.outer(axis, axis)) / r
-
-
-# Each takes the poses (x_A, R_A, x_B, R_B) and numbers drawn once; the body's own geometry turns with R.
-def face_b(x_a, r_a, x_b, r_b, g):
-    p, n = x_a + r_a @ g["corner"], r_b @ g["normal"]
-    d = (p - x_b - r_b @ g["on_face"]) @ n
-    return Touch(p, p - d * n, n, "face_b", {})
-
-
-def face_a(x_a, r_a, x_b, r_b, g):
-    p, n = x_b + r_b @ g["corner"], -r_a @ g["normal"]
-    d = (x_a + r_a @ g["on_face"] - p) @ n
-    return Touch(p + d * n, p, n, "face_a", {})
-
-
-def edges(x_a, r_a, x_b, r_b, g):
-    e_a, e_b = r_a @ g["edge_a"], r_b @ g["edge_b"]
-    n = unit(np.cross(e_a, e_b)) * np.sign(g["normal"][0])
-    p, q = nearest_on_lines(x_a + r_a @ g["corner"], e_a, x_b + r_b @ g["on_face"], e_b)
-    return Touch(p, q, n, "edges", {"edge_a": e_a, "edge_b": e_b})
-
-
-def sphere_plane(x_a, r_a, x_b, r_b, g):
-    centre, n = x_a + r_a @ g["corner"], r_b @ g["normal"]
-    foot = centre - ((centre - x_b - r_b @ g["on_face"]) @ n) * n
-    zero = np.zeros((3, 3))
-    return Touch(centre - 0.7 * n, foot, n, "curved", {"curvature_a": ball(0.7), "curvature_b": zero})
-
-
-def plane_sphere(x_a, r_a, x_b, r_b, g):
-    centre, n = x_b + r_b @ g["corner"], -r_a @ g["normal"]
-    foot = centre - ((centre - x_a - r_a @ g["on_face"]) @ n) * n
-    zero = np.zeros((3, 3))
-    return Touch(foot, centre + 0.7 * n, n, "curved", {"curvature_a": zero, "curvature_b": ball(0.7)})
-
-
-def sphere_sphere(x_a, r_a, x_b, r_b, g):
-    return curved(x_a + r_a @ g["corner"], x_b + r_b @ g["on_face"], 0.7, 0.6, ball(0.7), ball(0.6))
-
-
-def sphere_capsule(x_a, r_a, x_b, r_b, g):
-    axis, start = r_b @ unit(g["edge_b"]), x_b + r_b @ g["on_face"]
-    centre = x_a + r_a @ g["corner"]
-    return curved(centre, start + ((centre - start) @ axis) * axis, 0.7, 0.6, ball(0.7), rod(0.6, axis))
-
-
-def capsules(x_a, r_a, x_b, r_b, g):
-    e_a, e_b = r_a @ g["edge_a"], r_b @ g["edge_b"]
-    p, q = nearest_on_lines(x_a + r_a @ g["corner"], e_a, x_b + r_b @ g["on_face"], e_b)
-    return curved(p, q, 0.7, 0.6, rod(0.7, e_a), rod(0.6, e_b))
-
-
-def vertex_sphere(x_a, r_a, x_b, r_b, g):
-    """A corner as the limit of a ball of radius 0."""
-    return curved(x_a + r_a @ g["corner"], x_b + r_b @ g["on_face"], 0.0, 0.9, 1e12 * EYE, ball(0.9))
-
-
-def vertex_capsule(x_a, r_a, x_b, r_b, g):
-    touch = sphere_capsule(x_a, r_a, x_b, r_b, g)
-    data = {"curvature_a": 1e12 * EYE, "curvature_b": touch.data["curvature_b"]}
-    return Touch(touch.point_a + 0.7 * touch.normal, touch.point_b, touch.normal, "curved", data)
-
-
-def ball_in_bowl(x_a, r_a, x_b, r_b, g):
-    """A hollow of radius 2.5 has the curvature -1/2.5."""
-    centre, bowl = x_a + r_a @ g["corner"], x_b + r_b @ g["on_face"]
-    n = unit(bowl - centre)
-    return Touch(
-        centre - 0.3 * n, bowl - 2.5 * n, n, "curved", {"curvature_a": ball(0.3), "curvature_b": -EYE / 2.5}
-    )
-
-
-KINDS = [face_b, face_a, edges, sphere_plane, plane_sphere, sphere_sphere, sphere_capsule, capsules,
-         vertex_sphere, vertex_capsule, ball_in_bowl]  # fmt: skip
 SEEDS = (1, 2)
 
 
 class Motion:
-    """Two bodies that fly, turn and are pushed by changing forces; the contact's gap at t = 0 is chosen."""
+    """Two flying bodies with one contact; its gap at t = 0 is chosen."""
 
     def __init__(self, kind, seed, gap=0.0):
         rng = np.random.default_rng([seed, KINDS.index(kind)])
-        self.kind = kind
-        self.numbers = {name: rng.normal(size=3) for name in ("corner", "on_face", "edge_a", "edge_b")}
-        self.numbers["normal"] = unit(rng.normal(size=3))
-        self.mass = rng.uniform(0.5, 3, 2)
-        root = rng.normal(size=(2, 3, 3))
-        self.inertia = root @ np.swapaxes(root, 1, 2) + np.eye(3)
-        position = rng.normal(size=(2, 3))
-        quaternion = np.array([unit(q) for q in rng.normal(size=(2, 4))])
-        self.push = rng.normal(size=(2, 4, 3))  # force and torque, constant and rate
-        momenta = 0.3 * rng.normal(size=(4, 3))  # slow enough that differences over 5e-6 s are good to 1e-9
-        self.start = np.concatenate([x.ravel() for x in (position, quaternion, momenta)])
+        self.kind, self.numbers, self.flight = kind, draw_numbers(rng), Flight(rng, 2)
+        self.bodies, self.wrench, self.at, self.start = (
+            getattr(self.flight, name) for name in ("bodies", "wrench", "at", "start")
+        )
         touch = self.touch(self.start)
-        position[0] += (gap - touch.gap) * touch.normal
-        self.start[:6] = position.ravel()
-
-    def wrench(self, t):
-        return self.push[:, 0] + t * self.push[:, 1], self.push[:, 2] + t * self.push[:, 3]
-
-    def bodies(self, state):
-        x, q, p, spin = np.split(state, [6, 14, 20])
-        q = q.reshape(2, 4)
-        q = q / np.linalg.norm(q, axis=1, keepdims=True)
-        shaped = (x.reshape(2, 3), q, p.reshape(2, 3), spin.reshape(2, 3))
-        return Bodies(self.mass, self.inertia, *shaped)
+        self.start[:3] += (gap - touch.gap) * touch.normal
 
     def touch(self, state):
-        bodies = self.bodies(state)
-        r = rotations.to_matrix(bodies.orientation)
-        return self.kind(bodies.position[0], r[0], bodies.position[1], r[1], self.numbers)
-
-    def rate(self, t, state):
-        bodies = self.bodies(state)
-        force, torque = self.wrench(t)
-        w, q = bodies.angular_velocity, state[6:14].reshape(2, 4)
-        q_dot = 0.5 * np.concatenate(
-            [w * q[:, 3:] + np.cross(w, q[:, :3]), -np.sum(w * q[:, :3], axis=1, keepdims=True)], axis=1
-        )
-        return np.concatenate([x.ravel() for x in (bodies.velocity, q_dot, force, torque)])
-
-    def at(self, t):
-        if t == 0:
-            return self.start
-        run = solve_ivp(self.rate, (0, t), self.start, method="DOP853", rtol=1e-13, atol=1e-15)
-        assert run.success
-        return run.y[:, -1]
+        return self.flight.touch(self.kind, self.numbers, state)
 
     def acceleration(self):
-        return separation_acceleration(
-            self.bodies(self.start), self.touch(self.start).contacts(), *self.wrench(0)
-        )[0]
+        contacts = self.touch(self.start).contacts()
+        return separation_acceleration(self.bodies(self.start), contacts, *self.wrench(0))[0]
 
     def rate_at(self, t):
         state = self.at(t)
@@ -241,17 +90,19 @@ def test_rates_of_gap_and_normal(kind, seed, gap):
 
 
 def test_error_of_differences_is_a_v_over_the_step():
-    """Truncation falls as h^2 (central) and h^4 (five points); rounding rises as 1/h and 1/h^2 below that."""
+    """Truncation grows as h^2 (central, of d_dot) and h^4 (five points, of d), rounding as 1/h and 1/h^2."""
     motion = Motion(sphere_sphere, 1)
     exact = motion.acceleration()
-    steps = 10.0 ** np.arange(-6.5, -0.9, 0.5)
-    central = np.array([abs((motion.rate_at(h) - motion.rate_at(-h)) / (2 * h) - exact) for h in steps])
-    least = int(np.argmin(central))
-    assert 0 < least < len(steps) - 1
-    assert central[least] < 1e-9
-    assert central[0] > 3 * central[least] and central[-1] > 1e4 * central[least]
-    slope = np.polyfit(np.log(steps[-3:]), np.log(central[-3:]), 1)[0]
-    assert slope == pytest.approx(2, abs=0.3)
+    steps = 10.0 ** np.arange(-8, -0.9, 0.5)
+    central = [abs((motion.rate_at(h) - motion.rate_at(-h)) / (2 * h) - exact) for h in steps]
+    d = np.array([[motion.touch(motion.at(k * h)).gap for k in (-2, -1, 0, 1, 2)] for h in steps])
+    five = np.abs(d @ [-1, 16, -30, 16, -1] / (12 * steps**2) - exact)
+    for error, order, best in ((np.array(central), 2, 1e-9), (five, 4, 1e-9)):
+        least = int(np.argmin(error))
+        assert 0 < least < len(steps) - 1 and error[least] < best
+        assert error[0] > 10 * error[least] and error[-1] > 100 * error[least]
+        slope = np.polyfit(np.log(steps[-3:]), np.log(error[-3:]), 1)[0]
+        assert abs(slope - order) < 0.3
 
 
 def test_printed_formula_fails_on_a_dome():
