@@ -499,6 +499,6 @@ LESSON = Lesson(
     title="The wall bounce",
     question="One line moved: why 400 times the energy error?",
     minutes=70,
-    exercises=(WALL_BOUNCE, REST_TIME, BOUNCE_TIMES, BOUNCING_BALL_STEP),
+    exercises=(REST_TIME, WALL_BOUNCE, BOUNCE_TIMES, BOUNCING_BALL_STEP),
     predictions=PREDICTIONS,
 )
