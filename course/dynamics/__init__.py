@@ -2,6 +2,7 @@
 
 from course.dynamics.bodies import Bodies
 from course.dynamics.bounces import bounce_path_length, bounce_rest_time, bounce_times, wall_bounce
+from course.dynamics.closed_forms import parabola, pendulum, symmetric_top
 from course.dynamics.energy import (
     angular_kinetic_energy,
     kinetic_energy,
@@ -44,6 +45,11 @@ from course.dynamics.mass_properties import (
     principal_axes,
     sphere_mass_properties,
 )
+from course.dynamics.torque_free_top import (
+    middle_axis_growth_rate,
+    torque_free_motion,
+    torque_free_rotation,
+)
 
 __all__ = [
     "Bodies",
@@ -67,9 +73,12 @@ __all__ = [
     "kinetic_energy",
     "kinetic_energy_lost",
     "linear_kinetic_energy",
+    "middle_axis_growth_rate",
     "midpoint",
     "momentum_after",
     "normal_velocity",
+    "parabola",
+    "pendulum",
     "point_velocity",
     "potential_energy",
     "principal_axes",
@@ -79,7 +88,10 @@ __all__ = [
     "separation_speed",
     "sphere_mass_properties",
     "splitting",
+    "symmetric_top",
     "symplectic_euler",
+    "torque_free_motion",
+    "torque_free_rotation",
     "total_angular_momentum",
     "total_energy",
     "total_momentum",

@@ -52,7 +52,11 @@ def potential_energy(mass: ArrayLike, position: ArrayLike, gravity: ArrayLike) -
     Raises:
         ValueError: mass <= 0, a wrong shape, NaN, infinity but in the mass.
     """
-    m, x, g = positive("mass", mass, infinite=True), vectors("position", position), vectors("gravity", gravity)
+    m, x, g = (
+        positive("mass", mass, infinite=True),
+        vectors("position", position),
+        vectors("gravity", gravity),
+    )
     broadcast(mass=(m, 0), position=(x, 1), gravity=(g, 1))
     return -np.where(np.isfinite(m), m, 0.0) * np.sum(g * x, axis=-1)
 
