@@ -86,9 +86,10 @@ def resolve_collisions(
     mass = np.where(alone, effective_mass(bodies, contacts), 0.0)
     after = apply_impulse(bodies, contacts, np.where(alone & (u < 0), -(1 + e) * u * mass, 0.0))
     momentum, angular_momentum, stuck = after.momentum.copy(), after.angular_momentum.copy(), 0
+    motion = _motion(bodies)
     for chosen in groups:
         if np.any(u[chosen] < 0):
-            island = _island(bodies, contacts, chosen)
+            island = _island(bodies, contacts, motion, chosen)
             change, done = _resolve(island, e, law)
             island.add(change, momentum, angular_momentum)
             stuck += not done
@@ -144,24 +145,34 @@ def _groups(bodies: Bodies, contacts: Contacts) -> tuple[Array, BoolArray, list[
     return u, alone, [part for part in np.split(order, cuts) if part.size]
 
 
-def _island(bodies: Bodies, contacts: Contacts, chosen: IntArray) -> _Island:
-    a, b = contacts.body_a[chosen], contacts.body_b[chosen]
-    touched = np.unique(np.concatenate([a, b]))
+@dataclass(frozen=True, eq=False)
+class _Motion:
+    """Of all bodies: v, sqrt(m), C with C C' = I^-1 in the world, C^-1 omega (any values for fixed ones)."""
+
+    velocity: Array
+    root_mass: Array
+    root: Array
+    spin: Array
+
+
+def _motion(bodies: Bodies) -> _Motion:
+    fixed = bodies.fixed[:, None, None]
+    root = np.linalg.cholesky(np.where(fixed, np.eye(3), bodies.world_inverse_inertia))
+    spin = np.asarray(np.linalg.solve(root, bodies.angular_velocity[:, :, None])[:, :, 0], dtype=np.float64)
+    return _Motion(bodies.velocity, bodies.mass**0.5, root, spin)
+
+
+def _island(bodies: Bodies, contacts: Contacts, motion: _Motion, chosen: IntArray) -> _Island:
+    touched = np.unique(np.concatenate([contacts.body_a[chosen], contacts.body_b[chosen]]))
     free = touched[~bodies.fixed[touched]]
-    local = np.full(len(bodies), -1)
-    local[free] = np.arange(free.size)
-    part = Bodies(*(getattr(bodies, f)[free] for f in Bodies.__dataclass_fields__))
-    velocity: Array = part.velocity
+    velocity, root_mass, root = motion.velocity[free], motion.root_mass[free], motion.root[free]
     if free.size == touched.size:  # nothing fixed: a common motion is no collision's business
         velocity = velocity - velocity.mean(axis=0)
-    root_mass = np.asarray(np.sqrt(part.mass), dtype=np.float64)
-    root = np.asarray(np.linalg.cholesky(part.world_inverse_inertia), dtype=np.float64)
-    spin = np.linalg.solve(root, part.angular_velocity[:, :, None])[:, :, 0]
-    start = np.concatenate([velocity * root_mass[:, None], spin], axis=1)
+    start = np.concatenate([velocity * root_mass[:, None], motion.spin[free]], axis=1)
     factor = np.zeros((chosen.size, free.size, 6))
-    for body, sign in ((a, 1.0), (b, -1.0)):
-        moves = np.flatnonzero(local[body] >= 0)
-        index, n = local[body[moves]], sign * contacts.normal[chosen[moves]]
+    for body, sign in ((contacts.body_a[chosen], 1.0), (contacts.body_b[chosen], -1.0)):
+        moves = np.flatnonzero(~bodies.fixed[body])
+        index, n = np.searchsorted(free, body[moves]), sign * contacts.normal[chosen[moves]]
         torque = np.cross(contacts.point[chosen[moves]] - bodies.position[body[moves]], n)
         factor[moves, index, :3] = n / root_mass[index, None]
         factor[moves, index, 3:] = np.einsum("cji,cj->ci", root[index], torque)

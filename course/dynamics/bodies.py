@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -115,10 +116,10 @@ class Bodies:
         """1/m, zero for a fixed body, (n,) [1/kg]."""
         return 1.0 / self.mass
 
-    @property
+    @cached_property
     def rotation(self) -> Array:
-        """Rotation matrices R of the orientations, (n, 3, 3)."""
-        return rotations.to_matrix(self.orientation)
+        """Rotation matrices R of the orientations, (n, 3, 3), read-only."""
+        return read_only(rotations.to_matrix(self.orientation))
 
     @property
     def world_inertia(self) -> Array:
@@ -127,12 +128,12 @@ class Bodies:
         turned = rotation @ np.where(fixed, np.eye(3), self.inertia) @ np.swapaxes(rotation, -1, -2)
         return np.where(fixed, np.diag([np.inf] * 3), turned)
 
-    @property
+    @cached_property
     def world_inverse_inertia(self) -> Array:
-        """R I^-1 R', zero for a fixed body, (n, 3, 3) [1/(kg m^2)]."""
+        """R I^-1 R', zero for a fixed body, (n, 3, 3) [1/(kg m^2)], read-only."""
         rotation, fixed = self.rotation, self.fixed[:, None, None]
         inverse = np.linalg.inv(np.where(fixed, np.eye(3), self.inertia))
-        return np.where(fixed, 0.0, rotation @ inverse @ np.swapaxes(rotation, -1, -2))
+        return read_only(np.where(fixed, 0.0, rotation @ inverse @ np.swapaxes(rotation, -1, -2)))
 
     @property
     def velocity(self) -> Array:

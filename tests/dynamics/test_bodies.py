@@ -69,6 +69,11 @@ def test_fields_are_copies_that_cannot_be_written_and_replace_works():
     with pytest.raises(ValueError, match="read-only"):
         bodies.position[0, 0] = 1
     assert replace(bodies, momentum=momentum).position is bodies.position  # nothing copied twice
+    turned = replace(bodies, orientation=np.roll(bodies.orientation, 1, axis=0), inertia=2 * bodies.inertia)
+    assert not np.allclose(
+        turned.rotation, bodies.rotation
+    )  # what is kept of one set is not taken for another
+    assert not np.allclose(turned.world_inverse_inertia, bodies.world_inverse_inertia)
     with pytest.raises(AttributeError):
         bodies.mass = np.ones(5)
 
