@@ -65,16 +65,14 @@ def symmetric_top(moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLi
     Raises:
         ValueError: I1 and I2 differ, a moment that is not positive.
     """
-    moment, l = (
-        positive("moments", vectors("moments", moments)),
-        vectors("angular_momentum", angular_momentum),
-    )  # noqa: E741
+    moment = positive("moments", vectors("moments", moments))
+    momentum = vectors("angular_momentum", angular_momentum)
     t = scalars("time", time)
-    broadcast(moments=(moment, 1), angular_momentum=(l, 1), time=(t, 0))
+    broadcast(moments=(moment, 1), angular_momentum=(momentum, 1), time=(t, 0))
     if not np.array_equal(moment[..., 0], moment[..., 1]):
         raise failure("moments", "the first two alike", f"{moment.tolist()!r:.60}")
-    about_L = rotations.from_rotation_vector(l * (t / moment[..., 0])[..., None])
-    spin = l[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
+    about_L = rotations.from_rotation_vector(momentum * (t / moment[..., 0])[..., None])
+    spin = momentum[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
     about_axis = rotations.from_rotation_vector(spin[..., None] * np.array([0.0, 0.0, 1.0]))
     turn = rotations.from_matrix(rotations.to_matrix(about_L) @ rotations.to_matrix(about_axis))
-    return rotations.rotate(about_axis * np.array([-1.0, -1.0, -1.0, 1.0]), l), turn
+    return rotations.rotate(about_axis * np.array([-1.0, -1.0, -1.0, 1.0]), momentum), turn

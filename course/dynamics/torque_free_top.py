@@ -58,7 +58,9 @@ class _Orbit:
         return size * np.sum(counted * squares / self.moments, axis=-1) / np.where(across > 0, across, 1.0)
 
 
-def torque_free_rotation(moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLike) -> tuple[Array, Array]:
+def torque_free_rotation(
+    moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLike
+) -> tuple[Array, Array]:
     """Where a top without torque is after a time, exactly, as it sees itself.
 
     Source: the head of this module. The orientation follows from L in space,
@@ -78,23 +80,24 @@ def torque_free_rotation(moments: ArrayLike, angular_momentum: ArrayLike, time: 
     Raises:
         ValueError: a moment that is not positive, a wrong shape, NaN or infinity.
     """
-    I, l = positive("moments", vectors("moments", moments)), vectors("angular_momentum", angular_momentum)  # noqa: E741
+    moment = positive("moments", vectors("moments", moments))
+    before = vectors("angular_momentum", angular_momentum)
     t = scalars("time", time)
-    batch = broadcast(moments=(I, 1), angular_momentum=(l, 1), time=(t, 0))
-    I, l = np.broadcast_to(I, (*batch, 3)), np.broadcast_to(l, (*batch, 3))  # noqa: E741
+    batch = broadcast(moments=(moment, 1), angular_momentum=(before, 1), time=(t, 0))
+    moment, before = np.broadcast_to(moment, (*batch, 3)), np.broadcast_to(before, (*batch, 3))
     t = np.broadcast_to(t, batch)
-    orbit = _orbit(I, l)
+    orbit = _orbit(moment, before)
     span = orbit.rate * t
     local = np.where(
         orbit.still[..., None],
-        np.einsum("...ij,...j->...i", orbit.axes, l),
+        np.einsum("...ij,...j->...i", orbit.axes, before),
         orbit.momentum(orbit.start + span),
     )
     later = np.einsum("...ji,...j->...i", orbit.axes, local)
     with np.errstate(invalid="ignore", divide="ignore"):
         angle = np.where(orbit.still, 0.0, _precession(orbit, span) / orbit.rate)
-    turn = _turn(orbit, l, later, angle)
-    steady = rotations.from_rotation_vector(l / I * t[..., None])
+    turn = _turn(orbit, before, later, angle)
+    steady = rotations.from_rotation_vector(before / moment * t[..., None])
     return later, np.where(orbit.still[..., None], steady, turn)
 
 
@@ -133,43 +136,43 @@ def middle_axis_growth_rate(moments: ArrayLike, spin: ArrayLike) -> Array:
     Returns:
         sigma >= 0, (...) [1/s].
     """
-    I, omega = np.sort(positive("moments", vectors("moments", moments)), axis=-1), scalars("spin", spin)  # noqa: E741
-    broadcast(moments=(I, 1), spin=(omega, 0))
-    least, middle, largest = np.moveaxis(I, -1, 0)
+    ordered = np.sort(positive("moments", vectors("moments", moments)), axis=-1)
+    omega = scalars("spin", spin)
+    broadcast(moments=(ordered, 1), spin=(omega, 0))
+    least, middle, largest = np.moveaxis(ordered, -1, 0)
     return np.abs(omega) * np.sqrt((middle - least) * (largest - middle) / (least * largest))
 
 
 def _orbit(moments: Array, momentum: Array) -> _Orbit:
     axes = _ordered_axes(moments, momentum)
-    I, l = (np.einsum("...ij,...j->...i", m, x) for m, x in ((np.abs(axes), moments), (axes, momentum)))  # noqa: E741
-    j, two, k = np.moveaxis(I, -1, 0)
-    l_j, l_2, l_k = np.moveaxis(l, -1, 0)
+    moment = np.einsum("...ij,...j->...i", np.abs(axes), moments)
+    local = np.einsum("...ij,...j->...i", axes, momentum)
+    j, two, k = np.moveaxis(moment, -1, 0)
+    l_j, l_2, l_k = np.moveaxis(local, -1, 0)
     outer, inner, near = np.abs(k - j), np.abs(k - two), np.abs(two - j)
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = np.sqrt(j * inner / (two * outer))  # a/b
         a = np.hypot(l_j, ratio * l_2)
         big = np.hypot(l_k, l_2 * np.sqrt(near * k / (two * outer)))  # B
         rate = big / k * np.sqrt(inner * outer / (j * two))
-        still = np.all(np.cross(l, l / I) == 0, axis=-1) | ~(rate > 0) | ~(a > 0)
+        still = np.all(np.cross(local, local / moment) == 0, axis=-1) | ~(rate > 0) | ~(a > 0)
         complement = (inner * j * l_k**2 - near * k * l_j**2) / (inner * j * big**2)
-        signs = np.where(l < 0, -1.0, 1.0)
+        signs = np.where(local < 0, -1.0, 1.0)
         signs[..., 1] = np.where(k > j, 1.0, -1.0) * signs[..., 0] * signs[..., 2]
         complement = np.where(still, 1.0, np.clip(complement, 0.0, 1.0))
         sine, cosine = signs[..., 1] * ratio * l_2 / a, np.abs(l_j) / a
         start = first_integral(np.where(still, 0.0, sine), np.where(still, 1.0, cosine), complement)
         sizes = np.where(still[..., None], 1.0, np.stack([a, a / ratio, big], axis=-1))
-    return _Orbit(axes, I, signs, sizes, start, np.where(still, 0.0, rate), complement, still, a > big)
+    return _Orbit(axes, moment, signs, sizes, start, np.where(still, 0.0, rate), complement, still, a > big)
 
 
 def _ordered_axes(moments: Array, momentum: Array) -> Array:
     """Rows j, 2, k as a rotation: least, middle, largest where the curve goes round the last, else turned about."""
     order = np.argsort(moments, axis=-1, kind="stable")
-    I, l = np.take_along_axis(moments, order, -1), np.take_along_axis(momentum, order, -1)  # noqa: E741
+    least, middle, largest = np.moveaxis(np.take_along_axis(moments, order, -1), -1, 0)
+    first, _, last = np.moveaxis(np.take_along_axis(momentum, order, -1), -1, 0)
     # L^2 - 2T I2 without the common terms.
-    excess = (
-        l[..., 2] ** 2 * (I[..., 2] - I[..., 1]) / I[..., 2]
-        - l[..., 0] ** 2 * (I[..., 1] - I[..., 0]) / I[..., 0]
-    )
+    excess = last**2 * (largest - middle) / largest - first**2 * (middle - least) / least
     order = np.where((excess >= 0)[..., None], order, order[..., ::-1])
     axes = np.eye(3)[order]
     return axes * np.linalg.det(axes)[..., None, None]
