@@ -16,7 +16,7 @@ REFUSED = frozenset(
     "os.fork os.forkpty os.exec os.posix_spawn os.spawn os.system os.startfile os.startfile/2 subprocess.Popen "
     "pty.spawn os.kill os.killpg signal.pthread_kill resource.setrlimit resource.prlimit socket.connect socket.bind "
     "socket.getaddrinfo socket.gethostbyname socket.sendto ctypes.dlopen ctypes.dlsym ctypes.dlsym/handle "
-    "ctypes.call_function webbrowser.open".split()
+    "ctypes.call_function webbrowser.open _winapi.CreateProcess".split()
 )
 CHANGES = frozenset(
     "os.remove os.rename os.rmdir os.mkdir os.link os.symlink os.truncate os.chmod os.chown os.lchown os.utime "
@@ -48,6 +48,20 @@ def install_guard(own: str, closed: Sequence[str]) -> None:
                     _require_inside(path, own)
 
     sys.addaudithook(hook)
+    _refuse_fork_exec()
+
+
+def _refuse_fork_exec() -> None:
+    """Close the way that multiprocessing takes to new processes, which no audit event tells of."""
+    try:
+        import _posixsubprocess
+    except ImportError:  # Windows, where an event does
+        return
+
+    def fork_exec(*_: Any, **__: Any) -> Any:
+        raise PermissionError("a new process is not allowed while an answer is marked")
+
+    _posixsubprocess.fork_exec = fork_exec  # type: ignore[assignment]
 
 
 def _require_inside(path: Any, folder: str) -> None:

@@ -6,6 +6,7 @@ costs nothing.
 
 from __future__ import annotations
 
+import ast
 import symtable
 import warnings
 from collections.abc import Sequence
@@ -37,10 +38,12 @@ def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
+            tree = ast.parse(source)
             table = symtable.symtable(source, "<cell>", "exec")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return frozenset(), frozenset()
-    bound, used = set(), set()
+    bound = {"*"} if any(map(_imports_everything, ast.walk(tree))) else set()
+    used = {name for node in ast.walk(tree) for name in _added_to(node)}
     tables = [table]
     while tables:
         part = tables.pop()
@@ -53,10 +56,13 @@ def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
                 bound.add(symbol.get_name())
             if symbol.is_referenced():
                 used.add(symbol.get_name())
-    if _star_import(source):
-        bound.add("*")
     return frozenset(bound), frozenset(used)
 
 
-def _star_import(source: str) -> bool:
-    return any("import" in line and line.rstrip().endswith("*") for line in source.splitlines())
+def _imports_everything(node: ast.AST) -> bool:
+    return isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
+
+
+def _added_to(node: ast.AST) -> list[str]:
+    """The name in ``name += ...``, which a symbol table does not count as used."""
+    return [node.target.id] if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) else []

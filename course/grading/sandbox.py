@@ -175,7 +175,7 @@ def _wait(
             ready, deadline = True, now + limits.seconds
         if now > deadline:
             return "time"
-        if now - looked > 0.25:
+        if ready and now - looked > 0.25:
             looked = now
             if _too_much_written(folder, limits.file_mb * 1_000_000):
                 return "files"
@@ -228,7 +228,7 @@ def _read(job: Job, folder: Path, end: End | None, code: int) -> Run:
     if code:
         return _ended(code, stage, index)
     try:
-        message = read_bytes(folder / "reply", MESSAGE_LIMIT + 1)
+        message = read_bytes(folder / "reply", MESSAGE_LIMIT + 1) if (folder / "reply").exists() else b""
         if not message:
             return Run("ended", stage, index, detail="exit code 0")
         reply = checked_reply(wire.unpack(message), len(job.cells), len(job.cases), job.results)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ast
 import importlib
-import importlib.abc
 import importlib.machinery
 import sys
 from types import ModuleType
@@ -51,10 +50,12 @@ class _Module(ModuleType):
         return _nothing if name in WORKBOOK else StandInForCourse()
 
 
-class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+class _Finder:
+    """A finder and a loader; their base classes are left out, because they take time at every start."""
+
     def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
         if name == "course" or name.startswith("course."):
-            return importlib.machinery.ModuleSpec(name, self, is_package=True)
+            return importlib.machinery.ModuleSpec(name, self, is_package=True)  # type: ignore[arg-type]
         return None
 
     def create_module(self, spec: Any) -> ModuleType:
@@ -86,7 +87,7 @@ def install_stand_ins() -> None:
     """Put the stand-in in the course's place; what was imported of it before stays with those who hold it."""
     for name in [n for n in sys.modules if n == "course" or n.startswith("course.")]:
         del sys.modules[name]
-    sys.meta_path.insert(0, _Finder())
+    sys.meta_path.insert(0, _Finder())  # type: ignore[arg-type]
 
 
 def with_later_imports(tree: ast.Module) -> ast.Module:
