@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -9,7 +10,9 @@ from pathlib import Path
 
 import nbformat
 
-from course.workbook.demos import Demo
+from course.workbook.demos.registry import Demo
+
+SHARE = Path(__file__).with_name("share")  # the page template, which fetches nothing from outside
 
 
 def notebook_of(demo: Demo) -> nbformat.NotebookNode:
@@ -20,15 +23,17 @@ def notebook_of(demo: Demo) -> nbformat.NotebookNode:
     return nbformat.v4.new_notebook(cells=[heading, code], metadata=metadata)
 
 
-def serve(demo: Demo, *, browser: bool = True, port: int | None = None) -> int:
-    """Serve until interrupted; returns Voila's exit code."""
+def serve_demo(demo: Demo, *, browser: bool = True, port: int | None = None) -> int:
+    """Serve until interrupted; returns Voila's exit code. A taken port gets the next one."""
     with tempfile.TemporaryDirectory(prefix="course-demo-") as folder:
         path = Path(folder) / f"{demo.name}.ipynb"
         nbformat.write(notebook_of(demo), path)
-        command = [sys.executable, "-m", "voila", str(path), "--theme=light"]
+        command = [sys.executable, "-m", "voila", str(path), "--theme=light", "--template=course"]
         command += [] if browser else ["--no-browser"]
         command += [f"--port={port}"] if port else []
+        shares = [str(SHARE), *filter(None, [os.environ.get("JUPYTER_PATH")])]
+        environment = dict(os.environ, JUPYTER_PATH=os.pathsep.join(shares))
         try:
-            return subprocess.call(command)
+            return subprocess.call(command, env=environment)
         except KeyboardInterrupt:
             return 0

@@ -1,0 +1,68 @@
+"""The demos by name, with the syllabus rows they go with and how long they take in front of a room."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from course.workbook.demos import impacts
+from course.workbook.demos.panel import Panel
+from course.workbook.syllabus import read_syllabus
+
+
+@dataclass(frozen=True)
+class Demo:
+    """A demo for a lecture: its name, what it shows, its syllabus rows, minutes, and what to try."""
+
+    name: str
+    make: Callable[[], Panel]
+    title: str
+    rows: tuple[int, ...]
+    minutes: int
+    try_this: str
+
+
+DEMOS = (
+    Demo(
+        "impulse",
+        impacts.impulse,
+        "One impact: masses, speeds, restitution",
+        (15, 16, 17),
+        5,
+        "Equal masses and e = 1: they swap. Then make mass 2 a hundred times larger: a wall. Then let them part.",
+    ),
+    Demo(
+        "wall",
+        impacts.wall,
+        "A ball meets a wall",
+        (18,),
+        3,
+        "Turn the wall under the ball: only the part along n changes. At e = 0 the ball slides along the wall.",
+    ),
+)
+
+
+def find_demo(name: str) -> Demo:
+    """The demo of this name; a ``ValueError`` lists them where there is none."""
+    for demo in DEMOS:
+        if demo.name == name:
+            return demo
+    raise ValueError(f"name: expected one of {', '.join(d.name for d in DEMOS)}; got {name!r}")
+
+
+def table() -> str:
+    """The demos, a line each, with the slides they go with and the minutes they take."""
+    slides = {row.number: row.slide for row in read_syllabus()}
+    lines = [f"{'name':10} {'slides':10} {'minutes':8} what it shows"]
+    for demo in DEMOS:
+        shown = sorted({slides[row] for row in demo.rows})
+        numbers = f"{shown[0]}-{shown[-1]}" if len(shown) > 1 else f"{shown[0]}"
+        lines.append(f"{demo.name:10} {numbers:10} {demo.minutes:<8} {demo.title}")
+    return "\n".join(lines)
+
+
+def serve(name: str, *, port: int | None = None, browser: bool = True) -> int:
+    """Serve a demo full screen until interrupted."""
+    from course.workbook.demos.full_screen import serve_demo
+
+    return serve_demo(find_demo(name), port=port, browser=browser)
