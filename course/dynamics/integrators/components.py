@@ -14,7 +14,7 @@ from course.arrays import Array
 
 def cross(a: Array, b: Array) -> Array:
     """a x b, (3, n)."""
-    result = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    result = np.empty(b.shape)
     result[0] = a[1] * b[2] - a[2] * b[1]
     result[1] = a[2] * b[0] - a[0] * b[2]
     result[2] = a[0] * b[1] - a[1] * b[0]
@@ -25,7 +25,7 @@ def multiplied(first: Array, second: Array) -> Array:
     """The product of quaternions, first after second: R(first) R(second), (4, n)."""
     ax, ay, az, aw = first
     bx, by, bz, bw = second
-    result = np.empty(np.broadcast_shapes(first.shape, second.shape))
+    result = np.empty(second.shape)
     result[0] = aw * bx + bw * ax + ay * bz - az * by
     result[1] = aw * by + bw * ay + az * bx - ax * bz
     result[2] = aw * bz + bw * az + ax * by - ay * bx
