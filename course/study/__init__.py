@@ -1,5 +1,6 @@
 """Experiments: scenes, measurements and comparisons whose results are ready to plot."""
 
+from course.study.ball_flight import BallEvents, BallMotion, ball_events, ball_motion
 from course.study.ball_impacts import (
     BilliardBreak,
     CradleComparison,
@@ -15,12 +16,8 @@ from course.study.ball_impacts import (
 from course.study.ball_tracks import BallTracks, roll
 from course.study.bouncing_ball import (
     PUBLISHED_BOUNCING,
-    BallEvents,
-    BallMotion,
     BouncingErrors,
     PublishedBouncing,
-    ball_events,
-    ball_motion,
     bouncing_ball_step,
     bouncing_errors,
     bouncing_loop,
