@@ -60,8 +60,10 @@ def resolve_collisions(
     part. Every contact given counts as touching, whatever its separation.
 
     Approaching means u < -1e-12 times the fastest approach before (or below
-    rounding, 8e-16 times the largest speed, where that is more). Where the
-    exact sequence is infinite, reaching that is success.
+    rounding, 9e-16 times the largest speed, where that is more). Where the
+    exact sequence is infinite, reaching that is success. Rows of more than
+    about 140 touching balls at small e take "sequential" past its rounds; the
+    other two solve dense systems, seconds for a thousand contacts in one group.
 
     Args:
         bodies: n bodies.
