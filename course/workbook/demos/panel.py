@@ -45,7 +45,7 @@ class Panel(ipywidgets.VBox):
         ax = self._draw(**self.values)
         figure = ax.get_figure(root=True)
         assert isinstance(figure, Figure)
-        self._image.value = figure_html(figure, dots_per_inch=110)
+        self._image.value = figure_html(figure, dots_per_inch=150)
         plt.close(figure)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
@@ -56,7 +56,7 @@ def slider(label: str, value: float, low: float, high: float, step: float, unit:
     """A slider whose label is wide enough to be read."""
     return ipywidgets.FloatSlider(
         value, min=low, max=high, step=step, description=f"{label} [{unit}]" if unit else label,
-        style={"description_width": "11em"}, layout={"width": "26em"}, readout_format=".2f",
+        style={"description_width": "13em"}, layout={"width": "30em"}, readout_format=".2f",
     )  # fmt: skip
 
 
@@ -64,5 +64,5 @@ def log_slider(label: str, value: float, low: float, high: float, unit: str = ""
     """A slider over powers of ten, from 10^low to 10^high."""
     return ipywidgets.FloatLogSlider(
         value, base=10, min=low, max=high, step=0.1, description=f"{label} [{unit}]" if unit else label,
-        style={"description_width": "11em"}, layout={"width": "26em"}, readout_format=".3g",
+        style={"description_width": "13em"}, layout={"width": "30em"}, readout_format=".3g",
     )  # fmt: skip

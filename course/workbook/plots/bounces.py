@@ -57,7 +57,7 @@ def _arrow(
     ax.annotate("", tip[:2], start[:2], arrowprops={"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour],
                                                       "shrinkA": 0, "shrinkB": 0})  # fmt: skip
     end, sign = (start, -1.0) if at_start else (tip, 1.0)
-    ax.text(*(end + sign * 0.16 * (tip - start) / length)[:2], label, color=PALETTE[colour], ha="center", va="center")
+    ax.text(*(end + sign * 0.2 * (tip - start) / length)[:2], label, color=PALETTE[colour], ha="center", va="center")
 
 
 def heights(motions: Mapping[str, BallMotion], *, rest: float | None = None, ax: Axes | None = None) -> Axes:
