@@ -27,7 +27,7 @@ class Value:
 
     ``shape`` is the shape in words, ``"(..., 3)"`` or ``"scalar"``; ``dtype`` one of float, int, bool, str.
     A float result passes where ``|got - expected| <= absolute + relative * scale``, ``scale`` being the largest
-    magnitude in the expected vector (so that a zero component of a long vector is not judged by itself).
+    magnitude in the expected element (so that a zero component of a long vector is not judged by itself).
     """
 
     name: str
@@ -37,6 +37,13 @@ class Value:
     dtype: Literal["float", "int", "bool", "str"] = "float"
     relative: float = 1e-9
     absolute: float = 1e-12
+
+    @property
+    def own_axes(self) -> int:
+        """How many last axes make one element: ``(...)`` none, ``(..., 3)`` one, ``(..., 3, 3)`` and ``(n, 3)`` two."""
+        if not self.shape.startswith("("):
+            return 0
+        return sum(bool(part.strip()) and part.strip() != "..." for part in self.shape.strip("()").split(","))
 
 
 @dataclass(frozen=True)
@@ -125,7 +132,8 @@ class Prediction:
 
     ``outcome()`` computes the truth with the reference code. With ``choices`` (key -> text) the answer is a key and
     ``outcome`` returns one; else it is a number in ``unit``, right within the relative ``tolerance``.
-    ``wrong`` maps an answer many give to the reason it is tempting.
+    ``wrong`` maps an answer many give to the reason it is tempting. ``later`` says where the lesson answers it: then
+    the answer is only noted, and shown by ``predict(name)`` at that place.
     """
 
     name: str
@@ -136,6 +144,7 @@ class Prediction:
     unit: str = ""
     tolerance: float = 0.05
     wrong: Mapping[Any, str] = field(default_factory=dict)
+    later: str = ""
 
 
 @dataclass(frozen=True)

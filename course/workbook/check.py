@@ -90,10 +90,11 @@ def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) ->
     return used
 
 
-def predict(name: str, answer: Any) -> None:
+def predict(name: str, answer: Any = None) -> None:
     """Commit to an answer, then see the outcome. Nothing is shown before an answer is given.
 
-    Raises ``ValueError`` for an unknown name and for an answer that is neither a number nor one of the choices.
+    Where the lesson answers a question only later, the answer is noted, and ``predict(name)`` shows the outcome
+    there. Raises ``ValueError`` for an unknown name and for an answer that is neither a number nor a choice.
     """
     _, prediction = find_prediction(name)
     if answer is Ellipsis:
@@ -101,17 +102,33 @@ def predict(name: str, answer: Any) -> None:
         ask = Part("answer", f"put {_wanted(prediction)} where the ... stands, then run the cell again")
         display_message(Message("not attempted", f"Your prediction: {prediction.question}", (*choices, ask)))
         return
-    given = _given(prediction, answer)
-    progress.record("predict", name, answer=given)
-    outcome = prediction.outcome()
-    right = _close(prediction, given, outcome)
-    unit = f" {prediction.unit}" if prediction.unit else ""
-    parts = [Part("you said", _said(prediction, given) + unit), Part("it is", _said(prediction, outcome) + unit)]
-    tempting = next((text for key, text in prediction.wrong.items() if not right and _close(prediction, given, key)), "")
-    parts += [Part("tempting", tempting)] if tempting else []
+    given = progress.predicted(name) if answer is None else _given(prediction, answer)
+    if answer is not None:
+        progress.record("predict", name, answer=given)
+        if prediction.later:
+            said = _said(prediction, given) + _unit(prediction)
+            noted = Part("answer", f"in the section {prediction.later}")
+            display_message(Message("not attempted", f"Noted: you said {said}", (noted,)))
+            return
+    display_message(_outcome_message(prediction, given))
+
+
+def _outcome_message(prediction: Prediction, given: Any) -> Message:
+    """What came of a prediction; ``given`` is None where none was made."""
+    outcome, unit = prediction.outcome(), _unit(prediction)
+    right = given is not None and _close(prediction, given, outcome)
+    said = "nothing yet" if given is None else _said(prediction, given) + unit
+    parts = [Part("you said", said), Part("it is", _said(prediction, outcome) + unit)]
+    if given is not None and not right:
+        tempting = next((text for key, text in prediction.wrong.items() if _close(prediction, given, key)), "")
+        parts += [Part("tempting", tempting)] if tempting else []
     parts.append(Part("why", prediction.explanation))
-    headline = "As you predicted" if right else "Not what you predicted"
-    display_message(Message("passed" if right else "wrong", headline, tuple(parts)))
+    headline = "As you predicted" if right else "The outcome" if given is None else "Not what you predicted"
+    return Message("passed" if right else "not attempted" if given is None else "wrong", headline, tuple(parts))
+
+
+def _unit(prediction: Prediction) -> str:
+    return f" {prediction.unit}" if prediction.unit else ""
 
 
 def _wanted(prediction: Prediction) -> str:
@@ -143,7 +160,7 @@ def _close(prediction: Prediction, given: Any, outcome: Any) -> bool:
 def _said(prediction: Prediction, value: Any) -> str:
     if prediction.choices:
         return f"{value}: {prediction.choices[value]}"
-    return "0" if abs(float(value)) < 1e-12 else str(show(float(value), 4))
+    return "0" if abs(float(value)) < 1e-12 else str(show(float(value), 4 if abs(float(value)) < 1e4 else 8))
 
 
 def _name_of(answer: Any, name: str | None) -> str:

@@ -45,4 +45,8 @@ def show(value: Any, digits: int) -> Shown:
 def _scalar(value: float, digits: int) -> str:
     if abs(value) < NOISE:
         return "below 1e-12"
+    if not np.isfinite(value):
+        return str(value)
+    if 1e-4 <= abs(value) < 1e7:  # in full: 20000 rather than 2e+04
+        return np.format_float_positional(value, precision=digits, fractional=False, trim="-")
     return f"{value:.{digits}g}"

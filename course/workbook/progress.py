@@ -72,6 +72,13 @@ def state(folder: Path | None = None) -> State:
     )
 
 
+def predicted(name: str, folder: Path | None = None) -> Any:
+    """The last answer given to a prediction, here or in this session; None where none was."""
+    folder = folder or recording_folder()
+    events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
+    return next((e.get("answer") for e in reversed(events) if e["kind"] == "predict" and e["name"] == name), None)
+
+
 def next_exercise(lesson: Lesson, after: str, passed: frozenset[str]) -> Exercise | None:
     """The first exercise of the lesson, from the one after ``after`` on and then round, that has not passed."""
     names = [e.name for e in lesson.exercises]

@@ -144,7 +144,7 @@ def test_every_exercise_has_its_cell_and_its_check(path):
         call = f'check({exercise.name}, "{exercise.name}")' if exercise.kind == "expression" else f"check({exercise.name})"
         assert call in cells[exercise.name]
         assert "# BEGIN SOLUTION" in cells[exercise.name]
-    predicted = re.findall(r'predict\(\s*"(\w+)"', "\n".join(c.source for c in code_cells(path)))
+    predicted = re.findall(r'predict\(\s*"(\w+)",', "\n".join(c.source for c in code_cells(path)))
     assert predicted == [p.name for p in lesson.predictions]
 
 

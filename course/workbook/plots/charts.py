@@ -98,5 +98,5 @@ def _mark_pick(ax: Axes, result: WorkPrecision, by: Cost, tolerance: float, floo
         ax.text(0.99, tolerance, " none within this tolerance ", transform=ax.get_yaxis_transform(), ha="right")
         return " No method is within the tolerance."
     cost, error = result.cost(by)[index], max(result.error[index], floor)
-    ax.plot(cost, error, marker="*", ms=17, color=PALETTE["blue"], ls="none", label=f"pick for error ≤ {tolerance:g}")
+    ax.plot(cost, error, marker="*", ms=26, mfc="none", mec=PALETTE["blue"], mew=1.4, ls="none", label=f"pick for error ≤ {tolerance:g}")
     return f" For an error of at most {tolerance:g} the cheapest is {result.method[index]}."

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Circle, Rectangle
+from matplotlib.patches import Circle, Rectangle, Wedge
 
 from course.dynamics.impulse import impulse_central, kinetic_energy_lost
 from course.study.ball_impacts import BilliardBreak
@@ -35,8 +35,10 @@ def impact(
         scale = 1.4 / max(1.0, np.abs([*before, *after]).max())
         for row, (name, speeds) in enumerate((("before", before), ("after", after))):
             _two_balls(ax, -1.6 * row, masses, speeds, scale)
-            ax.text(-2.9, -1.6 * row, name, va="center", ha="left")
-        ax.set(xlim=(-3.0, 3.0), ylim=(-2.6, 1.0), aspect="equal", xticks=[], yticks=[])
+            ax.text(-3.5, -1.6 * row, name, va="center", ha="left")
+        ax.annotate("", (0.55, -2.55), (-0.55, -2.55), arrowprops={"arrowstyle": "-|>", "lw": 1.4, "color": "black"})
+        ax.text(0.65, -2.55, "n", va="center")
+        ax.set(xlim=(-3.6, 2.8), ylim=(-2.8, 1.0), aspect="equal", xticks=[], yticks=[])
         ax.set_title(f"$\\hat p$ = {p_hat:.3g} N s" + ("" if p_hat > 0 else ": they do not approach"))
         ax.grid(False)
         for side in ax.spines.values():
@@ -93,7 +95,7 @@ def ball_row(outcomes: Mapping[str, Sequence[float]], *, radius: float = 0.5, ax
                 ax.text(centre, -1.5 * row - 0.2, _signed(velocity), ha="center", va="center", fontsize=8.5)
             ax.text(-1.8, -1.5 * row, name, ha="right", va="center")
         count = len(next(iter(outcomes.values())))
-        ax.set(xlim=(-5.2, 2 * radius * count + 0.8), ylim=(-1.5 * len(outcomes) + 0.7, 0.8), aspect="equal")
+        ax.set(xlim=(-4.0, 2 * radius * count + 0.8), ylim=(-1.5 * len(outcomes) + 0.7, 0.8), aspect="equal")
         ax.set_title("velocities [m/s]", fontsize=10)
         _bare(ax)
     spoken = "; ".join(f"{name}: " + ", ".join(f"{v + 0.0:.3f}" for v in values) for name, values in outcomes.items())
@@ -134,7 +136,7 @@ def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
     with style():
         ax = axes(ax, size=(7.2, 4.2))
         last = motion.time[-1]
-        end = 1.6 * last
+        end = 1.2 * last
         time = np.concatenate([[0.0], motion.time, [end]])
         before = motion.position[0] - motion.velocity[0] * motion.time[0]
         place = np.vstack([before, motion.position, motion.position[-1] + motion.velocity[-1] * (end - last)])
@@ -144,7 +146,7 @@ def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
         ax.axvline(0.0, color="0.4", lw=3, marker="", ls="-")
         ax.set(xlabel="distance from the wall [m]", ylabel="time [s]", xlim=(-0.05, 2.1), ylim=(0, end))
         ax.set_title(f"{motion.count} collisions")
-        ax.legend(loc="upper right")
+        ax.legend(loc="center right")
     describe(
         ax,
         f"Paths of two blocks before a wall, mass ratio {motion.mass[1] / motion.mass[0]:g}: the light block zigzags "
@@ -154,23 +156,32 @@ def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
 
 
 def velocity_circle(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
-    """The same collisions in the plane of sqrt(m) v: equal energy is a circle, each collision a chord."""
+    """The same collisions in the plane of sqrt(m) v: equal energy is a circle, each collision a chord.
+
+    The grey wedge holds the states after which nothing meets any more: 0 <= v1 <= v2.
+    """
     with style():
-        ax = axes(ax, size=(4.8, 4.6))
+        ax = axes(ax, size=(7.8, 4.8))
         points = motion.scaled_velocity[:, ::-1]
         radius = float(np.linalg.norm(points[0]))
+        theta = np.arctan(np.sqrt(motion.mass[0] / motion.mass[1]))
+        ax.add_patch(Wedge((0, 0), 1.12 * radius, 0, np.degrees(theta), fc="0.75", ec="none", label="nothing meets here"))
         turn = np.linspace(0, 2 * np.pi, 300)
-        ax.plot(radius * np.cos(turn), radius * np.sin(turn), color="0.7", lw=1, ls="-", marker="")
-        ax.plot(points[:, 0], points[:, 1], color=PALETTE["blue"], lw=1.1, ls="-", marker="o", ms=3)
+        ax.plot(radius * np.cos(turn), radius * np.sin(turn), color="0.6", lw=1, ls="-", marker="")
+        for at_wall, colour, line, name in ((False, "blue", "-", "block hits block"), (True, "orange", "--", "block hits wall")):
+            for k in np.flatnonzero(motion.at_wall == at_wall):
+                ax.plot(*points[k : k + 2].T, color=PALETTE[colour], lw=1.3, ls=line, marker="", label=name)
+                name = "_"
         ax.plot(*points[0], marker="s", ms=8, color=PALETTE["vermillion"], ls="none", label="before")
         ax.plot(*points[-1], marker="^", ms=8, color=PALETTE["green"], ls="none", label="at the end")
-        ax.set(xlabel=r"$\sqrt{m_2}\,v_2$ [J$^{1/2}$]", ylabel=r"$\sqrt{m_1}\,v_1$ [J$^{1/2}$]", aspect="equal")
+        ax.set(xlabel=r"$x = \sqrt{m_2}\,v_2$ [J$^{1/2}$]", ylabel=r"$y = \sqrt{m_1}\,v_1$ [J$^{1/2}$]", aspect="equal")
         ax.set_title(f"{motion.count} collisions on one circle")
-        ax.legend(loc="upper left")
+        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     describe(
         ax,
         f"The velocities of both blocks, each times the root of its mass: {motion.count + 1} points on one circle, "
-        "joined by chords that lead from the left side of the circle step by step to the right side.",
+        "joined by chords, slanted for block against block and vertical for block against wall, that lead from the "
+        "left side of the circle step by step to a narrow wedge on the right side, where nothing meets any more.",
     )
     return ax
 
@@ -189,8 +200,12 @@ def billiard_break(outcome: BilliardBreak, *, ax: Axes | None = None) -> Axes:
                 ax.annotate("", tip[:2], x[:2], arrowprops={"arrowstyle": "-|>", "lw": 1.6,
                             "color": PALETTE["vermillion"], "shrinkA": 0, "shrinkB": 0})  # fmt: skip
         moving = int(np.sum(np.linalg.norm(velocity, axis=-1) > 1e-3 * fastest))
-        ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=f"{outcome.law}: {moving} of {len(velocity)} move")
-        ax.set(xlim=(-0.22, 0.42), ylim=(-0.25, 0.25))
+        ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+        ax.set_title(f"{outcome.law}:\n{moving} of {len(velocity)} balls move", fontsize=10)
+        ax.set(xlim=(-0.2, 0.36), ylim=(-0.22, 0.22))
+        key = scale * 0.5 * fastest
+        ax.plot([-0.18, -0.18 + key], [-0.19, -0.19], color=PALETTE["vermillion"], lw=1.6, ls="-", marker="")
+        ax.text(-0.17 + key, -0.19, f"{0.5 * fastest:g} m/s", va="center", fontsize=8.5)
     describe(
         ax,
         f"A rack of {len(velocity) - 1} balls just after the cue ball hit it, law {outcome.law}: {moving} balls move; "
