@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,14 +12,16 @@ from course.exercises.definition import Value
 
 @dataclass(frozen=True)
 class Difference:
-    """The worst element of one result: where it is, what was expected and got there, and how far apart they are.
+    """The first wrong element of one result: where it is, what was expected and got there, and how far apart.
 
-    ``excess`` is the error in units of the tolerance, so above 1 is wrong; ``fault`` says in words what is wrong
-    with an answer that cannot be compared at all (shape, type, not finite).
+    ``index`` is its place in the batch, ``entry`` that of the wrong number inside the element (a vector, a matrix).
+    ``excess`` is the largest error in units of the tolerance, so above 1 is wrong; ``fault`` says in words what is
+    wrong with an answer that cannot be compared at all (shape, type, not finite).
     """
 
     result: str
     index: tuple[int, ...] = ()
+    entry: tuple[int, ...] = ()
     expected: Any = None
     got: Any = None
     excess: float = 0.0
@@ -41,8 +43,8 @@ def compare(results: tuple[Value, ...], expected: tuple[np.ndarray, ...], got: t
 def compare_one(result: Value, expected: np.ndarray, got: np.ndarray) -> Difference:
     """Compare one result with what was expected: shape first, then type, then values.
 
-    The tolerance of an element is ``absolute + relative * scale``, where scale is the largest finite magnitude in
-    the element's vector (its last axis, if the declared shape ends in a number; else the element itself).
+    The tolerance of a number is ``absolute + relative * scale``, where scale is the largest finite magnitude in the
+    element it belongs to (over the axes that the declared shape names after the batch).
     """
     fault = _shape_fault(result, expected, got) or _type_fault(result, got)
     if fault:
@@ -50,21 +52,19 @@ def compare_one(result: Value, expected: np.ndarray, got: np.ndarray) -> Differe
     if result.dtype != "float":
         wrong = np.asarray(expected != got)
         return _worst(result, expected, got, np.where(wrong, np.inf, 0.0))
-    if not np.isfinite(got[np.isfinite(expected)]).all():
-        word = "NaN" if np.isnan(got).any() else "infinity"
-        return Difference(result.name, expected=expected, got=got, fault=f"{word} where a finite number is expected")
+    lost = np.isfinite(expected) & ~np.isfinite(got)
+    if lost.any():
+        first = _worst(result, expected, got, np.where(lost, np.inf, 0.0))
+        word = "NaN" if np.isnan(got[lost]).any() else "infinity"
+        return replace(first, fault=f"{word} where a finite number is expected")
     with np.errstate(all="ignore"):
         magnitude = np.where(np.isfinite(expected), np.abs(expected), 0.0)
-        scale = magnitude.max(axis=-1, keepdims=True) if is_vector(result) and expected.ndim else magnitude
+        own = tuple(range(-min(result.own_axes, expected.ndim), 0))
+        scale = magnitude.max(axis=own, keepdims=True, initial=0.0) if own else magnitude
         excess = np.abs(got - expected) / (result.absolute + result.relative * scale)
     special = ~np.isfinite(expected)
     alike = (got == expected) | (np.isnan(got) & np.isnan(expected))
     return _worst(result, expected, got, np.where(special, np.where(alike, 0.0, np.inf), excess))
-
-
-def is_vector(result: Value) -> bool:
-    """Whether one answer is a vector (shape ``(..., 3)``) rather than a number in a batch (``(...)``)."""
-    return result.shape.rstrip(")").rstrip().endswith(tuple("0123456789"))
 
 
 def same(results: tuple[Value, ...], one: tuple[np.ndarray, ...], other: tuple[np.ndarray, ...]) -> bool:
@@ -85,7 +85,8 @@ def _type_fault(result: Value, got: np.ndarray) -> str:
     if result.dtype == "int" and got.dtype.kind == "f" and np.array_equal(got, np.round(got)):
         return ""
     words = {"float": "numbers", "int": "whole numbers", "bool": "True or False", "str": "words"}
-    return f"{got.dtype.name} values where {words[result.dtype]} are expected"
+    came = {"b": "True or False", "c": "complex numbers", "U": "text", "i": "whole numbers", "u": "whole numbers"}
+    return f"{came.get(got.dtype.kind, 'numbers')} where {words[result.dtype]} are expected"
 
 
 def _shape(shape: tuple[int, ...]) -> str:
@@ -97,7 +98,7 @@ def _worst(result: Value, expected: np.ndarray, got: np.ndarray, excess: np.ndar
         return Difference(result.name, expected=expected, got=got)
     excess = np.where(np.isnan(excess), np.inf, excess)
     flat = int(np.argmax(excess > 1.0)) if (excess > 1.0).any() else int(np.argmax(excess))
-    index = tuple(int(i) for i in np.unravel_index(flat, excess.shape))
-    if is_vector(result) and excess.ndim:
-        index = index[:-1]
-    return Difference(result.name, index, expected[index], got[index], float(excess.max()))
+    place = tuple(int(i) for i in np.unravel_index(flat, excess.shape))
+    batch = max(excess.ndim - result.own_axes, 0)
+    index, entry = place[:batch], place[batch:]
+    return Difference(result.name, index, entry, expected[index], got[index], float(excess.max()))

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from course.exercises.comparison import Difference
-from course.exercises.definition import Case, Exercise, Value
+from course.exercises.definition import Exercise, Value
 from course.exercises.verdict import State, Verdict
 
 SYMBOLS: dict[State, str] = {
@@ -39,6 +39,8 @@ COLOURS: dict[State, str] = {
     "not attempted": "#7f7f7f",
     "needs a person": "#0072B2",
 }
+SHOWN_WHOLE = 12  # numbers; of a longer element only the wrong entry is shown
+PASTED_LIMIT = 5_000  # characters of arguments
 
 
 @dataclass(frozen=True)
@@ -118,7 +120,8 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
         return [Part("got", plain[outcome.kind], "code" if outcome.kind == "raised" else "text"), *printed]
     declared = next(r for r in exercise.results if r.name == difference.result)
     if difference.fault:
-        return [Part("got", f"{declared.name}: {difference.fault}"), *printed]
+        at = f", at index {list(difference.index)} of the batch" if difference.index else ""
+        return [Part("got", f"{declared.name}: {difference.fault}{at}"), *printed]
     return [*_expected_and_got(declared, difference, many=len(exercise.results) > 1), *printed]
 
 
@@ -126,70 +129,53 @@ def _expected_and_got(declared: Value, difference: Difference, *, many: bool) ->
     name = f"{declared.name} = " if many else ""
     unit = f" {declared.unit}" if declared.unit else ""
     where = f", at index {list(difference.index)} of the batch" if difference.index else ""
-    parts = [
-        Part("expected", f"{name}{short(difference.expected)}{unit}{where}", "code"),
-        Part("got", f"{name}{short(difference.got)}{unit}", "code"),
-    ]
+    wanted, came = difference.expected, difference.got
+    if np.size(wanted) > SHOWN_WHOLE:
+        wanted, came = wanted[difference.entry], came[difference.entry]
+        where += f", entry {list(difference.entry)} of it" if where else f", at index {list(difference.entry)}"
+    texts = short(wanted), short(came)
+    if texts[0] == texts[1]:
+        texts = code(wanted), code(came)  # they differ past the tenth digit
+    parts = [Part("expected", f"{name}{texts[0]}{unit}{where}", "code"), Part("got", f"{name}{texts[1]}{unit}", "code")]
     if declared.dtype == "float":
         parts.append(Part("tolerance", f"{declared.relative:g} relative, {declared.absolute:g}{unit} absolute"))
     return parts
 
 
 def pasteable(exercise: Exercise, verdict: Verdict) -> str:
-    """The failing call as code; of a batch, the failing element alone where the arguments can be cut to it."""
+    """The failing call as code; a batch whole, because an answer that mixes it up is right for each element alone."""
     assert verdict.case is not None
-    arguments = point(verdict)
+    arguments = verdict.case.arguments
     one_line = f"{exercise.name}({', '.join(code(v) for v in arguments.values())})"
     if len(one_line) <= 90:
         return one_line
     # By position, the declared name as a comment: the student's own parameter names may differ.
     lines = "\n".join(f"    {code(value)},  # {name}" for name, value in arguments.items())
-    return f"{exercise.name}(\n{lines}\n)" if len(lines) < 2000 else f"{exercise.name}(...)  # {verdict.case.label}"
+    if len(lines) > PASTED_LIMIT:
+        return f"{exercise.name}(...)  # {verdict.case.label}: too long to show"
+    return f"{exercise.name}(\n{lines}\n)"
 
 
 def point(verdict: Verdict) -> dict[str, Any]:
-    """The arguments of the failing case, cut to the failing element of its batch where values were compared."""
+    """Where an expression was found wrong: the values of its symbols, numbers all of them."""
     assert verdict.case is not None
-    arguments = dict(verdict.case.arguments)
-    difference = verdict.difference
-    if difference is None or difference.fault or not difference.index:
-        return arguments
-    cut = {name: _cut(value, difference.index, verdict) for name, value in arguments.items()}
-    return arguments if any(v is None for v in cut.values()) else cut
-
-
-def _cut(value: Any, index: tuple[int, ...], verdict: Verdict) -> Any:
-    """The element of an argument that broadcasts to ``index``; None where it cannot be told."""
-    if not isinstance(value, np.ndarray) or value.ndim == 0:
-        return value
-    assert verdict.outcome is not None
-    batch = np.shape(verdict.outcome.values[0])[: len(index)]
-    for trailing in range(value.ndim + 1):
-        leading = value.shape[: value.ndim - trailing]
-        try:
-            if np.broadcast_shapes(leading, batch) == batch and trailing == _trailing(verdict.case, value):
-                view = np.broadcast_to(value, batch + value.shape[value.ndim - trailing :])
-                return view[index]
-        except ValueError:
-            continue
-    return None
-
-
-def _trailing(case: Case | None, value: np.ndarray) -> int:
-    """How many of an argument's last axes are its own: one for a vector of three, none for a number."""
-    return 1 if value.shape[-1:] == (3,) or value.shape[-1:] == (4,) else 0
+    index = verdict.difference.index if verdict.difference else ()
+    return {name: v[index] if isinstance(v, np.ndarray) else v for name, v in verdict.case.arguments.items()}
 
 
 def code(value: Any) -> str:
-    """A value as code that makes it again, to the digit."""
-    if isinstance(value, np.ndarray):
-        if value.ndim == 0:
-            return repr(value.item())
+    """A value as code that makes it again, to the digit, where NumPy is imported as ``np``."""
+    if isinstance(value, tuple):
+        return f"({', '.join(code(part) for part in value)}{',' if len(value) == 1 else ''})"
+    if isinstance(value, np.ndarray) and value.ndim:
+        if not value.size:
+            return f"np.zeros({value.shape}, dtype={value.dtype.name!r})"
         text = np.array2string(
             value, separator=", ", threshold=10_000, max_line_width=100, floatmode="unique", formatter=_formatter(value)
         )
         return f"np.array({text})"
-    return repr(value.item()) if isinstance(value, np.generic) else repr(value)
+    plain = value.item() if isinstance(value, (np.ndarray, np.generic)) else value
+    return _number(plain) if isinstance(plain, float) else repr(plain)
 
 
 def short(value: Any) -> str:
@@ -203,7 +189,13 @@ def short(value: Any) -> str:
 
 
 def _formatter(value: np.ndarray) -> Any:
-    return {"float_kind": lambda x: repr(float(x))} if value.dtype.kind == "f" else None
+    return {"float_kind": _number} if value.dtype.kind == "f" else None
+
+
+def _number(value: float) -> str:
+    if np.isfinite(value):
+        return repr(float(value))
+    return "np.nan" if np.isnan(value) else "np.inf" if value > 0 else "-np.inf"
 
 
 @cache

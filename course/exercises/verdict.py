@@ -19,8 +19,9 @@ State = Literal["passed", "wrong", "not attempted", "error", "needs a person"]
 class Verdict:
     """The judgement of one answer.
 
-    ``case`` is the first counterexample, ``outcome`` what the answer gave there and ``difference`` how it is wrong;
-    ``mistake`` is the planted mistake it matches, ``reason`` anything else worth saying, one line each.
+    ``case`` is the counterexample (the first that is no batch, if any), ``outcome`` what the answer gave there and
+    ``difference`` how it is wrong; ``mistake`` is the planted mistake it matches, ``reason`` anything else worth
+    saying, one line each.
     """
 
     exercise: str
@@ -50,12 +51,15 @@ def judge(exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome]
         return Verdict(exercise.name, "not attempted")
     expected = answers_of(exercise.reference, exercise, cases)
     wrongs = [_wrong(exercise, c, o, e) for c, o, e in zip(cases, outcomes, expected, strict=True)]
-    first = next((i for i, w in enumerate(wrongs) if w is not None), None)
-    if first is None:
+    failed = [i for i, w in enumerate(wrongs) if w is not None]
+    if not failed:
         return Verdict(exercise.name, "passed", exercise.points, len(cases))
+    first = min(failed, key=lambda i: cases[i].kind == "batch")  # one call is easier to follow than a batch of them
     state: State = "error" if outcomes[first].kind in ("raised", "unreadable", "none") else "wrong"
-    mistake = diagnose(exercise, cases, outcomes, [w is not None for w in wrongs])
-    reason = () if mistake else general_advice(cases, outcomes, wrongs)
+    mistake, whole = diagnose(exercise, cases, outcomes, failed)
+    reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
+    if mistake and not whole:
+        reason = ("This does not explain every case that fails: look for a second slip once it is mended.",)
     reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(
         exercise.name, state, 0, len(cases), cases[first], outcomes[first], wrongs[first], mistake, reason
@@ -68,44 +72,54 @@ def answers_of(function: Any, exercise: Exercise, cases: Sequence[Case]) -> list
 
 
 def diagnose(
-    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome], wrong: Sequence[bool]
-) -> Mistake | None:
-    """The planted mistake that explains the answer.
+    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome], failed: Sequence[int]
+) -> tuple[Mistake | None, bool]:
+    """The planted mistake that explains the answer, and whether it explains every case that failed.
 
-    One that gives the same on every case, else one that gives the same wherever the answer is wrong (a second slip
-    may hide a part of it); of several, the one that agrees with the answer on most cases.
+    One that gives the same on every case; else the one that gives the same on most of the failed ones: on all of
+    them, or by value on more than half and at least two (a second slip, a forgotten guard say, changes the others;
+    two answers that merely raise the same kind of error need not have a slip in common).
     """
-    best: tuple[int, Mistake | None] = (0, None)
+    best: tuple[tuple[int, int], Mistake | None] = ((0, 0), None)
     for mistake in exercise.mistakes:
         theirs = answers_of(mistake.function, exercise, cases)
         alike = [_alike(exercise, o, t) for o, t in zip(outcomes, theirs, strict=True)]
         if all(alike):
-            return mistake
-        if all(a for a, w in zip(alike, wrong, strict=True) if w) and sum(alike) > best[0]:
-            best = (sum(alike), mistake)
-    return best[1]
+            return mistake, True
+        explained = sum(alike[i] for i in failed)
+        by_value = sum(alike[i] and outcomes[i].kind == "value" for i in failed)
+        enough = explained == len(failed) or (by_value >= 2 and 2 * by_value > len(failed))
+        if enough and (explained, sum(alike)) > best[0]:
+            best = (explained, sum(alike)), mistake
+    return best[1], best[0][0] == len(failed)
 
 
 def general_advice(
-    cases: Sequence[Case], outcomes: Sequence[Outcome], wrongs: Sequence[Difference | None]
+    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome], wrongs: Sequence[Difference | None]
 ) -> tuple[str, ...]:
     """Slips that no exercise needs to plant: wrong only in a batch, one answer for all, wrong only at edges."""
     wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
     advice = []
-    if any("truth value of an array" in o.text for o in outcomes):
+    if all(o.kind == "value" for o in outcomes) and len(outcomes) > 1 and _constant(outcomes):
+        return ("It gives the same for every input: does it use its arguments?",)
+    if any("object is not subscriptable" in o.text for o in outcomes):
+        advice.append(
+            "A plain number has no axes to index: np.asarray(s)[..., None] serves numbers and arrays alike."
+        )
+    elif any("truth value of an array" in o.text for o in outcomes):
         advice.append(
             "`if` asks one question, a batch has many answers: use np.where(condition, this, that), which answers "
             "each element for itself."
         )
-    elif wrong_kinds == {"batch"}:
+    elif wrong_kinds == {"batch"} and exercise.kind == "function":
         advice.append(
             "Right for one, wrong for many at once: take sums over the last axis, np.sum(a * b, axis=-1), and give a "
             "number one more axis before it multiplies vectors, s[..., None] * n."
         )
     elif wrong_kinds == {"edge"}:
         advice.append("Right in the ordinary cases, wrong at an edge: read what the task says of this case.")
-    if all(o.kind == "value" for o in outcomes) and len(outcomes) > 1 and _constant(outcomes):
-        advice.append("It gives the same for every input: does it use its arguments?")
+    if any(v.dtype in (np.float16, np.float32) for o in outcomes for v in o.values):
+        advice.append("Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64.")
     return tuple(advice)
 
 
@@ -113,6 +127,9 @@ def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...
     """The messages of the properties that the answer to this case lacks."""
     if outcome.kind != "value":
         return ()
+    numbers = all(v.dtype.kind in "biuf" and np.isfinite(v).all() for v in outcome.values)
+    if exercise.judged_by == "reference" and not numbers:
+        return ()  # NaN, text, complex numbers: the comparison has said so already
     answer = outcome.values[0] if len(exercise.results) == 1 else outcome.values
     lacking = []
     for rule in exercise.properties:
@@ -149,5 +166,7 @@ def _alike(exercise: Exercise, one: Outcome, other: Outcome) -> bool:
 
 
 def _constant(outcomes: Sequence[Outcome]) -> bool:
-    first = outcomes[0].values[0].ravel()[:1]
-    return all(o.values[0].size and (o.values[0] == first).all() for o in outcomes)
+    values = [o.values[0] for o in outcomes]
+    return all(v.size > 0 for v in values) and len({v.dtype.kind for v in values}) == 1 and all(
+        bool((v == values[0].flat[0]).all()) for v in values
+    )
