@@ -14,7 +14,7 @@ import linecache
 import textwrap
 import traceback
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -112,6 +112,9 @@ def as_function(answer: Any, kind: str, name: str, arguments: Sequence[str]) -> 
     except TypeError:
         wanted, taken = ", ".join(arguments), ", ".join(signature.parameters)
         raise TypeError(f"expected a function that takes {name}({wanted}); yours takes ({taken})") from None
+    if sorted(signature.parameters) == sorted(arguments) and list(signature.parameters) != list(arguments):
+        wanted, taken = ", ".join(arguments), ", ".join(signature.parameters)
+        raise TypeError(f"expected the arguments in the order {name}({wanted}); yours takes ({taken})")
     return answer
 
 
@@ -127,21 +130,24 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
             f"expected one expression; got a {type(expression).__name__} of {len(expression)}. "
             "sympy.solve returns a list: take its entry, as in solve(...)[0]"
         )
-    if isinstance(expression, (sympy.Equality, bool)) or expression in (sympy.true, sympy.false):
+    if isinstance(expression, (sympy.core.relational.Relational, sympy.logic.boolalg.BooleanAtom, bool)):
         raise TypeError("expected an expression; got an equation. Give its right-hand side alone")
     if callable(expression) and not isinstance(expression, sympy.Basic):
         raise TypeError("expected an expression in SymPy's symbols; got a function")
+    came = _kind(expression)
     try:
-        expression = sympy.sympify(expression)
+        expression = None if isinstance(expression, np.ndarray) else sympy.sympify(expression)
     except (sympy.SympifyError, TypeError, AttributeError):
-        raise TypeError(f"expected a SymPy expression; got {type(expression).__name__}") from None
-    foreign = sorted({str(s) for s in expression.free_symbols} - set(symbols))
-    if foreign:
-        raise ValueError(
-            f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}"
-        )
+        expression = None
+    if not isinstance(expression, sympy.Expr) or expression.is_Matrix:
+        raise TypeError(f"expected a SymPy expression; got {came}")
+    _require_known(expression, symbols)
     by_name = {str(s): s for s in expression.free_symbols}
-    compiled = sympy.lambdify([by_name.get(s, sympy.Symbol(s)) for s in symbols], expression, "numpy")
+    try:
+        compiled = sympy.lambdify([by_name.get(s, sympy.Symbol(s)) for s in symbols], expression, "numpy")
+    except Exception:  # each of SymPy's printers has its own kind
+        words = "an integral, a derivative or a sum is still to be worked out, as .doit() does"
+        raise ValueError(f"expected an expression that can be evaluated; perhaps {words}") from None
 
     def evaluate(*points: Any) -> np.ndarray:
         shape = np.broadcast_shapes(*(np.shape(p) for p in points))
@@ -150,11 +156,20 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
     return evaluate
 
 
-def is_stub(answer: Any, source: str | None = None) -> bool:
-    """Whether the answer is the lesson's blank: ``...`` itself, or a function whose body still holds a bare ``...``.
+def _require_known(expression: Any, symbols: Sequence[str]) -> None:
+    """Raise ``ValueError`` for an expression with other symbols, with undefined functions, or divided by zero."""
+    import sympy
 
-    A body that also does something else counts as a blank only while the ``...`` is there.
-    """
+    others = expression.free_symbols | expression.atoms(sympy.core.function.AppliedUndef)
+    foreign = sorted({str(s) for s in others} - set(symbols))
+    if foreign:
+        raise ValueError(f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}")
+    if expression.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
+        raise ValueError(f"expected a finite expression; got {expression}: is something divided by zero?")
+
+
+def is_stub(answer: Any, source: str | None = None) -> bool:
+    """Whether the answer is the lesson's blank: ``...`` itself, or a function that is one by ``is_blank``."""
     if answer is Ellipsis:
         return True
     if not callable(answer):
@@ -167,7 +182,12 @@ def is_stub(answer: Any, source: str | None = None) -> bool:
 
 
 def is_blank(source: str, name: str) -> bool:
-    """Whether a cell's source leaves ``name`` blank, without running it: the last binding counts."""
+    """Whether a cell's source leaves ``name`` blank, without running it: the last binding counts.
+
+    A blank is ``name = ...``, or a function that sets a name of its own to ``...``, or one with a bare ``...`` that
+    returns nothing else: a ``...`` left standing beside an answer that does return is no blank, nor is one in an index,
+    a hint of a type, a text, or a function inside.
+    """
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -175,12 +195,24 @@ def is_blank(source: str, name: str) -> bool:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return False
     blank = False
-    for node in ast.walk(tree):
-        if isinstance(node, ast.FunctionDef) and node.name == name:
-            blank = any(map(_is_blank, ast.walk(node)))
+    for node in _statements(tree.body):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and node.name == name:
+            own = list(_statements(node.body))
+            holes = [s for s in own if _is_blank(s)]
+            answers = any(isinstance(s, ast.Return) and s.value is not None and s not in holes for s in own)
+            blank = any(isinstance(s, (ast.Assign, ast.AnnAssign)) for s in holes) or bool(holes and not answers)
         elif isinstance(node, (ast.Assign, ast.AnnAssign)) and name in _targets(node):
             blank = _is_blank(node)
     return blank
+
+
+def _statements(body: Sequence[ast.AST]) -> Iterator[ast.AST]:
+    """Every statement in the order of the source, those in blocks too, those of functions and classes inside not."""
+    for node in body:
+        yield node
+        if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            for block in ("body", "handlers", "orelse", "finalbody", "cases"):
+                yield from _statements(getattr(node, block, []))
 
 
 def describe(error: BaseException) -> str:
