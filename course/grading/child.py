@@ -68,6 +68,9 @@ def _runner(job: Mapping[str, Any]) -> Any:
     from course.grading.stand_ins import LATER_NAME, Later, StandInForCourse, with_later_imports
     from course.grading.wire import BODY_LIMIT
 
+    if job["kind"] == "expression":
+        import sympy  # noqa: F401  (its second of loading is not the student's)
+
     def run(stage: Stage) -> dict[str, Any]:
         nothing = StandInForCourse()
         namespace: dict[str, Any] = {

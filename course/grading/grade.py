@@ -17,7 +17,7 @@ from course.exercises.notebook_file import read_notebook
 from course.grading.feedback import write_page
 from course.grading.judge import Judge, Row
 from course.grading.limits import Limits
-from course.grading.report import Submission, Table, cells_of, read_table, safe_cell
+from course.grading.report import Submission, Table, cells_of, key_of, read_table, safe_cell
 from course.grading.sandbox import Cancelled, SandboxFailure, isolation
 from course.grading.submissions import Task, find_tasks
 
@@ -122,11 +122,16 @@ def grade_folder(
     limits = Limits(time_limit, memory_mb)
     _require(folder, out, feedback, seed)
     exercises, old = read_table(out)
-    if seed is None:
-        seed = int(old[-1]["seed"]) if old and old[-1]["seed"].isdigit() else secrets.randbelow(2**32)
     known = all_lessons() if lessons is None else tuple(lessons)
-    tasks = find_tasks(folder, known, seed, limits, feedback, own=(out, feedback))
-    kept, todo = _resume(old, tasks)
+    tasks = find_tasks(folder, known, feedback, own=(out, feedback))
+    files = {safe_cell(task.file) for task in tasks}
+    if seed is None:
+        seeds = [int(row["seed"]) for row in old if row["file"] in files and row["seed"].isdigit()]
+        seed = seeds[-1] if seeds else secrets.randbelow(2**32)
+    keys = {key_of(task.digest, seed, limits): task for task in tasks}
+    kept = [row for row in old if row["file"] not in files or _stands(keys.get(row["key"]))]
+    done = {row["key"] for row in kept}
+    todo = {key: task for key, task in keys.items() if key not in done}
     shut_in = isolation(limits) if todo else ()
     table = Table(out, _exercises(known, tasks, exercises), kept)
     try:
@@ -134,7 +139,6 @@ def grade_folder(
         batch.mark(todo, len(tasks), workers or os.cpu_count() or 1, on_progress or _quietly)
     finally:
         table.close()
-    keys = {task.key for task in tasks}
     ours = [row for row in table.rows if row["key"] in keys]
     states = [row["state"] for row in ours]
     return Summary(
@@ -153,12 +157,12 @@ class _Batch:
     table: Table
     isolation: str
 
-    def mark(self, todo: Sequence[Task], total: int, workers: int, tell: Progress) -> None:
+    def mark(self, todo: Mapping[str, Task], total: int, workers: int, tell: Progress) -> None:
         """Judge several at a time; rows and pages are written here, by one thread, as they come."""
         done = total - len(todo)
         tell(done, total, "")
         with ThreadPoolExecutor(workers) as pool:
-            tasks = {pool.submit(self._judged, task): task for task in todo}
+            tasks = {pool.submit(self._judged, key, task): task for key, task in todo.items()}
             running = set(tasks)
             try:
                 while running:
@@ -177,32 +181,23 @@ class _Batch:
                     future.cancel()
                 raise
 
-    def _judged(self, task: Task) -> Submission:
+    def _judged(self, key: str, task: Task) -> Submission:
         """The submission with its rows. A fault of ours with one of them is told in its row and stops no other."""
         if task.notebook is None:
-            return Submission(task.file, task.student, task.key, reason=task.reason)
+            return Submission(task.file, task.student, key, reason=task.reason)
         try:
             rows = tuple(self.judge.rows(task.notebook))
         except (SandboxFailure, Cancelled):
             raise
         except Exception as error:
             reason = f"marking it failed, which is not its author's fault: {type(error).__name__}: {error}"
-            return Submission(task.file, task.student, task.key, reason=reason)
-        return Submission(task.file, task.student, task.key, task.notebook.lesson, rows)
+            return Submission(task.file, task.student, key, reason=reason)
+        return Submission(task.file, task.student, key, task.notebook.lesson, rows)
 
 
-def _resume(
-    old: Sequence[Mapping[str, str]], tasks: Sequence[Task]
-) -> tuple[list[Mapping[str, str]], list[Task]]:
-    """The rows to keep, and what is left to mark: a row stays while its key fits and its page is there.
-
-    Rows of files that are not in the folder stay too: they may be of another folder that shares the table.
-    """
-    files = {safe_cell(task.file) for task in tasks}
-    whole = {task.key for task in tasks if task.page.exists()}
-    kept = [row for row in old if row["key"] in whole or row["file"] not in files]
-    done = {row["key"] for row in kept}
-    return kept, [task for task in tasks if task.key not in done]
+def _stands(task: Task | None) -> bool:
+    """Whether a row found in the table is still right: its submission is there as it was, and so is its page."""
+    return task is not None and task.page.exists()
 
 
 def _quietly(done: int, total: int, file: str) -> None:
@@ -220,7 +215,6 @@ def _require(folder: Path, out: Path, feedback: Path, seed: int | None) -> None:
         raise ValueError(f"seed: expected a whole number from 0; got {seed!r}")
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
-        feedback.mkdir(parents=True, exist_ok=True)
         if out.exists():
             with out.open("a"):
                 pass

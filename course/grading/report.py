@@ -65,14 +65,17 @@ class Submission:
         return sum(row.exercise.points for row in self.rows)
 
 
-def key_of(content: bytes, file: str, notebook: NotebookFile | None, seed: int, limits: Limits) -> str:
-    """A digest of all that a submission's marks hang on: its bytes, the seed, the limits, the lesson, the version."""
+def digest_of(content: bytes, file: str, notebook: NotebookFile | None) -> str:
+    """A digest of what a submission is: its bytes, its name, the lesson it is judged by, and this version."""
     lesson = notebook.lesson if notebook else None
-    told = [
-        __version__, file, seed, sorted(asdict(limits).items()), lesson.file_name if lesson else "",
-        [(e.name, e.points, e.kind, len(e.mistakes)) for e in lesson.exercises] if lesson else [],
-    ]  # fmt: skip
+    exercises = [(e.name, e.points, e.kind, len(e.mistakes)) for e in lesson.exercises] if lesson else []
+    told = [__version__, file, lesson.file_name if lesson else "", exercises]
     return hashlib.sha256(repr(told).encode("utf-8", "replace") + b"\0" + content).hexdigest()
+
+
+def key_of(digest: str, seed: int, limits: Limits) -> str:
+    """A digest of all that a submission's marks hang on: what it is, the seed and the limits."""
+    return hashlib.sha256(repr([digest, seed, sorted(asdict(limits).items())]).encode()).hexdigest()
 
 
 def columns(exercises: Iterable[str]) -> tuple[str, ...]:
@@ -101,7 +104,7 @@ def safe_cell(value: Any) -> str:
     """A value as a cell's text: on one line, and never a formula (a leading apostrophe makes it text)."""
     if isinstance(value, int):
         return str(value)
-    text = " ".join(clean(str(value), CELL_LIMIT).split())
+    text = clean(" ".join(str(value).split()), CELL_LIMIT)
     return "'" + text if text.startswith(FORMULA) else text
 
 

@@ -10,9 +10,8 @@ from pathlib import Path
 
 from course.exercises.definition import Lesson
 from course.exercises.notebook_file import MAXIMUM_BYTES, NotebookFile, UnusableNotebook, read_notebook
-from course.grading.limits import Limits
 from course.grading.reply import clean
-from course.grading.report import key_of
+from course.grading.report import digest_of
 
 LEFT_BEHIND = frozenset({"thumbs.db", "desktop.ini", "__macosx"})
 MOODLE = re.compile(r"_\d+_assignsubmission_.*$")
@@ -20,34 +19,27 @@ MOODLE = re.compile(r"_\d+_assignsubmission_.*$")
 
 @dataclass(frozen=True)
 class Task:
-    """A file to mark: its name below the folder, whose it is, what its marks hang on, and where its page goes.
+    """A file to mark: its name below the folder, whose it is, a digest of what is in it, and where its page goes.
 
     ``notebook`` is None for a file that cannot be marked, and ``reason`` says why.
     """
 
-    path: Path
     file: str
     student: str
-    key: str
+    digest: str
     page: Path
     notebook: NotebookFile | None = None
     reason: str = ""
 
 
 def find_tasks(
-    folder: Path,
-    lessons: Sequence[Lesson],
-    seed: int,
-    limits: Limits,
-    feedback: Path,
-    *,
-    own: Sequence[Path] = (),
+    folder: Path, lessons: Sequence[Lesson], feedback: Path, *, own: Sequence[Path] = ()
 ) -> list[Task]:
     """Every file in the folder and below it, read but not run; ``own`` is our own output, which may lie there too.
 
     Raises ``ValueError`` for a folder without any.
     """
-    tasks = [_task(folder, path, lessons, seed, limits, feedback) for path in _files(folder, own)]
+    tasks = [_task(folder, path, lessons, feedback) for path in _files(folder, own)]
     if not tasks:
         raise ValueError(f"folder: expected submissions in {folder}; got an empty folder")
     names = [task.page.name.lower() for task in tasks]
@@ -56,7 +48,7 @@ def find_tasks(
 
 def _with_own_page(task: Task) -> Task:
     """The task with a page that no other submission has, though the student's name is the same."""
-    return replace(task, page=task.page.with_name(f"{task.page.stem}-{task.key[:8]}.html"))
+    return replace(task, page=task.page.with_name(f"{task.page.stem}-{task.digest[:8]}.html"))
 
 
 def _files(folder: Path, own: Sequence[Path]) -> list[Path]:
@@ -74,9 +66,7 @@ def _left_behind(name: str) -> bool:
     return name.startswith((".", "~$")) or name.lower() in LEFT_BEHIND
 
 
-def _task(
-    folder: Path, path: Path, lessons: Sequence[Lesson], seed: int, limits: Limits, feedback: Path
-) -> Task:
+def _task(folder: Path, path: Path, lessons: Sequence[Lesson], feedback: Path) -> Task:
     file = clean(path.relative_to(folder).as_posix(), 1000)
     notebook, reason, content = None, "", b""
     try:
@@ -91,13 +81,9 @@ def _task(
         reason = f"cannot be read: {type(error).__name__}: {error}"
     lesson = notebook.lesson if notebook else None
     student = student_of(path.relative_to(folder), lessons)
-    key = key_of(content, file, notebook, seed, limits)
-    page = (
-        _slug(student or path.stem)
-        + (f"--{lesson.number}-{lesson.name}" if lesson else "--unusable")
-        + ".html"
-    )
-    return Task(path, file, student, key, feedback / page, notebook, reason)
+    ending = f"{lesson.number}-{lesson.name}" if lesson else "unusable"
+    page = feedback / f"{_slug(student or path.stem)}--{ending}.html"
+    return Task(file, student, digest_of(content, file, notebook), page, notebook, reason)
 
 
 def student_of(file: Path, lessons: Sequence[Lesson]) -> str:

@@ -146,10 +146,10 @@ def test_its_own_folder_can_be_written_to_and_is_gone_afterwards():
 @pytest.mark.slow
 @POSIX
 def test_files_are_limited_in_size_and_number():
-    told = outcome("def f(x):\n    open('big', 'wb').write(b'0' * 150_000_000)\n    return x")
-    assert told.kind == "raised" and "File too large" in told.text
+    large = run("def f(x):\n    open('big', 'wb').write(b'0' * 150_000_000)\n    return x", seconds=30.0)
+    assert large.end == "files" or "File too large" in large.reply.outcomes[0].text  # whichever comes first
     many = "def f(x):\n    for i in range(3000): open(str(i), 'w').close()\n    while True: pass"
-    assert run(many).end == "files"
+    assert run(many, seconds=30.0).end == "files"
 
 
 FORGED = """
@@ -193,14 +193,17 @@ def test_recursion_without_end():
     assert deep.end in ("crashed", "time") or deep.reply.outcomes[0].kind == "raised"
 
 
-@pytest.mark.slow
 @POSIX
-def test_processor_time_is_limited_too():
-    """For what the clock does not see: a judge that was stopped itself leaves nobody to look at the clock."""
-    source = "from course.grading.limits import *\napply_limits(Limits(seconds=0.1))\nwhile True: pass"
-    ended = subprocess.run([sys.executable, "-c", source], timeout=30).returncode
-    assert ended == -signal.SIGXCPU
-    assert sandbox._ended(ended, "case", 3) == sandbox.Run("time", "case", 3)
+def test_limits_are_set_on_the_process():
+    """The processor's is for what the clock does not see: a judge that was stopped itself looks at no clock."""
+    source = (
+        "import resource as r\nfrom course.grading.limits import Limits, apply_limits\n"
+        "apply_limits(Limits(seconds=4.5, memory_mb=900, file_mb=7))\n"
+        "print([r.getrlimit(k) for k in (r.RLIMIT_CPU, r.RLIMIT_FSIZE, r.RLIMIT_CORE)])"
+    )
+    told = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True, timeout=60).stdout
+    assert told.strip() == "[(7, 9), (7000000, 7000000), (0, 0)]"
+    assert sandbox._ended(-signal.SIGXCPU, "case", 3) == sandbox.Run("time", "case", 3)
 
 
 @pytest.mark.slow
@@ -211,7 +214,7 @@ def test_a_thread_that_goes_on_holds_nothing_up():
     source += "    return x"
     started = time.monotonic()
     assert value(source) == 1.0
-    assert time.monotonic() - started < 5
+    assert time.monotonic() - started < 20
 
 
 @pytest.mark.slow
@@ -221,7 +224,7 @@ def test_a_batch_that_is_stopped_stops_its_answers():
     started = time.monotonic()
     with pytest.raises(Cancelled):
         run("while True: pass", seconds=30.0, cancel=cancel)
-    assert time.monotonic() - started < 5
+    assert time.monotonic() - started < 20
 
 
 @pytest.mark.slow
@@ -281,12 +284,16 @@ def test_limits_that_cannot_be_are_refused(bad):
 
 @pytest.mark.slow
 def test_packages_for_pictures_load_only_when_they_are_used():
-    imports = "import matplotlib.pyplot as plt\nimport sympy\nimport scipy.optimize\nimport sys\n"
-    count = value(
-        imports + "def f(x):\n    return sum(n.split('.')[0] in ('matplotlib', 'sympy') for n in sys.modules)"
-    )
-    assert count == 0
-    used = imports + "def f(x):\n    return scipy.optimize.nnls([[2.0]], [x])[0][0] + float(sympy.Integer(3))"
-    assert value(used) == 3.5
-    drawn = "import matplotlib.pyplot as plt\ndef f(x):\n    plt.plot([x]); plt.show(); return len(plt.get_fignums())"
-    assert value(drawn) == 1
+    source = """
+import matplotlib.pyplot as plt
+import sympy
+import scipy.optimize
+import sys
+def f(x):
+    before = sum(name.split(".")[0] in ("matplotlib", "sympy", "scipy") for name in sys.modules)
+    solved = scipy.optimize.nnls([[2.0]], [x])[0][0]
+    plt.plot([x])
+    plt.show()
+    return before, solved, len(plt.get_fignums())
+"""
+    assert [float(v) for v in outcome(source, results=3, seconds=60.0).values] == [0.0, 0.5, 1.0]
