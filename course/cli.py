@@ -6,6 +6,7 @@ Exit codes: 0 done, 1 something was found wrong (a test, a check, a drift), 2 th
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,6 +26,9 @@ Port = Annotated[int | None, typer.Option(min=1, max=65535, help="Port to serve 
 
 def run(arguments: list[str]) -> int:
     """Carry out a command line; returns its exit code."""
+    # jsonschema, which Jupyter imports, would build 28 grammars to check addresses in other scripts than Latin:
+    # two seconds at every start, for a check that no notebook asks for. Without the module it leaves it out.
+    sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
     try:
         app(args=arguments, prog_name=environment.START)
     except SystemExit as end:

@@ -105,15 +105,15 @@ def _set_up(root: Path, venv: Path, now: str, extras: bool) -> None:
     if in_place:
         say(f"Bringing {venv} up to date with the packages that this version of the project needs.")
     else:
-        say(f"{BEGINNING[now]} {venv}: about 1 GB of packages, one or two minutes, only this once. "
-            "Ctrl-C is safe, the next start completes it.")
         require_space(venv)
+        say(f"{BEGINNING[now]} {venv}: about 1 GB of packages, one to three minutes, only this once. "
+            "Ctrl-C is safe, the next start completes it.")
         create(venv, want["base"])
     lock = root / (LOCK_WITH_EXTRAS if extras else LOCK)
     python = Path(venv_python(str(venv)))
     install(venv, python, lock, stamp if in_place else None)
     link_project(venv, python, root)
-    compile_ahead(venv, python)
+    compile_ahead(venv, python, root)
     write_stamp(venv, want)
     say(f"Ready after {time.monotonic() - started:.0f} s.")
 
@@ -242,14 +242,14 @@ def link_project(venv: Path, python: Path, root: Path) -> None:
                "--no-input", "--disable-pip-version-check", "-e", str(root)])
 
 
-def compile_ahead(venv: Path, python: Path) -> None:
+def compile_ahead(venv: Path, python: Path, root: Path) -> None:
     """Compile what was installed; without it every first import is two to six times slower.
 
     A package may hold a file that does not compile on purpose: no reason to stop.
     """
     show("compiling")
     run(venv, [str(python), "-I", "-m", "compileall", "-q", "-j", "0", "-x", COMPILE_NOT,
-               str(site_packages(python))], may_fail=True)
+               str(site_packages(python)), str(root / "course")], may_fail=True)
     show("compiled", end=True)
 
 

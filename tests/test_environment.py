@@ -559,7 +559,7 @@ def test_first_start_second_start_and_a_changed_lock(project):
     assert code == 7 and str(moved) in out and "Renewing" in err
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.skipif(os.name == "nt", reason="kills a process group")
 @pytest.mark.parametrize("when", ["bin/python", "setup.log", "collecting"])
 def test_killed_at_a_real_moment_it_is_completed(project, when):
@@ -603,7 +603,7 @@ def test_a_wrong_hash_installs_nothing(project):
     assert str(project / ".venv" / "setup.log") in err
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_no_network(project):
     nowhere = {"PIP_NO_INDEX": "0", "PIP_FIND_LINKS": "", "PIP_INDEX_URL": "http://127.0.0.1:9/simple",
                "PIP_RETRIES": "1"}  # fmt: skip

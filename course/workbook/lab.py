@@ -1,55 +1,62 @@
 """JupyterLab over this workbook: rooted at the project, opened at a notebook, quiet, with this Python's kernel only.
 
-Nothing is written outside work/ but what Jupyter itself keeps (the student's own settings, the server's run-time
-files): the arrangement of tabs lives in work/.jupyter, so that other projects' tabs do not turn up here.
+What JupyterLab is told to leave out (the question about news, Voila's button) stands in the folder ``jupyter`` beside
+this file. Nothing of ours is written outside work/: the arrangement of tabs is kept in work/.jupyter, so that the
+tabs of other projects do not turn up here. Jupyter's own files (the student's settings, run-time files) stay where
+they are.
 """
 
 from __future__ import annotations
 
 import os
-import warnings
 from pathlib import Path
+from typing import Any
 from urllib.parse import quote
 
-from jupyter_client.kernelspec import KernelSpecManager
+from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from traitlets import default
+
+CONFIGURATION = Path(__file__).with_name("jupyter")
 
 
 class ThisPython(KernelSpecManager):
     """Knows one kernel, ``python3``: the running interpreter, whatever kernels the user has installed elsewhere."""
 
-    ensure_native_kernel = True
-
     @default("kernel_dirs")
     def _no_other_kernels(self) -> list[str]:
         return []
+
+    def get_kernel_spec(self, kernel_name: str) -> KernelSpec:
+        """The kernel, told to keep remarks about its own transport off the student's terminal."""
+        spec = super().get_kernel_spec(kernel_name)
+        spec.argv = [*spec.argv, "--log-level=ERROR"]
+        return spec
 
 
 def start(root: Path, notebook: Path | None, *, port: int | None, browser: bool) -> None:
     """Serve JupyterLab until Ctrl-C. ``notebook`` (below ``root``) is opened; a taken port gets the next one."""
     from jupyterlab.labapp import LabApp
 
-    let_kernels_find_course(root)
-    warnings.filterwarnings("ignore", message="ServerApp.token config is deprecated")   # Jupyter's own affair
+    put_first("PYTHONPATH", root)       # kernels start in the notebook's folder, not in the project's
+    put_first("JUPYTER_CONFIG_PATH", CONFIGURATION)
     LabApp.launch_instance(argv=options(root, notebook, port=port, browser=browser))
 
 
-def let_kernels_find_course(root: Path) -> None:
-    """Put this checkout first for every kernel: their folder is the notebook's, not the project's."""
-    before = os.environ.get("PYTHONPATH", "")
-    if before.split(os.pathsep)[0] != str(root):
-        os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(root), before]))
+def put_first(variable: str, folder: Path) -> None:
+    """Put a folder before the others that an environment variable lists."""
+    others = [path for path in os.environ.get(variable, "").split(os.pathsep) if path and path != str(folder)]
+    os.environ[variable] = os.pathsep.join([str(folder), *others])
 
 
 def options(root: Path, notebook: Path | None, *, port: int | None = None, browser: bool = True) -> list[str]:
     """JupyterLab's command line; what stands there is stronger than the user's own configuration files."""
-    chosen = {
-        "Application.log_level": "WARN",        # the address and how to end it are logged above that
+    chosen: dict[str, Any] = {
+        "Application.log_level": "ERROR",       # the address is logged above that
         "ServerApp.root_dir": root,
         "ServerApp.open_browser": browser,
         "ServerApp.answer_yes": True,           # Ctrl-C ends it without asking back
         "ServerApp.kernel_spec_manager_class": f"{__name__}.{ThisPython.__name__}",
-        "LabApp.news_url": None,                # no pop-up that asks about announcements, no fetching of them
+        "LabApp.news_url": None,
         "LabApp.check_for_updates_class": "jupyterlab.handlers.announcements.NeverCheckForUpdate",
         "LabApp.workspaces_dir": root / "work" / ".jupyter" / "workspaces",
     }
