@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import functools
 import inspect
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -65,19 +66,25 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
 def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) -> Any:
     """Your function (or expression) where its check passes, otherwise the reference; a line says which.
 
-    The rest of the lesson runs on what this returns. ``check`` refuses it, as it refuses functions of ``course``.
-    For an expression give its ``name`` and the ``symbols`` it is written in, in the exercise's order, so that the
-    reference can be written in the same ones.
+    The rest of the lesson runs on what this returns. ``check`` refuses it, as it refuses functions of ``course``;
+    ``use`` gives it back as it is, so that ``f = use(f)`` can be run twice. For an expression give its ``name`` and
+    the ``symbols`` it is written in, in the exercise's order, so that the reference can be written in the same ones.
     """
     name = _name_of(answer, name)
     _, exercise = find_exercise(name)
-    _refuse_borrowed(answer)
-    yours = judge_here(exercise, answer).passed
+    lent = _is_lent(answer)
+    if not lent:
+        _refuse_borrowed(answer)
+    yours = getattr(answer, MARK, "reference") == "yours" if lent else judge_here(exercise, answer).passed
     print(f"{name}: {'yours' if yours else 'the reference for now, until yours passes its check'}")
+    if lent or (yours and exercise.kind == "expression"):
+        return answer
     if exercise.kind == "expression":
-        if yours:
-            return answer
-        _lent.append(exercise.reference(*symbols))
+        if len(symbols) != len(exercise.arguments):
+            wanted = ", ".join(a.name for a in exercise.arguments)
+            raise ValueError(f"symbols: expected those for {wanted}, in this order; got {len(symbols)} of them")
+        # A copy: SymPy keeps what it built, and a student's equal expression would be the very same object.
+        _lent.append(copy.copy(exercise.reference(*symbols)))
         return _lent[-1]
     chosen = answer if yours else exercise.reference
 
@@ -139,12 +146,12 @@ def _wanted(prediction: Prediction) -> str:
 
 def _given(prediction: Prediction, answer: Any) -> Any:
     if prediction.choices:
-        if answer not in prediction.choices:
+        if not isinstance(answer, str) or answer not in prediction.choices:
             raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}")
         return answer
     try:
         number = float(answer)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}") from None
     if not np.isfinite(number):
         raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}")
@@ -171,10 +178,14 @@ def _name_of(answer: Any, name: str | None) -> str:
     return name
 
 
+def _is_lent(answer: Any) -> bool:
+    return hasattr(answer, MARK) or any(answer is lent for lent in _lent)
+
+
 def _refuse_borrowed(answer: Any) -> None:
     module = getattr(answer, "__module__", "") or ""
-    if hasattr(answer, MARK) or any(answer is lent for lent in _lent):
-        raise ValueError("answer: expected a function of your own; got what use() returned. Pass the function you wrote")
+    if _is_lent(answer):
+        raise ValueError("answer: expected a function or an expression of your own; got what use() returned")
     if module == "course" or module.startswith("course."):
         raise ValueError(f"answer: expected a function of your own; got one of {module}")
 

@@ -8,6 +8,7 @@ recorded only by a notebook that lies in work/; tests and graders run elsewhere 
 from __future__ import annotations
 
 import json
+import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -62,8 +63,9 @@ def state(folder: Path | None = None) -> State:
     events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
     hints: dict[str, int] = {}
     for event in events:
-        if event["kind"] == "hint":
-            hints[event["name"]] = max(hints.get(event["name"], 0), int(event.get("tier", 1)))
+        tier = event.get("tier")
+        if event["kind"] == "hint" and isinstance(tier, int):
+            hints[event["name"]] = max(hints.get(event["name"], 0), tier)
     return State(
         passed=frozenset(e["name"] for e in events if e["kind"] == "check" and e.get("state") == "passed"),
         hints=hints,
@@ -128,9 +130,14 @@ def progress(folder: Path | None = None) -> Table:
 
 
 def _append(path: Path, event: dict[str, Any]) -> None:
+    """Add a line in one write; after a line that was cut off (a crash, a full disk) begin a new one."""
+    line = (json.dumps(event) + "\n").encode()
     try:
-        with path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(event) + "\n")
+        with path.open("a+b", buffering=0) as file:
+            if file.seek(0, os.SEEK_END):
+                file.seek(-1, os.SEEK_END)
+                line = line if file.read(1) == b"\n" else b"\n" + line
+            file.write(line)
     except OSError:
         pass
 
@@ -144,7 +151,7 @@ def _read(path: Path) -> Iterator[dict[str, Any]]:
     for line in lines:
         try:
             event = json.loads(line)
-        except ValueError:
+        except (ValueError, RecursionError):
             continue
         if isinstance(event, dict) and isinstance(event.get("name"), str) and "kind" in event:
             yield event

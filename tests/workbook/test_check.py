@@ -2,6 +2,8 @@
 
 import json
 import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -10,7 +12,6 @@ import sympy as sp
 from course.dynamics import impulse
 from course.exercises.definition import find_exercise
 from course.workbook import check, hint, predict, progress, use
-from course.workbook import progress as progress_module  # noqa: F401  (the function shadows the module)
 from course.workbook.check import judge_here
 
 NAME = "impulse_central"
@@ -26,11 +27,13 @@ def named(function, name=NAME):
     return function
 
 
+def progress_module_itself():
+    return sys.modules["course.workbook.progress"]  # as an attribute of the package it is the function
+
+
 @pytest.fixture(autouse=True)
 def a_session_of_its_own(monkeypatch, tmp_path):
-    import sys
-
-    monkeypatch.setattr(sys.modules["course.workbook.progress"], "_session", [])
+    monkeypatch.setattr(progress_module_itself(), "_session", [])
     monkeypatch.chdir(tmp_path)
 
 
@@ -164,6 +167,28 @@ def test_use_falls_back_to_the_reference_and_says_so(capsys):
     assert "the reference for now" in said(capsys)
 
 
+def test_use_can_be_run_twice_on_what_it_returned(capsys):
+    for function, words in ((right, "yours"), (lambda a, b, c, d, n, e: 0.0, "the reference for now")):
+        once = use(named(function))
+        assert use(once) is once
+        assert said(capsys).count(words) == 2
+
+
+def test_a_right_expression_is_ones_own_although_the_reference_was_lent_before(capsys):
+    """SymPy keeps the expressions it built: the student's would be the lent one if that were not a copy."""
+    symbols = m_1, m_2, v_1, v_2, e = sp.symbols("m_1 m_2 v_1 v_2 e")
+    lent = use(..., "p_hat", symbols=symbols)
+    own = (1 + e) * (v_2 - v_1) / (1 / m_1 + 1 / m_2)
+    check(own, "p_hat")
+    assert "✓ Right: p_hat" in said(capsys)
+    assert use(own, "p_hat", symbols=symbols) is own and "yours" in said(capsys)
+    assert use(lent, "p_hat", symbols=symbols) is lent and "the reference" in said(capsys)
+    with pytest.raises(ValueError, match="got what use"):
+        check(lent, "p_hat")
+    with pytest.raises(ValueError, match="symbols: expected those for m_1, m_2, v_1, v_2, e, in this order; got 0"):
+        use(..., "p_hat")
+
+
 def test_hints_go_up_in_three_tiers_then_the_reference(work, capsys):
     seen = []
     for _ in range(4):
@@ -173,6 +198,17 @@ def test_hints_go_up_in_three_tiers_then_the_reference(work, capsys):
     assert "def impulse_central" in seen[3] and "def impulse_central" not in "".join(seen[:3])
     events = [json.loads(line) for line in (work / "progress.jsonl").read_text().splitlines()]
     assert [e["tier"] for e in events] == [1, 2, 3, 4]
+
+
+def test_a_hint_shows_those_before_it_again(capsys):
+    first, second, third = find_exercise(NAME)[1].hints
+    for expected in ([first], [first, second], [first, second]):
+        hint(NAME)
+        text = said(capsys)
+        assert all(re.sub(r"\s+", " ", words) in text for words in expected)
+    assert "____" in text
+    with pytest.raises(ValueError, match="expected an exercise's name or function"):
+        hint(sp.Symbol("e") + 1)
 
 
 def test_progress_is_recorded_only_in_work(work, tmp_path, monkeypatch, capsys):
@@ -190,6 +226,37 @@ def test_a_cut_off_line_loses_nothing_else(work, capsys):
     with (work / "progress.jsonl").open("a") as file:
         file.write('{"kind": "check", "na')
     assert "1/5" in str(progress())
+
+
+def test_what_follows_a_cut_off_line_is_kept(work, monkeypatch, capsys):
+    (work / "progress.jsonl").write_text('{"kind": "check", "na')
+    check(named(right))
+    monkeypatch.setattr(progress_module_itself(), "_session", [])
+    assert "1/5" in str(progress())
+
+
+@pytest.mark.parametrize("tier", ('"two"', "null", "[]", "{}"))
+def test_a_damaged_file_stops_nothing(work, tier, capsys):
+    event = f'{{"kind": "hint", "name": "{NAME}", "tier": {tier}}}'
+    lines = [event, "[" * 100_000, "\xff", "3", '{"name": 1, "kind": 2}']
+    (work / "progress.jsonl").write_text("\n".join(lines), encoding="latin-1")
+    check(named(right))
+    assert "1/5" in str(progress())
+
+
+def test_a_folder_that_cannot_be_written_stops_nothing(work, capsys):
+    (work / "progress.jsonl").mkdir()
+    check(named(right))
+    assert said(capsys).startswith("✓") and "1/5" in str(progress())
+
+
+def test_two_kernels_lose_nothing_of_each_other(work):
+    """Each appends in one write; neither holds the file."""
+    code = "from course.workbook.progress import record\nfor i in range(200): record('check', who + str(i), state='passed')"
+    both = [subprocess.Popen([sys.executable, "-c", f"who = {who!r}\n{code}"], cwd=work) for who in "ab"]
+    assert [p.wait(60) for p in both] == [0, 0]
+    names = [json.loads(line)["name"] for line in (work / "progress.jsonl").read_text().splitlines()]
+    assert sorted(names) == sorted(f"{who}{i}" for who in "ab" for i in range(200))
 
 
 def test_wrong_answers_that_match_nothing_are_kept_here(work, capsys):
@@ -213,6 +280,10 @@ def test_predictions_show_the_outcome_only_after_an_answer(capsys):
         predict("parting", "fast")
     with pytest.raises(ValueError, match='answer: expected "stands" or "back" or "on"; got 3'):
         predict("cradle", 3)
+    with pytest.raises(ValueError, match="answer: expected"):
+        predict("cradle", ["stands"])
+    with pytest.raises(ValueError, match="answer: expected a number"):
+        predict("parting", 10**400)
 
 
 def test_a_check_leaves_numpys_random_state_alone(capsys):
