@@ -138,20 +138,21 @@ def _judged(exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits,
         return _unfinished(exercise, cases, run, limits, own)
     notes = dict(reply.notes)
     stopped = tuple(
-        f"a cell before it, which it uses, stopped with {text}" for i, text in notes.items() if i != own
+        f"{'its cell' if i == own else 'a cell before it, which it uses,'} stopped with {text}"
+        for i, text in sorted(notes.items(), reverse=True)
     )
     if reply.blank:
         return Verdict(name, "not attempted")
     if reply.missing:
         if own in notes:
-            return Verdict(name, "error", reason=(f"its cell stopped with {notes[own]}", *stopped))
+            return Verdict(name, "error", reason=stopped)
         return Verdict(
             name, "needs a person", reason=(f"its cell ran, but there is no {name} after it", *stopped)
         )
     if reply.fault:
         return Verdict(name, "error", reason=(reply.fault, *stopped))
     verdict = judge(exercise, cases, reply.outcomes)
-    reason = verdict.reason + (stopped if verdict.state == "error" else ())
+    reason = verdict.reason + (() if verdict.passed else stopped)
     if verdict.outcome is not None and "StandInForCourse" in verdict.outcome.text:
         reason += ("It calls the course itself, which is not there while an answer is marked.",)
     return replace(verdict, reason=reason)

@@ -1,10 +1,11 @@
 """From a submission to its rows: right, wrong, blank, renamed, broken and hostile answers."""
 
 import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from grading.toy_lessons import BLANK, IMPORTS, LESSONS, OTHER, RIGHT, TOY, blank, cell, notebook, write
+from grading.toy_lessons import BLANK, IMPORTS, LESSONS, OTHER, RIGHT, TOY, blank, cell, notebook, only, write
 
 from course.exercises.notebook_file import read_notebook
 from course.grading import judge as judging
@@ -71,7 +72,7 @@ def test_the_grader_draws_other_inputs_than_the_notebook_does(rows_of):
         f"        return np.array({(2 * c.arguments['x']).tolist()!r})"
         for c in TOY.exercises[0].draw()
     )
-    content = notebook(twice=f"def twice(x):\n{known}\n    return 0 * x")
+    content = only("twice", f"def twice(x):\n{known}\n    return 0 * x")
     assert rows_of(content)["twice"].state == "passed"
     assert rows_of(content, seed=7)["twice"].state == "wrong"
 
@@ -216,11 +217,25 @@ HOSTILE = {
 }
 
 
+@pytest.fixture(scope="module")
+def hostile(tmp_path_factory):
+    """The rows of all hostile answers, two at a time, as a batch judges them."""
+    folder = tmp_path_factory.mktemp("hostile")
+
+    def row(name):
+        content = notebook(OTHER, thrice=HOSTILE[name][0])
+        read = read_notebook(write(folder / name / "submission.ipynb", content), LESSONS)
+        return next(Judge(None, Limits(1.0 if "loop" in name else 20.0)).rows(read))
+
+    with ThreadPoolExecutor(2) as pool:
+        return dict(zip(HOSTILE, pool.map(row, HOSTILE), strict=True))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", HOSTILE)
-def test_broken_and_hostile_answers(one, name):
-    source, state, words = HOSTILE[name]
-    row = one(source, seconds=1.0 if "loop" in name else 20.0)
+def test_broken_and_hostile_answers(hostile, name):
+    _, state, words = HOSTILE[name]
+    row = hostile[name]
     assert row.state == state, row
     assert words in row.reason, row.reason
     assert row.points == (None if state == "needs a person" else 0)
@@ -240,7 +255,9 @@ def test_cells_before_are_run_as_far_as_they_are_needed(rows_of):
                  split="split = 0\nwhile True: pass"), seconds=1.0,
     )  # fmt: skip
     assert [looping[n].state for n in ("twice", "split", "area")] == ["passed", "error", "passed"]
-    using = rows_of(notebook(split="def split(x):\n    return twice(x)[..., 0] / 2, twice(x)[..., 1:] / 2"))
+    twice = "def twice(x):\n    return 2 * x"
+    halves = "def split(x):\n    return twice(x)[..., 0] / 2, twice(x)[..., 1:] / 2"
+    using = rows_of(notebook(twice=twice, split=halves, area=BLANK["area"]))
     assert using["split"].state == "passed"
 
 

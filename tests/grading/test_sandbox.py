@@ -59,8 +59,6 @@ def test_every_kind_of_argument_arrives_as_it_was_sent():
 @pytest.mark.slow
 @LINUX
 def test_memory_is_limited_and_the_report_says_so():
-    assert "MemoryError" in outcome("def f(x):\n    return bytearray(10**11)").text
-    assert "Memory" in outcome("import numpy as np\ndef f(x):\n    return np.zeros(10**11)").text
     small = "import numpy as np\ndef f(x):\n    return np.ones(10**8)[:3]"
     assert "Memory" in outcome(small, memory_mb=800).text
     assert value(small).tolist() == [1.0] * 3
@@ -106,27 +104,53 @@ def f(x):
     assert "cannot be read" in outcome(around).text
 
 
-@pytest.mark.parametrize(
-    "what",
-    [
-        "os.fork()", "os.system('true')", "subprocess.run(['true'])", "os.kill(os.getppid(), 9)",
-        "os.killpg(os.getpgid(os.getppid()), 9)", "socket.create_connection(('127.0.0.1', 9))",
-        "open(PLACE, 'w')", "os.remove(PLACE)", "os.rename('a', PLACE)", "os.mkdir(PLACE)", "shutil.rmtree(PLACE)",
-        "multiprocessing.get_context('spawn').Process(target=print).start()", "ctypes.CDLL(None).getpid()",
-        "os.posix_spawn('/bin/true', ['true'], {})", "os.execv('/bin/true', ['true'])",
-    ],
-)  # fmt: skip
+REFUSED = """
+os.fork()
+os.system('true')
+subprocess.run(['true'])
+os.kill(os.getppid(), 9)
+os.killpg(os.getpgid(os.getppid()), 9)
+os.posix_spawn('/bin/true', ['true'], {})
+os.execv('/bin/true', ['true'])
+multiprocessing.get_context('spawn').Process(target=print).start()
+socket.create_connection(('127.0.0.1', 9))
+ctypes.CDLL(None).getpid()
+resource.setrlimit(resource.RLIMIT_AS, (-1, -1))
+open(PLACE, 'w')
+os.open(PLACE, os.O_RDWR)
+os.remove(PLACE)
+os.rename('a', PLACE)
+os.rename(PLACE, 'a')
+os.link(PLACE, 'b')
+os.mkdir(PLACE + '2')
+os.truncate(PLACE, 0)
+shutil.rmtree(os.path.dirname(PLACE))
+"""
+
+
 @pytest.mark.slow
 @POSIX
-def test_what_an_answer_may_not_do(what, tmp_path):
-    place = tmp_path / "kept"
+def test_what_an_answer_may_not_do(tmp_path):
+    place = tmp_path / "kept" / "file"
+    place.parent.mkdir()
     place.write_text("mine")
-    told = outcome(
-        "import ctypes, multiprocessing, os, shutil, socket, subprocess\n"
-        f"PLACE = {str(place)!r}\n"
-        f"def f(x):\n    open('a', 'w').close()\n    {what}\n    return x"
-    )
-    assert told.kind == "raised" and "PermissionError" in told.text and "not allowed" in told.text, told
+    source = f"""
+import ctypes, multiprocessing, os, resource, shutil, socket, subprocess
+PLACE = {str(place)!r}
+open('a', 'w').close()
+def f(x):
+    refused = []
+    for line in {REFUSED.strip().splitlines()!r}:
+        try:
+            exec(line)
+        except PermissionError as error:
+            refused.append('not allowed' in str(error))
+        else:
+            refused.append(False)
+    return refused
+"""
+    done = dict(zip(REFUSED.strip().splitlines(), value(source).tolist(), strict=True))
+    assert [line for line, refused in done.items() if not refused] == []
     assert place.read_text() == "mine"
 
 
@@ -164,28 +188,16 @@ def f(x):
 """
 
 
-@pytest.mark.parametrize(
-    "source, end, stage, index",
-    [
-        ("def f(x):\n    while True: pass", "time", "case", 0),
-        ("while True: pass", "time", "cell", 0),
-        ("import os\ndef f(x):\n    os._exit(0)", "ended", "case", 0),
-        ("import os\nos._exit(7)", "ended", "cell", 0),
-        ("def f(x):\n    import signal; signal.raise_signal(signal.SIGSEGV)", "crashed", "case", 0),
-        (FORGED, "unreadable", "ready", 0),
-    ],
-)  # fmt: skip
 @pytest.mark.slow
 @POSIX
-def test_ends_without_a_reply_are_told_apart(source, end, stage, index):
-    result = run(source, seconds=1.0)
-    assert (result.end, result.stage, result.index, result.reply) == (end, stage, index, None), result
+def test_what_was_written_to_the_reply_from_outside_is_no_reply():
+    result = run(FORGED)
+    assert (result.end, result.stage, result.reply) == ("unreadable", "ready", None), result
 
 
 @pytest.mark.slow
 @POSIX
 def test_recursion_without_end():
-    assert "RecursionError" in outcome("def f(x):\n    return f(x)").text
     # Without Python's own limit it ends by memory, by the clock or by a crash, as the version of Python has it.
     deep = run(
         "import sys\nsys.setrecursionlimit(10**9)\ndef f(x):\n    return f(x)", seconds=2.0, memory_mb=500

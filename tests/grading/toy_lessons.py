@@ -98,6 +98,11 @@ def blank(lesson=TOY):
     return notebook(lesson, **{e.name: BLANK[e.name] for e in lesson.exercises})
 
 
+def only(name, source):
+    """A notebook of the first lesson with one exercise tried and the others as handed out."""
+    return notebook(**{e.name: BLANK[e.name] for e in TOY.exercises} | {name: source})
+
+
 def write(path: Path, content) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
