@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 NOISE = 1e-12
+SETTLING = 3  # digits more for the first rounding
 
 
 class Shown(str):
@@ -19,13 +20,15 @@ class Shown(str):
 
 
 def show(value: Any, digits: int) -> Shown:
-    """A number or an array as text, rounded to ``digits`` significant digits of its largest entry.
+    """A number or an array as text, rounded to ``digits`` significant digits of its largest entry; integers whole.
 
     Rounding must stay well above the tolerance of the computation, or another processor prints something else.
+    Numbers are rounded twice, first to some digits more, so that one whose exact value lies on the edge (a half, an
+    eighth) or whose largest entry is a power of ten prints the same whichever way its last bit fell.
     Minus zero never shows; a number below 1e-12 in magnitude shows as "below 1e-12", an entry of an array as 0.
     Raises ``ValueError`` for digits outside 1..15 and for what is not numeric.
     """
-    if not isinstance(digits, int) or not 1 <= digits <= 15:
+    if not isinstance(digits, int) or isinstance(digits, bool) or not 1 <= digits <= 15:
         raise ValueError(f"digits: expected a whole number from 1 to 15; got {digits!r}")
     array = np.asarray(value)
     if array.dtype.kind not in "biuf":
@@ -34,12 +37,13 @@ def show(value: Any, digits: int) -> Shown:
         return Shown(np.array2string(array, separator=", ", threshold=50))
     if array.ndim == 0:
         return Shown(_scalar(float(array), digits))
-    finite = np.abs(array[np.isfinite(array)])
-    largest = finite.max(initial=0.0)
-    decimals = digits - 1 - int(np.floor(np.log10(largest))) if largest > NOISE else 0
-    rounded = np.where(np.abs(array) < max(NOISE, 0.0), 0.0, np.round(array, decimals)) + 0.0
-    text = np.array2string(rounded, separator=", ", threshold=50, max_line_width=100, precision=max(decimals, 0))
-    return Shown(text)
+    largest = float(np.abs(array[np.isfinite(array)]).max(initial=0.0))
+    exponent = int(f"{_settled(largest, digits):.{digits - 1}e}".partition("e")[2]) if largest >= NOISE else 0
+    decimals = digits - 1 - exponent
+    settled = np.round(np.round(array.astype(float), decimals + SETTLING), decimals)
+    rounded = np.where(np.abs(array) < NOISE, 0.0, settled) + 0.0  # + 0.0: no minus zero
+    precision = max(decimals, digits - 1)  # the second for numbers so large that they are shown with an exponent
+    return Shown(np.array2string(rounded, separator=", ", threshold=50, max_line_width=100, precision=precision))
 
 
 def _scalar(value: float, digits: int) -> str:
@@ -47,6 +51,11 @@ def _scalar(value: float, digits: int) -> str:
         return "below 1e-12"
     if not np.isfinite(value):
         return str(value)
+    value = _settled(value, digits)
     if 1e-4 <= abs(value) < 1e7:  # in full: 20000 rather than 2e+04
         return np.format_float_positional(value, precision=digits, fractional=False, trim="-")
     return f"{value:.{digits}g}"
+
+
+def _settled(value: float, digits: int) -> float:
+    return float(f"{value:.{digits + SETTLING}g}")
