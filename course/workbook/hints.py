@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import inspect
+import json
 import textwrap
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
-from course.exercises.definition import find_exercise
+from course.exercises.definition import Exercise, Lesson, find_exercise
 from course.exercises.message import Message, Part
 from course.workbook import progress
+from course.workbook.build import BEGIN, END, ROOT
 from course.workbook.notebook import display_message
 
 TIERS = ("where to look", "the formula in words", "the line with a hole in it")
@@ -25,13 +28,31 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
     if not isinstance(name, str):
         words = 'expected an exercise\'s name or function, as in hint("p_hat")'
         raise ValueError(f"name: {words}; got {name_or_function!r}")
-    _, exercise = find_exercise(name)
+    lesson, exercise = find_exercise(name)
     tier = min(progress.state().hints.get(name, 0) + 1, 4)
     progress.record("hint", name, tier=tier)
+    shown = range(1, min(tier, 3) + 1)
+    parts = [Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text") for t in shown]
     if tier <= 3:
-        parts = [Part(TIERS[i], exercise.hints[i], "code" if i == 2 else "text") for i in range(tier)]
-        more = Part("next", f"hint({name!r}) once more for {TIERS[tier] if tier < 3 else 'the reference itself'}")
-        display_message(Message("not attempted", f"Hint {tier} of 3: {name}", (*parts, more)))
+        parts.append(Part("next", f"hint({name!r}) once more for {TIERS[tier] if tier < 3 else 'the reference itself'}"))
+        display_message(Message("not attempted", f"Hint {tier} of 3: {name}", tuple(parts)))
         return
-    source = textwrap.dedent(inspect.getsource(exercise.reference))
-    display_message(Message("not attempted", f"The reference: {name}", (Part("code", source, "code"),)))
+    parts.append(Part("the reference", answer_source(lesson, exercise), "code"))
+    display_message(Message("not attempted", f"The reference: {name}", tuple(parts)))
+
+
+def answer_source(lesson: Lesson, exercise: Exercise, root: Path = ROOT) -> str:
+    """The solution's own cell, what a student would have written; where there are no solutions, the reference's code.
+
+    (The reference in ``course`` also checks its arguments, which would hide the few lines that matter.)
+    """
+    try:
+        cells = json.loads((root / "solutions" / lesson.file_name).read_text(encoding="utf-8"))["cells"]
+    except (OSError, ValueError, KeyError):
+        cells = []
+    for cell in cells:
+        if cell.get("metadata", {}).get("course", {}).get("exercise") == exercise.name:
+            lines = "".join(cell["source"]).splitlines()
+            kept = [line for line in lines if not BEGIN.match(line) and not END.match(line)]
+            return "\n".join(line for line in kept if not line.startswith("check(")).strip()
+    return textwrap.dedent(inspect.getsource(exercise.reference))

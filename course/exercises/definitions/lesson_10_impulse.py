@@ -48,6 +48,8 @@ def _pair(rng: np.random.Generator, shape: tuple[int, ...] = (), *, closing: Any
         "normal": normal,
         "restitution": rng.uniform(0.3, 0.8, shape),
     }
+    # Three decimals where it does no harm: these numbers are shown to students.
+    pair = {name: value if name == "normal" else np.round(value, 3) for name, value in pair.items()}
     pair.update(fixed)
     return {name: value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
             for name, value in pair.items()}  # fmt: skip
@@ -71,15 +73,15 @@ def _impacts(rng: np.random.Generator) -> Sequence[Case]:
         Case("head-on along x", ALONG_X),
         Case("off the axes", _pair(rng)),
         Case("off the axes again", _pair(rng)),
-        Case("six pairs", _pair(rng, (6,)), "batch"),
-        Case("three pairs, as many as a vector has components", _pair(rng, (3,)), "batch"),
-        Case("a 2 by 4 batch", _pair(rng, (2, 4)), "batch"),
-        Case("some approach, some part", _pair(rng, (6,), closing=mixed), "batch"),
         Case("they already part", _pair(rng, closing=-1.5), "edge"),
         Case("they move together", {**_pair(rng), **at_rest}, "edge"),
         Case("nothing lost, e = 1", _pair(rng, restitution=1.0), "edge"),
         Case("they stay together, e = 0", _pair(rng, restitution=0.0), "edge"),
         Case("body 2 is a wall", _pair(rng, mass_2=np.inf, velocity_2=np.zeros(3), **_toward_wall(rng)), "edge"),
+        Case("three pairs, as many as a vector has components", _pair(rng, (3,)), "batch"),
+        Case("six pairs", _pair(rng, (6,)), "batch"),
+        Case("a 2 by 4 batch", _pair(rng, (2, 4)), "batch"),
+        Case("some approach, some part", _pair(rng, (6,), closing=mixed), "batch"),
     ]
 
 
@@ -179,6 +181,18 @@ P_HAT = Exercise(
             "inverse masses add: divide by 1/m_1 + 1/m_2.",
         ),
         Mistake(
+            "divided by the sum of masses",
+            lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) / (m_1 + m_2),
+            "You divide by m_1 + m_2. The velocities change by p_hat/m_1 and p_hat/m_2, so what adds up are the inverse "
+            "masses. (Look at the unit: an impulse is kg m/s.)",
+        ),
+        Mistake(
+            "multiplied by the inverse masses",
+            lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) * (1 / m_1 + 1 / m_2),
+            "You multiply by 1/m_1 + 1/m_2 where you must divide: that bracket stands beside p_hat, not beside the "
+            "speeds.",
+        ),
+        Mistake(
             "difference of inverse masses",
             lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) / (1 / m_1 - 1 / m_2),
             "You have 1/m_1 - 1/m_2. Body 2 gets -p_hat, and it is subtracted: v1' - v2' holds "
@@ -215,10 +229,10 @@ MOMENTUM_AFTER = Exercise(
         Case("one pair along x", dict(momentum_1=np.array([-6.0, 0.0, 0.0]), momentum_2=np.array([1.0, 0.0, 0.0]),
                                       impulse=4.0, normal=np.array([1.0, 0.0, 0.0]))),
         Case("off the axes", _momenta(rng, ())),
-        Case("five pairs", _momenta(rng, (5,)), "batch"),
-        Case("three pairs, as many as a vector has components", _momenta(rng, (3,)), "batch"),
-        Case("a 2 by 4 batch", _momenta(rng, (2, 4)), "batch"),
         Case("no impulse", {**_momenta(rng, ()), "impulse": 0.0}, "edge"),
+        Case("three pairs, as many as a vector has components", _momenta(rng, (3,)), "batch"),
+        Case("five pairs", _momenta(rng, (5,)), "batch"),
+        Case("a 2 by 4 batch", _momenta(rng, (2, 4)), "batch"),
     ],  # fmt: skip
     properties=(
         Property(
@@ -242,6 +256,12 @@ MOMENTUM_AFTER = Exercise(
             "body 1 gets +p_hat n.",
         ),
         Mistake(
+            "the pair turned round",
+            lambda momentum_1, momentum_2, impulse, normal: (
+                momentum_2 - _along(impulse, normal), momentum_1 + _along(impulse, normal)),
+            "Both momenta are right, but in the wrong order: return that of body 1 first.",
+        ),
+        Mistake(
             "no direction",
             lambda momentum_1, momentum_2, impulse, normal: (
                 momentum_1 + np.asarray(impulse)[..., None], momentum_2 - np.asarray(impulse)[..., None]),
@@ -255,7 +275,8 @@ MOMENTUM_AFTER = Exercise(
         ),
     ),  # fmt: skip
     hints=(
-        "Look at the first line of the slide's three: each momentum changes by the same vector, with opposite signs.",
+        "Look at the two formulas for momentum under On the slide: each changes by the same vector, with opposite "
+        "signs.",
         "The vector is the number p_hat times the unit vector n. In a batch the number needs one more axis before it "
         "multiplies: np.asarray(impulse)[..., None].",
         "change = np.asarray(impulse)[..., None] * ____\nreturn momentum_1 + change, momentum_2 ____ change",
@@ -268,10 +289,10 @@ def _along(impulse: Any, normal: Any) -> Any:
 
 
 def _momenta(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, Any]:
-    number = rng.uniform(0.5, 4.0, shape)
+    number = rng.uniform(0.5, 4.0, shape).round(3) if shape else round(rng.uniform(0.5, 4.0), 3)
     return {
-        "momentum_1": rng.normal(size=(*shape, 3)),
-        "momentum_2": rng.normal(size=(*shape, 3)),
+        "momentum_1": rng.normal(size=(*shape, 3)).round(3),
+        "momentum_2": rng.normal(size=(*shape, 3)).round(3),
         "impulse": number if shape else float(number),
         "normal": _unit(rng, shape),
     }
@@ -317,6 +338,38 @@ SEPARATION_SPEED = Exercise(
             "restitution left out",
             _speed_mistake(lambda e: 1.0),
             "They leave as fast as they came, whatever e is. Multiply the closing speed by e.",
+        ),
+        Mistake(
+            "v2 - v1",
+            lambda velocity_1, velocity_2, normal, restitution: np.where(
+                _closing(velocity_1, velocity_2, normal) < 0,
+                -np.asarray(restitution) * _closing(velocity_1, velocity_2, normal),
+                _closing(velocity_1, velocity_2, normal)),
+            "Your u is (v2 - v1).n, which is positive while they approach. Then u < 0 picks the pairs that part. Take "
+            "(v1 - v2).n.",
+        ),
+        Mistake(
+            "guard the wrong way round",
+            lambda velocity_1, velocity_2, normal, restitution: np.where(
+                _closing(velocity_1, velocity_2, normal) < 0,
+                np.asarray(restitution) * _closing(velocity_1, velocity_2, normal),
+                -_closing(velocity_1, velocity_2, normal)),
+            "Your condition picks the pairs that part and leaves those that approach as they are. They approach where "
+            "(v1 - v2).n < 0.",
+        ),
+        Mistake(
+            "0 for those that part",
+            lambda velocity_1, velocity_2, normal, restitution: np.maximum(
+                np.asarray(restitution) * _closing(velocity_1, velocity_2, normal), 0.0),
+            "Right while they approach. Bodies that part have no *impulse*, but they do have a separation speed: the "
+            "one they came with.",
+        ),
+        Mistake(
+            "the size for all",
+            lambda velocity_1, velocity_2, normal, restitution: np.abs(
+                np.asarray(restitution) * _closing(velocity_1, velocity_2, normal)),
+            "Right while they approach. With the absolute value you slow down bodies that part by themselves: nothing "
+            "happens to them, return u.",
         ),
         Mistake(
             "1 + e",
@@ -428,6 +481,31 @@ IMPULSE_CENTRAL = Exercise(
             "You multiply by m1 + m2. The inverse masses add: divide by 1/m1 + 1/m2. (A wall, 1/m2 = 0, then leaves m1.)",
         ),
         Mistake(
+            "divided by the sum of masses",
+            _impulse(mass=lambda a, b: 1 / (np.asarray(a) + b)),
+            "You divide by m1 + m2. Divide by the sum of the inverse masses, 1/m1 + 1/m2.",
+        ),
+        Mistake(
+            "the size for all",
+            lambda *given: np.abs(_impulse(guard=False)(*given)),
+            "Right while they approach. With the absolute value you push bodies that already part: for them the "
+            "impulse is 0.",
+        ),
+        Mistake(
+            "the speed for those that part",
+            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: np.where(
+                _closing(velocity_1, velocity_2, normal) > 0,
+                _impulse(guard=False)(mass_1, mass_2, velocity_1, velocity_2, normal, restitution),
+                -_closing(velocity_1, velocity_2, normal)),
+            "For bodies that part you return their speed. Asked is an impulse, and there is none: 0.",
+        ),
+        Mistake(
+            "reduced mass as a fraction",
+            _impulse(mass=lambda a, b: np.asarray(a) * b / (np.asarray(a) + b)),
+            "Right for two bodies, NaN for a wall: m1 m2/(m1 + m2) is infinity over infinity there. Write it as "
+            "1/(1/m1 + 1/m2), which has no such case.",
+        ),
+        Mistake(
             "mean of masses",
             _impulse(mass=lambda a, b: 0.5 * (np.asarray(a) + b)),
             "You use the mean of the masses. The inverse masses add: divide by 1/m1 + 1/m2.",
@@ -445,10 +523,10 @@ IMPULSE_CENTRAL = Exercise(
         ),
     ),  # fmt: skip
     hints=(
-        "The last box of the slide, with two things added: the dot product over the last axis, and what happens to "
-        "bodies that part.",
-        "Closing speed u = (v2 - v1).n; where it is positive the impulse is (1 + e) times u divided by the sum of "
-        "the inverse masses, elsewhere it is 0.",
+        "The formula for p_hat under On the slide, with two things added: the dot product over the last axis, and "
+        "what happens to bodies that part.",
+        "The closing speed is (v2 - v1).n. Where it is positive the impulse is (1 + e) times it, divided by the sum "
+        "of the inverse masses; elsewhere it is 0.",
         "closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)\n"
         "value = (1 + restitution) * closing / (____ + ____)\n"
         "return np.where(closing > 0, value, ____)",
@@ -518,6 +596,22 @@ KINETIC_ENERGY_LOST = Exercise(
             _lost(mass=lambda a, b: np.asarray(a) + b),
             "You use m1 + m2. The energy of approach belongs to the reduced mass, 1/(1/m1 + 1/m2); with m1 + m2 you "
             "could lose more than there is.",
+        ),
+        Mistake(
+            "reduced mass upside down",
+            _lost(mass=lambda a, b: 1 / np.asarray(a) + 1 / np.asarray(b)),
+            "Your mass is 1/m1 + 1/m2, in 1/kg. The reduced mass is one over that.",
+        ),
+        Mistake(
+            "reduced mass as a fraction",
+            _lost(mass=lambda a, b: np.asarray(a) * b / (np.asarray(a) + b)),
+            "Right for two bodies, NaN for a wall: m1 m2/(m1 + m2) is infinity over infinity there. Write it as "
+            "1/(1/m1 + 1/m2), which has no such case.",
+        ),
+        Mistake(
+            "guard the wrong way round",
+            lambda *given: np.where(_closing(*given[2:5]) < 0, _lost(guard=False)(*given), 0.0),
+            "Your condition picks the pairs that part. They approach where (v1 - v2).n < 0.",
         ),
         Mistake(
             "whole speed",
