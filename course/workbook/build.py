@@ -16,6 +16,7 @@ import nbformat
 
 BEGIN = re.compile(r"^(\s*)# BEGIN SOLUTION\s*$")
 END = re.compile(r"^\s*# END SOLUTION\s*$")
+ALMOST = re.compile(r"#.*\b(begin|end)\s+solution\b", re.IGNORECASE)  # a marker misspelt would hand the answer out
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -36,7 +37,8 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
         wanted = lesson_text(source)
         if target.exists() and target.read_text(encoding="utf-8") == wanted:
             continue
-        drift.append(f"lessons/{source.name}: {'differs from what its solution makes' if target.exists() else 'missing'}")
+        what = "differs from what its solution makes" if target.exists() else "missing"
+        drift.append(f"lessons/{source.name}: {what}")
         if not check:
             _write(target, wanted)
     strangers = {p.name for p in (root / "lessons").glob("*.ipynb")} - {p.name for p in sources}
@@ -49,6 +51,9 @@ def lesson_text(source: Path) -> str:
     notebook.metadata = _metadata(notebook.metadata)
     for index, cell in enumerate(notebook.cells):
         if cell.cell_type != "code":
+            if ALMOST.search(cell.source):
+                where = f"{source.name}, cell {index}"
+                raise BrokenSource(f"{where}: expected solutions in code cells only; got one in text")
             continue
         cell.outputs, cell.execution_count = [], None
         cell.metadata.pop("execution", None)
@@ -57,11 +62,14 @@ def lesson_text(source: Path) -> str:
 
 
 def blank(code: str, *, where: str = "the cell") -> str:
-    """Code with each marked solution replaced by ``...``; raises ``BrokenSource`` for unpaired markers."""
+    """Code with each marked solution replaced by ``...``; raises ``BrokenSource`` for markers unpaired or misspelt."""
     kept: list[str] = []
     inside = False
-    for line in code.splitlines():
+    for line in code.replace("\r\n", "\n").split("\n"):  # splitlines would cut texts at other separators too
         begin, end = BEGIN.match(line), END.match(line)
+        if ALMOST.search(line) and not (begin or end):
+            wanted = "# BEGIN SOLUTION or # END SOLUTION alone in a line"
+            raise BrokenSource(f"{where}: expected {wanted}; got {line.strip()!r}")
         if (begin and inside) or (end and not inside):
             raise BrokenSource(f"{where}: expected BEGIN SOLUTION and END SOLUTION in turn; got {line.strip()!r}")
         if begin:

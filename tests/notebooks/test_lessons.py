@@ -164,6 +164,27 @@ def test_blank_replaces_what_is_marked_and_refuses_unpaired_markers():
             blank(broken, where="cell 3")
 
 
+@pytest.mark.parametrize("marker", ("### {} SOLUTION", "#{} SOLUTION", "# {} Solution", "x = 1  # {} SOLUTION"))
+def test_a_misspelt_marker_hands_no_answer_out(marker):
+    with pytest.raises(BrokenSource, match="alone in a line"):
+        blank(f"{marker.format('BEGIN')}\nanswer\n{marker.format('END')}")
+
+
+def test_a_solution_in_a_text_cell_is_refused(tmp_path):
+    source = tmp_path / "00-x.ipynb"
+    cell = nbformat.v4.new_markdown_cell("Words.\n# BEGIN SOLUTION\nthe answer\n# END SOLUTION")
+    source.write_text(nbformat.writes(nbformat.v4.new_notebook(cells=[cell])))
+    with pytest.raises(BrokenSource, match="cell 0: expected solutions in code cells only"):
+        lesson_text(source)
+
+
+def test_blank_keeps_the_rest_as_it_is():
+    for code in ("x\n", "x", "", "\n\nx", "s = 'a\u2028b\x0c'", "\tdef f(): ...", "a\x0bb"):
+        assert blank(code) == code == blank(blank(code))
+    assert blank("a\r\n# BEGIN SOLUTION\r\nb\r\n# END SOLUTION\r\nc\r\n") == "a\n...\nc\n"
+    assert blank("\t# BEGIN SOLUTION\n\tb\n\t# END SOLUTION") == "\t..."
+
+
 def test_drift_is_reported(tmp_path):
     (tmp_path / "solutions").mkdir()
     source = tmp_path / "solutions" / "00-x.ipynb"
