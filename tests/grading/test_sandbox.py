@@ -21,11 +21,9 @@ LINUX = pytest.mark.skipif(
 )
 
 
-def run(source, *, case=None, results=1, seconds=5.0, memory_mb=2000, before=(), **options):
-    job = Job(
-        (*before, (source, False)), "f", "function", ("x",), results, ({"x": 1.0} if case is None else case,)
-    )
-    return run_job(job, Limits(seconds, memory_mb), **options)
+def run(source, *, case=None, results=1, seconds=5.0, memory_mb=2000, file_mb=100, **options):
+    job = Job(((source, False),), "f", "function", ("x",), results, ({"x": 1.0} if case is None else case,))
+    return run_job(job, Limits(seconds, memory_mb, file_mb), **options)
 
 
 def outcome(source, **options):
@@ -59,8 +57,8 @@ def test_every_kind_of_argument_arrives_as_it_was_sent():
 @pytest.mark.slow
 @LINUX
 def test_memory_is_limited_and_the_report_says_so():
-    small = "import numpy as np\ndef f(x):\n    return np.ones(10**8)[:3]"
-    assert "Memory" in outcome(small, memory_mb=800).text
+    small = "import numpy as np\ndef f(x):\n    return np.ones(3 * 10**7)[:3]"
+    assert "Memory" in outcome(small, memory_mb=300).text
     assert value(small).tolist() == [1.0] * 3
     held = isolation(Limits())
     assert {"separate process", "clock", "memory", "processor time", "audit hook"} <= set(held)
@@ -170,7 +168,9 @@ def test_its_own_folder_can_be_written_to_and_is_gone_afterwards():
 @pytest.mark.slow
 @POSIX
 def test_files_are_limited_in_size_and_number():
-    large = run("def f(x):\n    open('big', 'wb').write(b'0' * 150_000_000)\n    return x", seconds=30.0)
+    large = run(
+        "def f(x):\n    open('big', 'wb').write(b'0' * 8_000_000)\n    return x", seconds=30.0, file_mb=5
+    )
     assert large.end == "files" or "File too large" in large.reply.outcomes[0].text  # whichever comes first
     many = "def f(x):\n    for i in range(3000): open(str(i), 'w').close()\n    while True: pass"
     assert run(many, seconds=30.0).end == "files"
@@ -200,7 +200,7 @@ def test_what_was_written_to_the_reply_from_outside_is_no_reply():
 def test_recursion_without_end():
     # Without Python's own limit it ends by memory, by the clock or by a crash, as the version of Python has it.
     deep = run(
-        "import sys\nsys.setrecursionlimit(10**9)\ndef f(x):\n    return f(x)", seconds=2.0, memory_mb=500
+        "import sys\nsys.setrecursionlimit(10**9)\ndef f(x):\n    return f(x)", seconds=1.0, memory_mb=300
     )
     assert deep.end in ("crashed", "time") or deep.reply.outcomes[0].kind == "raised"
 
