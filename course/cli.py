@@ -10,11 +10,14 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
 from course import environment
+
+if TYPE_CHECKING:
+    from course.grading.judge import Row
 
 app = typer.Typer(
     help="How bodies collide and rest on each other: the workbook. Without a command, opens it in JupyterLab.",
@@ -95,11 +98,18 @@ def test(
 
 @app.command()
 def check(notebook: Annotated[Path, typer.Argument(help="A notebook, or the number of a lesson in work/.")]) -> None:
-    """Check a notebook's exercises. Exit code 1 if one fails, 2 if the file cannot be used."""
+    """Check a notebook's exercises. Exit code 1 unless all are right, 2 if the file cannot be used."""
     from course.grading.grade import check_notebook
+    from course.grading.sandbox import SandboxFailure
 
-    with plainly():
-        report = check_notebook(notebook_named(notebook))
+    with plainly(SandboxFailure), bar("checking") as advance:
+        done: list[str] = []
+
+        def tell(row: Row) -> None:
+            done.append(row.exercise.name)
+            advance(len(done), None, row.exercise.name)
+
+        report = check_notebook(notebook_named(notebook), on_row=tell)
     typer.echo(str(report))
     raise typer.Exit(0 if report.passed else 1)
 
@@ -131,13 +141,20 @@ def build(
 def grade(
     folder: Annotated[Path, typer.Argument(help="The folder with the submitted notebooks.")],
     out: Annotated[Path, typer.Option(help="The table to write; feedback pages are put beside it.")] = Path("grades.csv"),
-) -> None:
-    """Grade every notebook in a folder: a CSV table, and a page of feedback a student."""
+    feedback: Annotated[Path | None, typer.Option(help="The folder for the feedback pages.")] = None,
+    seed: Annotated[int | None, typer.Option(min=0, help="Draw the same inputs as an earlier batch.")] = None,
+    time_limit: Annotated[float, typer.Option(min=0.1, help="Seconds an exercise may take.")] = 10.0,
+    memory: Annotated[int, typer.Option(min=100, help="Megabytes an exercise may take.")] = 2000,
+    workers: Annotated[int | None, typer.Option(min=1, help="Notebooks at a time; default: one a processor.")] = None,
+) -> None:  # fmt: skip
+    """Grade every notebook in a folder: a CSV table, and a page of feedback a student. A batch cut off goes on."""
     from course.grading.grade import grade_folder
+    from course.grading.sandbox import SandboxFailure
 
-    with plainly(), bar("grading") as advance:
-        grade_folder(folder, out, advance=advance)
-    typer.echo(f"written: {out}")
+    with plainly(SandboxFailure), bar("grading") as advance:
+        summary = grade_folder(folder, out, feedback=feedback, seed=seed, time_limit=time_limit, memory_mb=memory,
+                               workers=workers, on_progress=advance)  # fmt: skip
+    typer.echo(str(summary))
 
 
 @app.command()
@@ -161,7 +178,8 @@ def demo(
         typer.echo(demos.table())
         return
     with plainly():
-        demos.serve(name, port=port, browser=browser)
+        code = demos.serve(name, port=port, browser=browser)
+    raise typer.Exit(code)
 
 
 def checkout() -> Path:
@@ -182,28 +200,28 @@ def notebook_named(name: Path) -> Path:
     return root / "work" / find_lesson(name, root).name
 
 
-def fail(sentence: str) -> None:
+def fail(sentence: str) -> NoReturn:
     """Say why the request cannot be carried out, and end with 2."""
     typer.echo(sentence, err=True)
     raise typer.Exit(2)
 
 
 @contextmanager
-def plainly() -> Iterator[None]:
-    """Turn a bad argument or an unusable file into its sentence and exit code 2."""
+def plainly(*more: type[Exception]) -> Iterator[None]:
+    """Turn a bad argument, an unusable file (or one of ``more``) into its sentence and exit code 2."""
     try:
         yield
-    except (ValueError, OSError) as problem:
+    except (ValueError, OSError, *more) as problem:
         fail(str(problem))
 
 
 @contextmanager
-def bar(what: str) -> Iterator[Callable[[int, int, str], None]]:
+def bar(what: str) -> Iterator[Callable[[int, int | None, str], None]]:
     """A progress bar; the function it gives is called with how many are done, of how many, and the current name."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True)) as shown:
+    with Progress(*columns, console=Console(stderr=True), transient=True) as shown:
         task = shown.add_task(what, total=None)
         yield lambda done, total, name: shown.update(task, completed=done, total=total, description=f"{what} {name}")
