@@ -14,7 +14,7 @@ def _vectors(rng: np.random.Generator) -> Sequence[Case]:
     def draw(*shape: int) -> dict[str, Any]:
         normal = rng.normal(size=(*shape, 3))
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-        return {"velocity": rng.normal(size=(*shape, 3)), "normal": normal}
+        return {"velocity": rng.normal(size=(*shape, 3)).round(3), "normal": normal}
 
     floor = {"velocity": np.array([1.0, 2.0, -3.0]), "normal": np.array([0.0, 0.0, 1.0])}
     return [
@@ -103,7 +103,10 @@ LESSON = Lesson(
             "Nothing in gravity knows of a floor. Every step the box gains 0.16 m/s, and it keeps all of it.",
             unit="m",
             tolerance=0.1,
-            wrong={0.16: "0.16 m/s is what one step adds to the speed; the speeds add up.", 9.81: "That is its speed, in m/s."},
+            wrong={
+                0.16: "0.16 m/s is what one step adds to the speed; the speeds add up.",
+                9.81: "That is its speed, in m/s.",
+            },
         ),
     ),
 )  # fmt: skip
