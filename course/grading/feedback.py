@@ -66,7 +66,7 @@ def _following(submission: Submission) -> str:
     minutes = sum(row.exercise.minutes for row in left if row.exercise.level == "core")
     rest = f" About {minutes} minutes of core exercises are left in this lesson." if minutes else ""
     return (
-        f"Next: {first.name}. Open the lesson, change its cell and run it: check shows the same case again, and "
+        f"Next: {first.name}. Open the lesson, change its cell and run it: check judges it at once, and "
         f"hint({first.name!r}) gives the first of three hints.{rest}"
     )
 
@@ -95,6 +95,7 @@ table.points th, table.points td { text-align: left; padding: 0.2rem 1rem 0.2rem
 caption { text-align: left; font-weight: 600; padding-bottom: 0.3rem; }
 pre { overflow-x: auto; }
 section { margin: 1.5rem 0; }
+h2 { font-size: 1.15rem; }
 footer { margin-top: 2rem; font-size: 0.9rem; }
 </style>
 </head>

@@ -83,8 +83,9 @@ class Judge:
             )  # raises where this machine is at fault; else it is the submission that is odd
             run = Run("unreadable", detail="its process did not start")
         verdict = _safely(exercise, cases, run, self.limits, len(earlier))
-        if run.end not in ("replied", "unreadable") and run.stage == "cell" and run.index < len(earlier):
-            endless[earlier[run.index][0]] = verdict.reason[0]
+        if run.reply is None and run.stage == "cell":
+            culprit = job.cells[run.index][0]
+            endless[culprit] = _unfinished(exercise, cases, run, self.limits, len(job.cells)).reason[0]
         return (_renamed(cell, verdict) if cell.nearest else verdict), run.seconds
 
 
@@ -93,9 +94,8 @@ def reason_of(exercise: Exercise, verdict: Verdict) -> str:
     if verdict.state in ("passed", "not attempted"):
         return ""
     told = verdict_message(exercise, verdict).parts
-    words = [
-        f"{p.label}: {p.text}" for p in told if p.label in ("case", "expected", "got", "look at", "also")
-    ]
+    words = [f"{p.label}: {p.text}" for p in told if p.label in ("case", "expected", "got")]
+    words += [p.text for p in told if p.label in ("look at", "also")]
     line = " | ".join(" ".join(word.split()) for word in words)
     return line if len(line) <= REASON_LIMIT else line[: REASON_LIMIT - 1] + "\N{HORIZONTAL ELLIPSIS}"
 
