@@ -150,7 +150,7 @@ def pasteable(exercise: Exercise, verdict: Verdict) -> str:
     if len(one_line) <= 90:
         return one_line
     # By position, the declared name as a comment: the student's own parameter names may differ.
-    lines = "\n".join(f"    {code(value)},  # {name}" for name, value in arguments.items())
+    lines = textwrap.indent("\n".join(f"{code(value)},  # {name}" for name, value in arguments.items()), "    ")
     if len(lines) > PASTED_LIMIT:
         return f"{exercise.name}(...)  # {verdict.case.label}: too long to show"
     return f"{exercise.name}(\n{lines}\n)"
@@ -170,8 +170,9 @@ def code(value: Any) -> str:
     if isinstance(value, np.ndarray) and value.ndim:
         if not value.size:
             return f"np.zeros({value.shape}, dtype={value.dtype.name!r})"
+        form = {"float_kind": _number} if value.dtype.kind == "f" else None
         text = np.array2string(
-            value, separator=", ", threshold=10_000, max_line_width=100, floatmode="unique", formatter=_formatter(value)
+            value, separator=", ", threshold=10_000, max_line_width=100, formatter=form, prefix="np.array("
         )
         return f"np.array({text})"
     plain = value.item() if isinstance(value, (np.ndarray, np.generic)) else value
@@ -186,10 +187,6 @@ def short(value: Any) -> str:
             return f"{float(array):.10g}"
         return np.array2string(array, separator=", ", precision=10, threshold=12, max_line_width=90)
     return repr(value.item()) if isinstance(value, np.generic) else str(value)
-
-
-def _formatter(value: np.ndarray) -> Any:
-    return {"float_kind": _number} if value.dtype.kind == "f" else None
 
 
 def _number(value: float) -> str:
@@ -211,12 +208,13 @@ _HTML = """\
 <div style="font-weight: 600; font-size: 1.05em"><span style="color: {{ colour }}">{{ symbol }}</span> \
 {{ headline }}</div>
 {% if parts %}
-<table style="margin: 0.3em 0 0 0; border: none; border-collapse: collapse">
+<table style="margin: 0.3em 0 0 0; border: none; border-collapse: collapse; color: inherit; font-size: inherit">
 {% for part in parts %}
 <tr style="background: none"><td style="text-align: right; vertical-align: top; opacity: 0.7; padding: 0.15em 0.8em \
 0.15em 0; white-space: nowrap; border: none">{{ part.label }}</td>
-<td style="text-align: left; border: none; padding: 0.15em 0">\
-{% if part.style == "code" %}<pre style="margin: 0; white-space: pre-wrap; background: none">{{ part.text }}</pre>\
+<td style="text-align: left; border: none; padding: 0.15em 0; overflow-wrap: anywhere">\
+{% if part.style == "code" %}\
+<pre style="margin: 0; white-space: pre-wrap; color: inherit; background: none">{{ part.text }}</pre>\
 {% else %}{{ part.text }}{% endif %}</td></tr>
 {% endfor %}
 </table>

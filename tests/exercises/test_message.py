@@ -7,7 +7,7 @@ import pytest
 
 from course.exercises.comparison import compare_one
 from course.exercises.definition import Case, Exercise, Mistake, Value, all_lessons
-from course.exercises.message import code, pasteable, short, verdict_message
+from course.exercises.message import Message, code, pasteable, short, verdict_message
 from course.exercises.verdict import answers_of, judge
 
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises if e.kind == "function"]
@@ -131,3 +131,12 @@ def test_expected_and_got_never_read_the_same():
     assert short(verdict.difference.expected) == short(verdict.difference.got)
     parts = parts_of(exercise, verdict)
     assert parts["expected"] != parts["got"]
+
+
+def test_a_batch_is_laid_out_in_columns_and_html_is_escaped():
+    exercise = pair_exercise(lambda x, s: 2 * x if x.ndim == 1 else 2 * x[::-1])
+    cases = exercise.draw(1)
+    verdict = judge(exercise, cases, answers_of(exercise.mistakes[0].function, exercise, cases))
+    rows = [line for line in pasteable(exercise, verdict).splitlines() if "[" in line]
+    assert rows[0].index("[[") + 1 == rows[1].index("[") == rows[2].index("[")
+    assert "&lt;b&gt;" in Message("wrong", "<b>").html() and "<b>" not in Message("wrong", "<b>").html()

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from nbval.plugin import get_sanitize_patterns
 
 from course.exercises.definition import all_lessons
-from course.exercises.message import SYMBOLS
+from course.exercises.message import SYMBOLS, Message
 from course.workbook.build import BrokenSource, blank, build, lesson_text
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -80,12 +81,29 @@ def test_a_cell_that_would_not_be_compared_is_found(cell, fault):
     assert uncompared(nbformat.v4.new_code_cell("x", execution_count=1)) == ""
 
 
+def test_nbval_compares_words_and_not_how_they_are_drawn():
+    """nbval compares HTML to the letter: a picture in it, or a message's colours, must not count."""
+    patterns = get_sanitize_patterns((ROOT / "tests" / "nbval_sanitize.cfg").read_text())
+
+    def compared(text):
+        for pattern, instead in patterns:
+            text = re.sub(pattern, instead, text)
+        return text
+
+    picture = '<img alt="Speed 1.5 m/s" src="data:image/png;base64,{}" style="width: 100px">'
+    assert compared(picture.format("iVBORw0+/==")) == compared(picture.format("Zm9v"))
+    assert compared(picture.format("Zm9v")) != compared(picture.format("Zm9v").replace("1.5", "1.6"))
+    one, other = (Message(state, "Right: f").html() for state in ("passed", "wrong"))
+    assert one != other and compared(one) == compared(other)
+    assert compared(str(Message("passed", "Right: f"))) != compared(str(Message("wrong", "Right: f")))
+
+
 @each
 def test_figures_are_shown_with_alternative_text(path):
     for i, cell in enumerate(code_cells(path)):
         for output in cell.outputs:
             data = output.get("data", {})
-            assert "image/png" not in data, f"cell {i}: a figure without alternative text; end the cell with plots.show()"
+            assert "image/png" not in data, f"cell {i}: no alternative text; end the cell with plots.show()"
             for image in re.findall(r"<img[^>]*>", "".join(data.get("text/html", ""))):
                 alt = re.search(r'alt="([^"]*)"', image)
                 assert alt and len(alt.group(1)) > 40, f"cell {i}: alternative text of a few words says nothing"
@@ -138,10 +156,12 @@ def test_student_code_is_called_only_through_use(path):
 @each
 def test_every_exercise_has_its_cell_and_its_check(path):
     lesson = next(le for le in all_lessons() if le.file_name == path.name)
-    cells = {c.metadata.course.exercise: c.source for c in code_cells(path) if "exercise" in c.metadata.get("course", {})}
+    own = [c for c in code_cells(path) if "exercise" in c.metadata.get("course", {})]
+    cells = {c.metadata.course.exercise: c.source for c in own}
     assert list(cells) == [e.name for e in lesson.exercises]
     for exercise in lesson.exercises:
-        call = f'check({exercise.name}, "{exercise.name}")' if exercise.kind == "expression" else f"check({exercise.name})"
+        named = f', "{exercise.name}"' if exercise.kind == "expression" else ""
+        call = f"check({exercise.name}{named})"
         assert call in cells[exercise.name]
         assert "# BEGIN SOLUTION" in cells[exercise.name]
     predicted = re.findall(r'predict\(\s*"(\w+)",', "\n".join(c.source for c in code_cells(path)))
