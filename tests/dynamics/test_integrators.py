@@ -92,19 +92,29 @@ def test_orders(method, wrench, seed):
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("wrench", [None, compass])
-@pytest.mark.parametrize("order,counts", [(4, (8, 16)), (6, (4, 8)), (8, (2, 4))])
-def test_orders_of_compositions(order, counts, wrench, seed):
-    bodies, duration = tumbling(seed=seed), 1.0
+@pytest.mark.parametrize("order", [4, 6, 8])
+def test_orders_of_compositions(order, wrench, seed):
+    """At least as promised, between rounding and 1e-4.
+
+    Order 8 meets rounding before its error falls as slowly as h^8: slopes up
+    to 12 are seen, and a wrong coefficient makes 2 of them.
+    """
+    bodies, duration = tumbling(8, seed=seed), 2.0
     if wrench is None:
-        # Faster and longer, or rounding is all that is left at order 8.
-        bodies, duration = replace(bodies, angular_momentum=3 * bodies.angular_momentum), 2.0
-    exact = (
-        torque_free_motion(bodies, duration) if wrench is None else dop853(bodies, wrench, duration, time=0.3)
-    )
-    method = partial(splitting, order=order)
-    errors = [difference(run(method, bodies, wrench, duration, 2 * n, 0.3), exact) for n in counts]
-    assert errors[1] > 1e-12  # rounding does not take part
-    assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.35)
+        # Faster and longer, or four steps are exact to rounding at order 8.
+        bodies, duration = replace(bodies, angular_momentum=4 * bodies.angular_momentum), 4.0
+    exact = torque_free_motion(bodies, duration) if wrench is None else dop853(bodies, wrench, duration)
+    method, counts, errors = partial(splitting, order=order), [], []
+    for count in (int(4 * 1.25**k) for k in range(30)):
+        error = difference(run(method, bodies, wrench, duration, count), exact)
+        if error < 5e-12 or len(errors) == 6:
+            break
+        if error < 1e-4:
+            counts.append(count)
+            errors.append(error)
+    assert len(errors) >= 3
+    slope = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
+    assert slope > order - 0.4
 
 
 def test_a_single_kick_is_of_order_1_where_velocities_matter_and_of_2_elsewhere():
