@@ -113,6 +113,7 @@ def test_what_jupyter_opens_is_read_though_the_schema_forbids_it(read):
     )
 
 
+@pytest.mark.slow
 def test_a_notebook_of_an_older_format_is_read(read):
     old = {"nbformat": 3, "nbformat_minor": 0, "metadata": {"name": ""}, "worksheets": [{"metadata": {}, "cells": [
         {"cell_type": "code", "collapsed": False, "input": "def speed_along(x):\n    return x", "language": "python",

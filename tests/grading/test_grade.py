@@ -154,6 +154,7 @@ def test_a_batch_that_is_done_is_not_done_again(folder, tmp_path, monkeypatch):
     assert out.read_text() == text and sorted(first.feedback.iterdir()) == pages
 
 
+@pytest.mark.slow
 def test_what_changed_is_marked_again(folder, tmp_path):
     out = tmp_path / "grades.csv"
     first = grade_folder(folder, out, lessons=LESSONS)
@@ -172,11 +173,13 @@ def test_what_changed_is_marked_again(folder, tmp_path):
     assert len(rows_in(out)) == 5
 
 
+@pytest.mark.slow
 def test_the_seed_is_random_when_none_is_given(folder, tmp_path):
     seeds = {grade_folder(folder, tmp_path / f"{i}.csv", lessons=LESSONS).seed for i in range(2)}
     assert len(seeds) == 2
 
 
+@pytest.mark.slow
 def test_what_was_done_before_an_interruption_is_kept(folder, tmp_path):
     out = tmp_path / "grades.csv"
 
@@ -229,6 +232,7 @@ def test_ctrl_c_ends_a_batch_at_once_and_leaves_no_process(folder, tmp_path):
     assert list(temporary.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_a_fault_of_ours_in_one_submission_stops_no_other(folder, tmp_path, monkeypatch):
     rows = judging.Judge.rows
 

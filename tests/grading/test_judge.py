@@ -34,6 +34,7 @@ def one(rows_of):
     return row
 
 
+@pytest.mark.slow
 def test_right_answers_get_all_points_in_the_order_of_the_lesson(rows_of):
     rows = rows_of(notebook(), seed=5)
     assert [(n, r.points, r.state, r.reason) for n, r in rows.items()] == [

@@ -25,7 +25,9 @@ def test_solutions_get_full_marks(tmp_path):
     rows = graded(ROOT / "solutions", tmp_path)
     for lesson in all_lessons():
         row = rows[lesson.file_name]
-        assert {e.name: row[f"{e.name}_state"] for e in lesson.exercises} == {e.name: "passed" for e in lesson.exercises}
+        assert {e.name: row[f"{e.name}_state"] for e in lesson.exercises} == {
+            e.name: "passed" for e in lesson.exercises
+        }
         assert float(row["total"]) == float(row["out_of"]) == sum(e.points for e in lesson.exercises)
 
 

@@ -260,6 +260,7 @@ def test_processes_left_in_the_group_are_ended(monkeypatch, tmp_path):
     pytest.fail("a process was left")
 
 
+@pytest.mark.slow
 @POSIX
 def test_memory_is_watched_where_it_cannot_be_limited(monkeypatch):
     """As on macOS: the memory that ps tells of is looked at while the answer runs."""
