@@ -12,8 +12,6 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-import nbformat
-
 BEGIN = re.compile(r"^(\s*)# BEGIN SOLUTION\s*$")
 END = re.compile(r"^\s*# END SOLUTION\s*$")
 ALMOST = re.compile(r"#.*\b(begin|end)\s+solution\b", re.IGNORECASE)  # a marker misspelt would hand the answer out
@@ -47,6 +45,8 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
 
 def lesson_text(source: Path) -> str:
     """The lesson that a solution makes, as the text of its file."""
+    import nbformat  # takes seconds, and every lesson's import cell would wait for it
+
     notebook = nbformat.read(source, as_version=4)
     notebook.metadata = _metadata(notebook.metadata)
     for index, cell in enumerate(notebook.cells):
@@ -86,6 +86,7 @@ def blank(code: str, *, where: str = "the cell") -> str:
 
 def execute(source: Path, *, seconds_per_cell: int = 60) -> None:
     """Run a solution from top to bottom and store its outputs; on an error the file stays as it was."""
+    import nbformat
     from nbclient import NotebookClient
 
     notebook = nbformat.read(source, as_version=4)
@@ -102,6 +103,8 @@ def execute(source: Path, *, seconds_per_cell: int = 60) -> None:
 
 def _metadata(metadata: Any) -> Any:
     """What a notebook says of itself, without what differs from machine to machine."""
+    import nbformat
+
     kept = {
         "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
         "language_info": {"file_extension": ".py", "mimetype": "text/x-python", "name": "python"},
