@@ -25,6 +25,21 @@ from course.study.bouncing_ball import (
     event_driven_error,
 )
 from course.study.falling_boxes import FallingBoxes, falling_boxes
+from course.study.ladder import (
+    ladder,
+    ladder_gaps,
+    leaving_angle,
+    sliding_ladder_forces,
+    standing_ladder_forces,
+)
+from course.study.moving_contacts import (
+    DifferenceErrors,
+    MovingContact,
+    Stencil,
+    TurningPair,
+    difference_errors,
+    moving_contact,
+)
 from course.study.stepped_cradle import cradle_by_steps
 from course.study.two_blocks import (
     TwoBlocks,
@@ -44,11 +59,15 @@ __all__ = [
     "BilliardBreak",
     "BouncingErrors",
     "CradleComparison",
+    "DifferenceErrors",
     "FallingBoxes",
     "Method",
+    "MovingContact",
     "Problem",
     "PublishedBouncing",
     "SpringCradle",
+    "Stencil",
+    "TurningPair",
     "TwoBlocks",
     "WorkPrecision",
     "ball_contacts",
@@ -64,13 +83,20 @@ __all__ = [
     "cradle_by_springs",
     "cradle_by_steps",
     "critical_mass_ratio",
+    "difference_errors",
     "energy_error",
     "event_driven_error",
     "falling_boxes",
+    "ladder",
+    "ladder_gaps",
+    "leaving_angle",
+    "moving_contact",
     "pi_count",
     "predicted_count",
     "rack",
     "roll",
+    "sliding_ladder_forces",
+    "standing_ladder_forces",
     "touching_row",
     "two_blocks",
     "work_precision",
