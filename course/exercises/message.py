@@ -170,7 +170,7 @@ def code(value: Any) -> str:
     if isinstance(value, np.ndarray) and value.ndim:
         if not value.size:
             return f"np.zeros({value.shape}, dtype={value.dtype.name!r})"
-        form = {"float_kind": _number} if value.dtype.kind == "f" else None
+        form: Any = {"float_kind": _number} if value.dtype.kind == "f" else None
         text = np.array2string(
             value, separator=", ", threshold=10_000, max_line_width=100, formatter=form, prefix="np.array("
         )

@@ -34,7 +34,8 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
     shown = range(1, min(tier, 3) + 1)
     parts = [Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text") for t in shown]
     if tier <= 3:
-        parts.append(Part("next", f"hint({name!r}) once more for {TIERS[tier] if tier < 3 else 'the reference itself'}"))
+        more = TIERS[tier] if tier < 3 else "the reference itself"
+        parts.append(Part("next", f"hint({name!r}) once more for {more}"))
         display_message(Message("not attempted", f"Hint {tier} of 3: {name}", tuple(parts)))
         return
     parts.append(Part("the reference", answer_source(lesson, exercise), "code"))

@@ -36,7 +36,9 @@ def _velocities(
     return velocity_2 - np.asarray(closing)[..., None] * normal + slide, velocity_2
 
 
-def _pair(rng: np.random.Generator, shape: tuple[int, ...] = (), *, closing: Any = None, **fixed: Any) -> dict[str, Any]:
+def _pair(
+    rng: np.random.Generator, shape: tuple[int, ...] = (), *, closing: Any = None, **fixed: Any
+) -> dict[str, Any]:
     normal = _unit(rng, shape)
     closing = rng.uniform(0.5, 3.0, shape) if closing is None else closing
     velocity_1, velocity_2 = _velocities(rng, shape, normal, closing)
@@ -183,8 +185,8 @@ P_HAT = Exercise(
         Mistake(
             "divided by the sum of masses",
             lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) / (m_1 + m_2),
-            "You divide by m_1 + m_2. The velocities change by p_hat/m_1 and p_hat/m_2, so what adds up are the inverse "
-            "masses. (Look at the unit: an impulse is kg m/s.)",
+            "You divide by m_1 + m_2. The velocities change by p_hat/m_1 and p_hat/m_2, so what adds up are the "
+            "inverse masses. (Look at the unit: an impulse is kg m/s.)",
         ),
         Mistake(
             "multiplied by the inverse masses",
@@ -269,7 +271,8 @@ MOMENTUM_AFTER = Exercise(
         ),
         Mistake(
             "one batch axis short",
-            lambda momentum_1, momentum_2, impulse, normal: (momentum_1 + impulse * normal, momentum_2 - impulse * normal),
+            lambda momentum_1, momentum_2, impulse, normal: (
+                momentum_1 + impulse * normal, momentum_2 - impulse * normal),
             "Right for one pair, not for a batch: impulse has shape (...) and normal (..., 3), so impulse needs one "
             "more axis, impulse[..., None] * normal. (np.asarray(impulse)[..., None] serves plain numbers too.)",
         ),
@@ -374,7 +377,8 @@ SEPARATION_SPEED = Exercise(
         Mistake(
             "1 + e",
             _speed_mistake(lambda e: 1 + np.asarray(e)),
-            "1 + e is how much the relative speed *changes*. What is left after the impact is e times the closing speed.",
+            "1 + e is how much the relative speed *changes*. What is left after the impact is e times the closing "
+            "speed.",
         ),
         Mistake(
             "squared",
@@ -478,7 +482,8 @@ IMPULSE_CENTRAL = Exercise(
         Mistake(
             "sum of masses",
             _impulse(mass=lambda a, b: np.asarray(a) + b),
-            "You multiply by m1 + m2. The inverse masses add: divide by 1/m1 + 1/m2. (A wall, 1/m2 = 0, then leaves m1.)",
+            "You multiply by m1 + m2. The inverse masses add: divide by 1/m1 + 1/m2. (A wall, 1/m2 = 0, then leaves "
+            "m1.)",
         ),
         Mistake(
             "divided by the sum of masses",
@@ -537,7 +542,9 @@ IMPULSE_CENTRAL = Exercise(
 # kinetic_energy_lost
 
 
-def _lost(*, mass: Any = _reduced, factor: Any = None, closing: Any = _closing, half: float = 0.5, guard: bool = True) -> Any:
+def _lost(
+    *, mass: Any = _reduced, factor: Any = None, closing: Any = _closing, half: float = 0.5, guard: bool = True
+) -> Any:
     """T_lost with one of its parts changed."""
     factor = factor or (lambda e: 1 - np.asarray(e) ** 2)
 
@@ -616,7 +623,8 @@ KINETIC_ENERGY_LOST = Exercise(
         Mistake(
             "whole speed",
             _lost(closing=lambda a, b, n: np.linalg.norm(np.asarray(b) - a, axis=-1)),
-            "You use the whole relative speed. Without friction sliding keeps its energy: only the part along n is lost.",
+            "You use the whole relative speed. Without friction sliding keeps its energy: only the part along n is "
+            "lost.",
         ),
         Mistake(
             "no guard",
@@ -628,7 +636,9 @@ KINETIC_ENERGY_LOST = Exercise(
         "Compare the energy of the relative motion along n before and after: its speed is u before and e u after.",
         "The mass that goes with the relative speed is the reduced mass, one over the sum of the inverse masses. "
         "Half of it times u^2 - (e u)^2 is lost.",
-        "mu = 1 / (1 / mass_1 + 1 / mass_2)\nlost = 0.5 * mu * (1 - ____) * closing**2\nreturn np.where(closing > 0, lost, 0.0)",
+        "mu = 1 / (1 / mass_1 + 1 / mass_2)\n"
+        "lost = 0.5 * mu * (1 - ____) * closing**2\n"
+        "return np.where(closing > 0, lost, 0.0)",
     ),
 )
 
@@ -671,7 +681,10 @@ PREDICTIONS = (
         "the speed body 1 had.",
         unit="N s",
         tolerance=1e-9,
-        wrong={4: "Here the bracket is 1: only one of the two bodies took part.", 1: "This only stops the approach: e = 0."},
+        wrong={
+            4: "Here the bracket is 1: only one of the two bodies took part.",
+            1: "This only stops the approach: e = 0.",
+        },
     ),
     Prediction(
         "cradle",

@@ -115,8 +115,8 @@ WALL_BOUNCE = Exercise(
         Mistake(
             "the slide's line",
             _bounce(lambda e: 2.0 + 0 * e, guard=False),
-            "This is the slide's line as it stands: e = 1, and a ball that comes in. In general the factor is 1 + e, and "
-            "a ball that already leaves keeps its velocity.",
+            "This is the slide's line as it stands: e = 1, and a ball that comes in. In general the factor is 1 + e, "
+            "and a ball that already leaves keeps its velocity.",
         ),
         Mistake(
             "the size of v.n",
@@ -250,10 +250,9 @@ COUNT = Value("count", "scalar", "", "how many impacts, at least 1", dtype="int"
 
 def _drops(rng: np.random.Generator) -> Sequence[Case]:
     def drop(shape: tuple[int, ...], count: int) -> dict[str, Any]:
-        height, e, g = (np.round(rng.uniform(*r, shape), 3) for r in ((0.5, 3), (0.3, 0.8), (1.6, 12)))
-        values = {"height": height, "restitution": e, "count": count, "gravity": g}
-        return {k: float(v) if isinstance(v, np.ndarray) and not shape or isinstance(v, float) else v
-                for k, v in values.items()}  # fmt: skip
+        height, e, g = (rng.uniform(a, b, shape).round(3) if shape else round(rng.uniform(a, b), 3)
+                        for a, b in ((0.5, 3), (0.3, 0.8), (1.6, 12)))  # fmt: skip
+        return {"height": height, "restitution": e, "count": count, "gravity": g}
 
     text = {"height": 1.0, "restitution": 0.5, "count": 5, "gravity": 9.81}
     return [
@@ -351,6 +350,7 @@ def _states(rng: np.random.Generator) -> Sequence[Case]:
     def state(height: Any, velocity: Any, step: float = 0.01, restitution: float = 0.7) -> dict[str, Any]:
         return {"height": height, "velocity": velocity, "step": step, "restitution": restitution, "gravity": 9.81}
 
+    drawn = [rng.uniform(-most, most, (2, 3)).round(3) for most in (0.1, 3.0)]
     heights = np.array([0.5, -0.02, -0.01, 0.0, 0.3, -0.03])
     return [
         Case("in the air, falling", state(0.5, -1.0)),
@@ -361,7 +361,7 @@ def _states(rng: np.random.Generator) -> Sequence[Case]:
         Case("exactly on the floor, falling", state(0.0, -2.0), "edge"),
         Case("nothing lost", state(-0.02, -3.0, 0.01, 1.0), "edge"),
         Case("six balls", state(heights, np.array([-1.0, -2.0, 1.5, -0.5, 2.0, -4.0])), "batch"),
-        Case("a 2 by 3 batch", state(rng.uniform(-0.1, 0.1, (2, 3)).round(3), rng.uniform(-3, 3, (2, 3)).round(3)), "batch"),
+        Case("a 2 by 3 batch", state(drawn[0], drawn[1]), "batch"),
     ]
 
 

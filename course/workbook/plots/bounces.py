@@ -54,10 +54,11 @@ def _arrow(
     length = float(np.linalg.norm(tip - start))
     if length < 1e-6:
         return
-    ax.annotate("", tip[:2], start[:2], arrowprops={"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour],
-                                                      "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    look = {"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", (tip[0], tip[1]), (start[0], start[1]), arrowprops=look)
     end, sign = (start, -1.0) if at_start else (tip, 1.0)
-    ax.text(*(end + sign * 0.2 * (tip - start) / length)[:2], label, color=PALETTE[colour], ha="center", va="center")
+    x, y, _ = end + sign * 0.2 * (tip - start) / length
+    ax.text(x, y, label, color=PALETTE[colour], ha="center", va="center")
 
 
 def heights(motions: Mapping[str, BallMotion], *, rest: float | None = None, ax: Axes | None = None) -> Axes:
@@ -80,8 +81,11 @@ def bouncing_errors(errors: BouncingErrors, *, ax: Axes | None = None) -> Axes:
     with style():
         ax = axes(ax, size=(7.6, 4.6))
         published = PUBLISHED_BOUNCING
-        ax.loglog(errors.step, errors.bullet, "-", color=PALETTE["vermillion"], marker="", label="gravity, then reflect")
-        ax.loglog(errors.step, errors.ode, "--", color=PALETTE["blue"], marker="", label="reflect, or else gravity")
+        for ours, line, colour, name in (
+            (errors.bullet, "-", "vermillion", "gravity, then reflect"),
+            (errors.ode, "--", "blue", "reflect, or else gravity"),
+        ):
+            ax.loglog(errors.step, ours, line, color=PALETTE[colour], marker="", label=name)
         for values, marker, colour, name in (
             (published.bullet_error, "s", "vermillion", "Bullet, published"),
             (published.dart_error, "D", "purple", "DART, published"),

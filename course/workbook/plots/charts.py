@@ -41,7 +41,7 @@ def work_precision(
         ax.set_xlabel("time [s]" if by == "seconds" else f"work [{result.count_unit}]")
         ax.set_ylabel(f"error{unit}")
         ax.set_title(result.problem.name)
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), labelspacing=1.1)  # room for the ring and the star
     describe(
         ax,
         f"{result.problem.name}: error against {'time' if by == 'seconds' else 'counted work'} for "
@@ -98,5 +98,6 @@ def _mark_pick(ax: Axes, result: WorkPrecision, by: Cost, tolerance: float, floo
         ax.text(0.99, tolerance, " none within this tolerance ", transform=ax.get_yaxis_transform(), ha="right")
         return " No method is within the tolerance."
     cost, error = result.cost(by)[index], max(result.error[index], floor)
-    ax.plot(cost, error, marker="*", ms=26, mfc="none", mec=PALETTE["blue"], mew=1.4, ls="none", label=f"pick for error ≤ {tolerance:g}")
+    label = f"pick for error ≤ {tolerance:g}"
+    ax.plot(cost, error, marker="*", ms=26, mfc="none", mec=PALETTE["blue"], mew=1.4, ls="none", label=label)
     return f" For an error of at most {tolerance:g} the cheapest is {result.method[index]}."

@@ -23,7 +23,8 @@ def falling_boxes(boxes: FallingBoxes, *, asked: bool = True, frames: int = 5) -
             ax.axhspan(-2.2, 0.0, color="0.88", lw=0)
             ax.axhline(0.0, color="0.3", lw=1.5, ls="-", marker="")
             for i, z in enumerate(heights[k]):
-                ax.add_patch(Rectangle((0.25, z), boxes.side, boxes.side, fc=PALETTE[COLOURS[i % 6]], ec="black", alpha=0.85))
+                colour = PALETTE[COLOURS[i % 6]]
+                ax.add_patch(Rectangle((0.25, z), boxes.side, boxes.side, fc=colour, ec="black", alpha=0.85))
                 ax.text(0.25 + boxes.side / 2, z + boxes.side / 2, str(i + 1), color="white", ha="center", va="center")
             ax.set(xlim=(0, 1), ylim=(-2.2, top), aspect="equal", xticks=[], title=f"{boxes.time[k]:.2f} s")
             ax.grid(False)
@@ -70,6 +71,7 @@ def course_map(*, ax: Axes | None = None) -> Axes:
         ax.grid(False)
         for side in ax.spines.values():
             side.set_visible(False)
-    spoken = " ".join(f"{i + 1}. {q.replace(chr(10), ' ')} Lessons {lessons}." for i, (q, lessons, _) in enumerate(STAGES))
+    stages = ((i, q.replace("\n", " "), lessons) for i, (q, lessons, _) in enumerate(STAGES, 1))
+    spoken = " ".join(f"{i}. {question} Lessons {lessons}." for i, question, lessons in stages)
     describe(ax, f"The loop of a program that moves bodies, in six stages. {spoken} Then it begins again.")
     return ax

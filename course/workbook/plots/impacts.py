@@ -62,7 +62,7 @@ def _two_balls(ax: Axes, height: float, masses: np.ndarray, speeds: np.ndarray, 
         tip = scale * speeds[index]
         if abs(speeds[index]) > 1e-9:
             lift = height + radii[index] + 0.14
-            ax.annotate("", (centre + tip, lift), (centre, lift), arrowprops={"arrowstyle": "-|>", "lw": 2, "color": PALETTE[colour]})  # fmt: skip
+            _arrow(ax, (centre, lift), (centre + tip, lift), colour, 2.0)
         ax.text(side * 1.75, height, f"{speeds[index]:+.2f} m/s", ha="center", va="center", color=PALETTE[colour])
 
 
@@ -90,8 +90,8 @@ def ball_row(outcomes: Mapping[str, Sequence[float]], *, radius: float = 0.5, ax
                 centre = 2 * radius * i - (0.9 if row == 0 and i == 0 else 0.0)
                 ax.add_patch(Circle((centre, -1.5 * row), radius, fc="0.93" if row else "0.8", ec="0.3"))
                 if abs(velocity) > 1e-9:
-                    ax.annotate("", (centre + 0.85 * velocity, -1.5 * row + 0.22), (centre, -1.5 * row + 0.22),
-                                arrowprops={"arrowstyle": "-|>", "lw": 1.8, "color": PALETTE["vermillion"]})  # fmt: skip
+                    lift = -1.5 * row + 0.22
+                    _arrow(ax, (centre, lift), (centre + 0.85 * velocity, lift), "vermillion", 1.8)
                 ax.text(centre, -1.5 * row - 0.2, _signed(velocity), ha="center", va="center", fontsize=8.5)
             ax.text(-1.8, -1.5 * row, name, ha="right", va="center")
         count = len(next(iter(outcomes.values())))
@@ -112,12 +112,17 @@ def blocks_and_wall(*, ax: Axes | None = None) -> Axes:
         for left, size, colour, label in ((2.0, 0.55, "blue", "1 kg"), (5.4, 1.7, "vermillion", "10,000 kg")):
             ax.add_patch(Rectangle((left, 0), size, size, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.85))
             ax.text(left + size / 2, size + 0.1, label, ha="center", va="bottom")
-        ax.annotate("", (4.1, 0.85), (5.3, 0.85), arrowprops={"arrowstyle": "-|>", "lw": 2.4, "color": PALETTE["vermillion"]})  # fmt: skip
+        _arrow(ax, (5.3, 0.85), (4.1, 0.85), "vermillion", 2.4)
         ax.text(4.7, 1.0, "1 m/s", ha="center")
         ax.set(xlim=(-0.5, 9.2), ylim=(-0.1, 2.3), aspect="equal")
         _bare(ax)
     describe(ax, "A wall on the left, a block of 1 kg at rest, and a block of 10,000 kg sliding toward it at 1 m/s.")
     return ax
+
+
+def _arrow(ax: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str, width: float) -> None:
+    look = {"arrowstyle": "-|>", "lw": width, "color": PALETTE[colour]}
+    ax.annotate("", tip, start, arrowprops=look)
 
 
 def _signed(velocity: float) -> str:
@@ -141,7 +146,8 @@ def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
         before = motion.position[0] - motion.velocity[0] * motion.time[0]
         place = np.vstack([before, motion.position, motion.position[-1] + motion.velocity[-1] * (end - last)])
         for i, (name, colour, line) in enumerate((("block 1", "blue", "-"), ("block 2", "vermillion", "--"))):
-            ax.plot(place[:, i], time, color=PALETTE[colour], ls=line, marker="", label=f"{name}, {motion.mass[i]:g} kg")
+            label = f"{name}, {motion.mass[i]:g} kg"
+            ax.plot(place[:, i], time, color=PALETTE[colour], ls=line, marker="", label=label)
         ax.plot(motion.position[:, 0], motion.time, ls="none", marker="o", ms=3.5, color="black", label="a collision")
         ax.axvline(0.0, color="0.4", lw=3, marker="", ls="-")
         ax.set(xlabel="distance from the wall [m]", ylabel="time [s]", xlim=(-0.05, 2.1), ylim=(0, end))
@@ -165,10 +171,14 @@ def velocity_circle(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
         points = motion.scaled_velocity[:, ::-1]
         radius = float(np.linalg.norm(points[0]))
         theta = np.arctan(np.sqrt(motion.mass[0] / motion.mass[1]))
-        ax.add_patch(Wedge((0, 0), 1.12 * radius, 0, np.degrees(theta), fc="0.75", ec="none", label="nothing meets here"))
+        wedge = Wedge((0, 0), 1.12 * radius, 0, np.degrees(theta), fc="0.75", ec="none", label="nothing meets here")
+        ax.add_patch(wedge)
         turn = np.linspace(0, 2 * np.pi, 300)
         ax.plot(radius * np.cos(turn), radius * np.sin(turn), color="0.6", lw=1, ls="-", marker="")
-        for at_wall, colour, line, name in ((False, "blue", "-", "block hits block"), (True, "orange", "--", "block hits wall")):
+        for at_wall, colour, line, name in (
+            (False, "blue", "-", "block hits block"),
+            (True, "orange", "--", "block hits wall"),
+        ):
             for k in np.flatnonzero(motion.at_wall == at_wall):
                 ax.plot(*points[k : k + 2].T, color=PALETTE[colour], lw=1.3, ls=line, marker="", label=name)
                 name = "_"
