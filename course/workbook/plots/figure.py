@@ -83,8 +83,10 @@ def figure_html(figure: Figure, *, dots_per_inch: int = 160) -> str:
 
 
 def show() -> None:
-    """Show every open figure with its alternative text, and close it."""
+    """Show every open figure with its alternative text, and close it, also one that has none and is refused."""
     for number in plt.get_fignums():
         figure = plt.figure(number)
-        display_html(figure_html(figure), f"[figure] {alternative_text(figure)}")
-        plt.close(figure)
+        try:
+            display_html(figure_html(figure), f"[figure] {alternative_text(figure)}")
+        finally:
+            plt.close(figure)
