@@ -221,7 +221,7 @@ def _require_unique(names: Sequence[str], what: str) -> None:
 
 
 def _frozen(value: Any) -> Any:
-    """Arrays as read-only float64/int64/bool copies, so that no use of a case can change it for the next."""
+    """Arrays and lists as read-only arrays, so that no use of a case can change it for the next."""
     if isinstance(value, tuple):
         return tuple(_frozen(part) for part in value)
     if isinstance(value, (list, np.ndarray)):
