@@ -38,7 +38,11 @@ def test_nan_and_several_arrays_keep_their_places():
     assert np.isnan(a[0]) and a[1] == 1.0 and b[0] and c.tolist() == [2.0, 3.0]
 
 
-@pytest.mark.parametrize("value", [object(), {1}, np.array([None]), b"bytes", 1j], ids=repr)
+@pytest.mark.parametrize(
+    "value",
+    [object(), {1}, np.array([None]), b"bytes", 1j],
+    ids=["object", "set", "object array", "bytes", "complex"],
+)
 def test_nothing_else_is_sent(value):
     with pytest.raises((TypeError, wire.Unreadable)):
         wire.unpack(wire.pack({"v": value}))
