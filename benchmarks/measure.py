@@ -31,8 +31,10 @@ def seconds(work: Callable[[], object], *, repeats: int = 5) -> float:
     return min(times)
 
 
-def ratio(reference: Callable[[], object], ours: Callable[[], object], *, repeats: int = 5) -> tuple[float, float, float]:
-    """(reference time / our time, reference seconds, our seconds), the two timed in turn so that both meet the same load."""
+def ratio(
+    reference: Callable[[], object], ours: Callable[[], object], *, repeats: int = 5
+) -> tuple[float, float, float]:
+    """(reference time / our time, reference seconds, our seconds), timed in turn: both meet the same load."""
     reference()
     ours()
     best_reference = best_ours = float("inf")

@@ -8,7 +8,7 @@ from course.arrays import Array, ArrayLike, failure, positive, scalar, scalars
 
 
 def cradle_by_steps(velocity: ArrayLike, step: float, *, exponent: float = 1.5) -> tuple[Array, int]:
-    """Final velocities of a row of touching equal balls, by velocity Verlet on contact springs, and the force evaluations.
+    """Final velocities of a row of touching equal balls, by velocity Verlet on contact springs, and the work.
 
     f = k delta^exponent pushes and never pulls (1.5: elastic spheres, Hertz;
     1: linear). Mass and stiffness are 1: another stiffness only changes the
