@@ -104,9 +104,10 @@ def predict(name: str, answer: Any = None) -> None:
     there. Raises ``ValueError`` for an unknown name and for an answer that is neither a number nor a choice.
     """
     _, prediction = find_prediction(name)
-    if answer is Ellipsis:
+    if answer is Ellipsis or (answer is None and progress.predicted(name) is None):
         choices = tuple(Part(key, text) for key, text in prediction.choices.items())
-        ask = Part("answer", f"put {_wanted(prediction)} where the ... stands, then run the cell again")
+        way = f"put {_wanted(prediction)} where the ... stands, then run the cell again"
+        ask = Part("answer", way if answer is Ellipsis else f"commit first: predict({name!r}, ...) with {_wanted(prediction)}")
         display_message(Message("not attempted", f"Your prediction: {prediction.question}", (*choices, ask)))
         return
     given = progress.predicted(name) if answer is None else _given(prediction, answer)
@@ -121,17 +122,16 @@ def predict(name: str, answer: Any = None) -> None:
 
 
 def _outcome_message(prediction: Prediction, given: Any) -> Message:
-    """What came of a prediction; ``given`` is None where none was made."""
+    """What came of a prediction."""
     outcome, unit = prediction.outcome(), _unit(prediction)
-    right = given is not None and _close(prediction, given, outcome)
-    said = "nothing yet" if given is None else _said(prediction, given) + unit
-    parts = [Part("you said", said), Part("it is", _said(prediction, outcome) + unit)]
-    if given is not None and not right:
+    right = _close(prediction, given, outcome)
+    parts = [Part("you said", _said(prediction, given) + unit), Part("it is", _said(prediction, outcome) + unit)]
+    if not right:
         tempting = next((text for key, text in prediction.wrong.items() if _close(prediction, given, key)), "")
         parts += [Part("tempting", tempting)] if tempting else []
     parts.append(Part("why", prediction.explanation))
-    headline = "As you predicted" if right else "The outcome" if given is None else "Not what you predicted"
-    return Message("passed" if right else "not attempted" if given is None else "wrong", headline, tuple(parts))
+    headline = "As you predicted" if right else "Not what you predicted"
+    return Message("passed" if right else "wrong", headline, tuple(parts))
 
 
 def _unit(prediction: Prediction) -> str:

@@ -21,7 +21,8 @@ TIERS = ("where to look", "the formula in words", "the line with a hole in it")
 def hint(name_or_function: str | Callable[..., Any]) -> None:
     """Show the next hint for an exercise: where to look, the formula in words, a line with a hole, the reference.
 
-    Each call goes one tier further and shows the tiers before it again; opening the reference is recorded.
+    Each call goes one tier further and shows the tiers before it again (the first call after a restart only shows
+    what was seen before); opening the reference is recorded.
     Raises ``ValueError`` for an unknown name.
     """
     name = name_or_function if isinstance(name_or_function, str) else getattr(name_or_function, "__name__", None)
@@ -29,7 +30,9 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
         words = 'expected an exercise\'s name or function, as in hint("p_hat")'
         raise ValueError(f"name: {words}; got {name_or_function!r}")
     lesson, exercise = find_exercise(name)
-    tier = min(progress.state().hints.get(name, 0) + 1, 4)
+    taken = progress.state().hints.get(name, 0)
+    # In a new kernel the first call shows again what was seen before: running a whole notebook opens nothing new.
+    tier = taken if taken and not progress.hinted_in_this_session(name) else min(taken + 1, 4)
     progress.record("hint", name, tier=tier)
     shown = range(1, min(tier, 3) + 1)
     parts = [Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text") for t in shown]

@@ -53,8 +53,9 @@ def record(kind: str, name: str, **details: Any) -> None:
 def record_unrecognised(name: str, source: str, message: str) -> None:
     """Keep a wrong answer that matches no planted mistake, so that it can be planted later. Stays on this machine."""
     folder = recording_folder()
-    if folder is not None:
-        _append(folder / UNRECOGNISED, {"exercise": name, "source": source, "message": message})
+    kept = {"exercise": name, "source": source, "message": message}
+    if folder is not None and json.dumps(kept) not in _lines(folder / UNRECOGNISED):  # a cell is run more than once
+        _append(folder / UNRECOGNISED, kept)
 
 
 def state(folder: Path | None = None) -> State:
@@ -79,6 +80,11 @@ def predicted(name: str, folder: Path | None = None) -> Any:
     folder = folder or recording_folder()
     events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
     return next((e.get("answer") for e in reversed(events) if e["kind"] == "predict" and e["name"] == name), None)
+
+
+def hinted_in_this_session(name: str) -> bool:
+    """Whether this kernel has shown a hint for the exercise."""
+    return any(e["kind"] == "hint" and e["name"] == name for e in _session)
 
 
 def next_exercise(lesson: Lesson, after: str, passed: frozenset[str]) -> Exercise | None:
@@ -155,3 +161,10 @@ def _read(path: Path) -> Iterator[dict[str, Any]]:
             continue
         if isinstance(event, dict) and isinstance(event.get("name"), str) and "kind" in event:
             yield event
+
+
+def _lines(path: Path) -> list[str]:
+    try:
+        return path.read_text(encoding="utf-8", errors="replace").splitlines()
+    except OSError:
+        return []

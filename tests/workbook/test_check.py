@@ -211,6 +211,27 @@ def test_a_hint_shows_those_before_it_again(capsys):
         hint(sp.Symbol("e") + 1)
 
 
+def test_after_a_restart_a_hint_shows_again_what_was_seen(work, capsys, monkeypatch):
+    hint(NAME)
+    hint(NAME)
+    monkeypatch.setattr(sys.modules["course.workbook.progress"], "_session", [])
+    said(capsys)
+    hint(NAME)
+    assert "Hint 2 of 3" in said(capsys)
+    hint(NAME)
+    assert "Hint 3 of 3" in said(capsys)
+
+
+def test_a_prediction_that_was_not_made_keeps_its_outcome(capsys):
+    predict("blocks")
+    asked = said(capsys)
+    assert "commit first" in asked and "314" not in asked
+    predict("blocks", 2)
+    assert "Noted: you said 2" in (noted := said(capsys)) and "314" not in noted
+    predict("blocks")
+    assert "it is 314" in said(capsys)
+
+
 def test_progress_is_recorded_only_in_work(work, tmp_path, monkeypatch, capsys):
     check(named(right))
     assert "1/5" in str(progress()).split("10  ")[1].split("\n")[0]

@@ -16,6 +16,13 @@ from course.workbook.plots.impacts import (
     impact,
     velocity_circle,
 )
+from course.workbook.plots.separation import (
+    contact_velocities,
+    difference_errors,
+    ladder_picture,
+    passing_a_corner,
+    turning_pair,
+)
 
 __all__ = [
     "PALETTE",
@@ -25,18 +32,23 @@ __all__ = [
     "block_paths",
     "blocks_and_wall",
     "bouncing_errors",
+    "contact_velocities",
     "course_map",
     "describe",
+    "difference_errors",
     "energy_over_time",
     "falling_boxes",
     "figure_html",
     "heights",
     "impact",
+    "ladder_picture",
+    "passing_a_corner",
     "reflection",
     "show",
     "side_by_side",
     "stability_sweep",
     "style",
+    "turning_pair",
     "velocity_circle",
     "work_precision",
 ]

@@ -57,6 +57,7 @@ def stability_sweep(
     predicted: Sequence[float] | None = None,
     threshold: float | None = None,
     cure: Sequence[float] | None = None,
+    also: Sequence[float] | None = None,
     labels: tuple[str, str, str] = ("knob", "measured", ""),
     names: tuple[str, str, str] = ("measured", "predicted", "with the cure"),
     log: str = "",
@@ -64,7 +65,7 @@ def stability_sweep(
 ) -> Axes:
     """A quantity over a knob, past the threshold the theory predicts, with the theory and the cure beside it.
 
-    ``labels`` are the x label, the y label (with units) and the title; ``log`` holds the axes that are logarithmic.
+    ``also`` is another measurement to compare with, named in place of the cure. ``labels`` are the x label, the y label (with units) and the title; ``log`` holds the axes that are logarithmic.
     """
     with style():
         ax = axes(ax)
@@ -73,6 +74,8 @@ def stability_sweep(
             ax.plot(knob, predicted, ls="-", marker="", color="0.3", lw=1.4, label=names[1])
         if cure is not None:
             ax.plot(knob, cure, ls="--", marker="^", ms=4, color=PALETTE["green"], label=names[2])
+        if also is not None:
+            ax.plot(knob, also, ls=":", marker="x", ms=5, color=PALETTE["purple"], label=names[2])
         if threshold is not None:
             ax.axvline(threshold, color=PALETTE["blue"], ls=":", label=f"predicted threshold {threshold:.4g}")
         if "x" in log:

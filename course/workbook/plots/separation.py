@@ -1,0 +1,276 @@
+"""Pictures of gaps and how they change: a bar over a plank, a ladder, a corner, and the V of difference quotients."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Arc, Polygon, Rectangle
+
+from course.dynamics import point_velocity
+from course.study.ladder import ladder_gaps
+from course.study.moving_contacts import DifferenceErrors, TurningPair
+from course.workbook.plots.figure import PALETTE, axes, describe, style
+
+MARKERS = "os^DvP"
+LINES = ("-", "--", "-.", ":", "-", "--")
+
+
+def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes | None = None) -> Axes:
+    """Bar and plank at the first time, and in outline at later ones; crosses mark the axles, which never move."""
+    with style():
+        ax = axes(ax, size=(7.4, 3.4))
+        for i, time in enumerate(times):
+            for outline, colour in zip(pair.outlines(time), ("blue", "orange"), strict=True):
+                filled = {"fc": PALETTE[colour], "ec": "black", "lw": 0.8, "alpha": 0.75}
+                empty = {"fc": "none", "ec": PALETTE[colour], "lw": 1.4, "ls": LINES[min(i, 3)]}
+                ax.add_patch(Polygon(outline, **(empty if i else filled)))
+        for place, name in zip(pair.bodies().position[:, 1:], ("A, the bar", "B, the plank"), strict=True):
+            ax.plot(*place, marker="P", ms=11, mfc="white", mec="black", ls="none", zorder=5)
+            ax.text(place[0], place[1] - 0.17, name, ha="center", va="top")
+        contact = pair.contacts(times[0])
+        (_, y, z_a), (_, _, z_b) = contact.point_a[0], contact.point_b[0]
+        ax.annotate(
+            "", (y, z_a), (y, z_b), arrowprops={"arrowstyle": "<->", "lw": 1.3, "shrinkA": 0, "shrinkB": 0}
+        )
+        ax.text(y - 0.05, 0.5 * (z_a + z_b), f"d = {contact.separation[0]:.2f} m", ha="right", va="center")
+        _turn(ax, pair.reach + 0.25, 0.75, f"{pair.rate_a:g} rad/s", pair.rate_a)
+        _turn(ax, -0.65, 0.42, f"{pair.rate_b:g} rad/s", pair.rate_b)
+        ax.set(xlim=(-1.6, 2.8), ylim=(-0.5, 1.15), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+        if len(times) > 1:
+            ax.set_title(
+                f"filled: at {times[0]:g} s; in outline: at " + ", ".join(f"{t:g}" for t in times[1:]) + " s"
+            )
+    gaps = ", ".join(f"{pair.gap(t):.3f} m at {t:g} s" for t in times)
+    describe(
+        ax,
+        "Seen from the side: a bar A on an axle, its left end above the right half of a plank B on an axle. Both turn "
+        f"against the clock, the bar at {pair.rate_a:g} and the plank at {pair.rate_b:g} rad/s. The gap between the "
+        f"bar's lower corner and the plank is {gaps}.",
+    )
+    return ax
+
+
+def ladder_picture(y: float, z: float, angle: float, *, length: float = 4.0, ax: Axes | None = None) -> Axes:
+    """A ladder before a wall, wherever it is: its gaps to floor and wall, and the two normals."""
+    foot_gap, top_gap = ladder_gaps(y, z, angle, length=length)
+    half = 0.5 * length * np.array([np.cos(angle), np.sin(angle)])
+    centre = np.array([y, z])
+    foot, top = centre - half, centre + half
+    with style():
+        ax = axes(ax, size=(5.6, 4.6))
+        left, high = foot[0] - 0.9, top[1] + 0.7
+        ax.add_patch(Rectangle((left, -0.3), 0.3 - left, 0.3, fc="0.85", ec="none"))
+        ax.add_patch(Rectangle((0, -0.3), 0.3, high + 0.3, fc="0.85", ec="none"))
+        ax.plot([left, 0, 0], [0, 0, high], color="0.3", lw=1.5, ls="-", marker="")
+        ax.plot(
+            *np.stack([foot, top]).T, color=PALETTE["blue"], lw=6, ls="-", marker="", solid_capstyle="butt"
+        )
+        ax.plot(*centre, marker="P", ms=10, mfc="white", mec="black", ls="none")
+        ax.text(centre[0] - 0.12, centre[1] + 0.12, "centre (y, z)", ha="right", va="bottom")
+        _measure(ax, foot, (foot[0], 0.0), f"$d_1$ = {foot_gap:.2f} m", (0.08, 0.0), "left")
+        _measure(ax, top, (0.0, top[1]), f"$d_2$ = {top_gap:.2f} m", (0.5 * top_gap - 0.04, 0.16), "right")
+        _arrow(ax, (foot[0] - 0.45, 0.0), (0, 0.55), "black", "$N_1$")
+        _arrow(ax, (0.0, 0.55 * high), (-0.55, 0), "black", "$N_2$")
+        ax.add_patch(Arc(tuple(foot), 1.3, 1.3, theta2=np.degrees(angle), lw=1.2))
+        ax.plot([foot[0], foot[0] + 0.9], [foot[1]] * 2, color="0.5", lw=0.8, ls=":", marker="")
+        ax.text(foot[0] + 0.75, foot[1] + 0.25, r"$\theta$")
+        ax.set(xlim=(left, 0.35), ylim=(-0.35, high), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+        ax.grid(False)
+    describe(
+        ax,
+        f"A ladder of {length:g} m before a floor and a wall on its right, at {np.degrees(angle):.0f} degrees to the "
+        f"floor. The gap from its foot down to the floor is {foot_gap:.2f} m, from its top across to the wall "
+        f"{top_gap:.2f} m; N_1 points up out of the floor, N_2 to the left out of the wall.",
+    )
+    return ax
+
+
+def contact_velocities(
+    rate_a: float,
+    rate_b: float,
+    velocity_a: float = 0.0,
+    velocity_b: float = 0.0,
+    *,
+    reach: float = 1.8,
+    ax: Axes | None = None,
+) -> Axes:
+    """Bar over plank, level: how fast the two points of the contact move, and what each motion adds to d_dot.
+
+    Rates in rad/s against the clock, velocities in m/s upward, reach the y of the bar's centre in m. With ``ax`` only
+    the picture is drawn.
+    """
+    pair = TurningPair(rate_a=rate_a, rate_b=rate_b, reach=reach, clear=0.7)
+    contact, bodies = pair.contacts(), pair.bodies()
+    moves = [point_velocity(np.zeros(3), w, p - x) for w, p, x in zip(
+        bodies.angular_velocity, (contact.point_a[0], contact.point_b[0]), bodies.position, strict=True)]  # fmt: skip
+    parts = {"A rises": velocity_a, "A turns": moves[0][2], "B rises": -velocity_b, "B turns": -moves[1][2]}
+    lifts = np.array([[0, 0, velocity_a], [0, 0, velocity_b]])
+    total = sum(parts.values())
+    scale = 0.75 / max(
+        2.0, *(float(np.linalg.norm(move + lift)) for move, lift in zip(moves, lifts, strict=True))
+    )
+    with style():
+        bars = None
+        if ax is None:
+            _, (ax, bars) = plt.subplots(1, 2, figsize=(9.6, 3.6), width_ratios=(3, 2))
+        for outline, colour in zip(pair.outlines(0.0), ("blue", "orange"), strict=True):
+            ax.add_patch(Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5))
+        ax.plot(*bodies.position[:, 1:].T, marker="P", ms=10, mfc="white", mec="black", ls="none")
+        for point, move, lift, colour, name in zip(
+            (contact.point_a[0], contact.point_b[0]),
+            moves,
+            lifts,
+            ("blue", "vermillion"),
+            ("A", "B"),
+            strict=True,
+        ):
+            speed = move + lift
+            _arrow(ax, point[1:], scale * speed[1:], colour, "", lw=2.4)
+            ax.plot(
+                *point[1:],
+                marker="o" if name == "A" else "s",
+                color=PALETTE[colour],
+                ls="none",
+                label=f"point of {name}, {speed[2]:+.2f} m/s along N",
+            )
+        ax.set(xlim=(-1.6, 3.0), ylim=(-1.0, 1.4), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+        word = "neither" if abs(total) < 1e-9 else "the gap closes" if total < 0 else "the gap opens"
+        ax.set_title(f"$\\dot d$ = {total + 0.0:+.2f} m/s: {word}")
+        ax.legend(loc="lower right")
+        if bars is not None:
+            _contributions(bars, parts, total)
+    spoken = ", ".join(f"{name} {value + 0.0:+.2f}" for name, value in parts.items())
+    describe(
+        ax,
+        f"A bar A over a plank B, level. What each motion adds to d_dot, in m/s: {spoken}; "
+        f"in all {total + 0.0:+.2f}, {word}.",
+    )
+    return ax
+
+
+def difference_errors(
+    result: DifferenceErrors,
+    *,
+    formula: float | None = None,
+    expected: Mapping[str, Sequence[float]] | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Error of difference quotients over their step, both logarithmic: a V for each stencil.
+
+    ``formula`` is the error of the closed formula, drawn as a level line; ``expected`` holds predicted curves by
+    stencil. An error of exactly 0 is drawn at 1e-17.
+    """
+    colours = list(PALETTE.values())
+    with style():
+        ax = axes(ax, size=(7.6, 4.4))
+        for i, (name, error) in enumerate(result.error.items()):
+            options = {"marker": MARKERS[i % 6], "color": colours[i % 6]}
+            ax.loglog(result.step, np.maximum(error, 1e-17), ls="none", ms=5, label=name, **options)
+            if expected is not None:
+                ax.loglog(
+                    result.step,
+                    expected[name],
+                    ls=LINES[i % 6],
+                    marker="",
+                    lw=1.2,
+                    color=colours[i % 6],
+                    label=f"{name}, predicted",
+                )
+        if formula is not None:
+            ax.axhline(max(formula, 1e-17), color="black", lw=1.6, ls=(0, (5, 1)), label="the formula")
+        ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    describe(
+        ax,
+        f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
+        "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
+        + (" The error of the formula is a level line below them all." if formula is not None else ""),
+    )
+    return ax
+
+
+def passing_a_corner(
+    heights: Sequence[float] = (0.3, 0.03), *, speed: float = 1.0, step: float = 0.1, ax: Axes | None = None
+) -> Axes:
+    """A point passes over the corner of a box at two heights: the nearest-point normal at equal times."""
+    with style():
+        ax = axes(ax, size=(7.2, 3.4))
+        ax.add_patch(Rectangle((-1.0, -0.5), 1.0, 0.5, fc="0.85", ec="0.3"))
+        for height, colour, line in zip(
+            heights, ("blue", "vermillion", "green"), ("-", "--", "-."), strict=False
+        ):
+            y = speed * step * np.arange(-4, 7)
+            ax.plot(
+                y,
+                np.full(y.shape, height),
+                color=PALETTE[colour],
+                lw=1.0,
+                ls=line,
+                marker="o",
+                ms=4,
+                label=f"passes at {height:g} m",
+            )
+            for place in y:
+                nearest = np.minimum(np.array([place, height]), 0.0)
+                normal = np.array([place, height]) - nearest
+                _arrow(ax, (place, height), 0.25 * normal / np.linalg.norm(normal), colour, "", lw=1.3)
+        ax.set(xlim=(-0.75, 1.0), ylim=(-0.25, 0.65), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    describe(
+        ax,
+        "A point passes from left to right over the corner of a box, at "
+        + " and at ".join(f"{h:g} m" for h in heights)
+        + ". Over the box the normal points up. Past the corner it leans to the right: little by little at the greater "
+        "height, all at once at the smaller.",
+    )
+    return ax
+
+
+def _contributions(ax: Axes, parts: Mapping[str, float], total: float) -> None:
+    names, values = [*parts, "d_dot"], [*parts.values(), total]
+    hatches = ("", "//", "", "//", "..")
+    colours = ("blue", "blue", "vermillion", "vermillion", "grey")
+    for i, (value, colour, hatch) in enumerate(zip(values, colours, hatches, strict=True)):
+        ax.bar(i, value, color=PALETTE[colour], hatch=hatch, ec="white")
+    ax.axhline(0, color="0.3", lw=0.8)
+    ax.set_xticks(range(len(names)), ["A\nrises", "A\nturns", "B\nrises", "B\nturns", "sum,\n$\\dot d$"])
+    reach = max(1.0, float(np.abs(values).max()))
+    ax.set(ylabel="adds to the rate of the gap [m/s]", ylim=(-1.15 * reach, 1.15 * reach))
+    ax.grid(axis="x", visible=False)
+
+
+def _arrow(
+    ax: Axes, start: Sequence[float], along: Sequence[float], colour: str, label: str, *, lw: float = 1.8
+) -> None:
+    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
+    length = float(np.linalg.norm(along))
+    if length < 1e-9:
+        return
+    ax.annotate("", start + along, start, arrowprops={"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour],
+                                                      "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    if label:
+        ax.text(
+            *(start + along * (1 + 0.16 / length)), label, color=PALETTE[colour], ha="center", va="center"
+        )
+
+
+def _measure(
+    ax: Axes, start: Sequence[float], end: Sequence[float], label: str, shift: tuple[float, float], side: str
+) -> None:
+    """A double arrow with its length beside it."""
+    ax.annotate("", end, start, arrowprops={"arrowstyle": "<->", "lw": 1.2, "color": PALETTE["vermillion"],
+                                            "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    middle = 0.5 * (np.asarray(start, dtype=float) + np.asarray(end, dtype=float)) + shift
+    ax.text(*middle, label, color=PALETTE["vermillion"], ha=side, va="center")
+
+
+def _turn(ax: Axes, y: float, z: float, label: str, rate: float) -> None:
+    """A bent arrow in the sense of the rate, and the rate beside it."""
+    ends = ((y + 0.18, z - 0.1), (y - 0.18, z - 0.1))
+    start, end = ends if rate >= 0 else ends[::-1]
+    bend = "arc3,rad=0.7" if rate >= 0 else "arc3,rad=-0.7"
+    ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "lw": 1.6, "connectionstyle": bend})
+    ax.text(y, z + 0.13, label, ha="center", va="bottom")

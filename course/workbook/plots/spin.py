@@ -1,0 +1,243 @@
+"""Pictures of impacts that make bodies turn: a rod on a peg or on the floor, a box on its four corners."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
+
+from course.contact.collisions import resolve_collisions
+from course.dynamics.bodies import Bodies
+from course.dynamics.energy import total_energy
+from course.dynamics.impulse import effective_mass, point_velocity
+from course.study.spinning_impacts import Outcomes, falling_rods
+from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
+
+ARROW = 0.28  # metres of picture for a speed of 1 m/s
+
+
+def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
+    """The scene of the question: a rod that falls flat on a peg under its middle, and on one under its end."""
+    with style():
+        ax = axes(ax, size=(8.4, 2.9))
+        for middle, peg, impulse, words in ((-0.85, 0.0, "2", "middle"), (0.85, 0.5, "0.5", "end")):
+            ax.plot([middle - 0.5, middle + 0.5], [0.04, 0.04], color=PALETTE["blue"], lw=7, ls="-", marker="",
+                    solid_capstyle="butt")  # fmt: skip
+            for x in (-0.4, 0.0, 0.4):
+                _arrow(ax, (middle + x, 0.42), (middle + x, 0.42 - ARROW), "blue")
+            x = middle + peg
+            ax.add_patch(Polygon([(x - 0.07, -0.34), (x + 0.07, -0.34), (x, 0.0)], fc="0.75", ec="0.3"))
+            ax.text(x, -0.4, f"peg under its {words}: {impulse} N s", ha="center", va="top")
+        ax.text(-0.05, 0.28, "1 m/s", ha="center", va="center")
+        ax.plot([-1.6, 1.95], [-0.34, -0.34], color="0.3", lw=1.2, marker="", ls="-")
+        ax.set(xlim=(-1.65, 2.0), ylim=(-0.6, 0.5), aspect="equal")
+        _bare(ax)
+    describe(
+        ax,
+        "Two equal rods fall flat at 1 m/s, the left one on a fixed peg under its middle, which gives it 2 N s, the "
+        "right one on a fixed peg under its end, which gives it 0.5 N s.",
+    )
+    return ax
+
+
+def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | None = None) -> Axes:
+    """A rod of 1 kg and 1 m that falls at 1 m/s, before and after the floor hits it at one point.
+
+    Args:
+        angle: of the rod, from the horizontal [degrees]; the lower end is on the right.
+        restitution: e.
+        place: 1 the lower end, 0 the middle, -1 the upper end; there a light pin stands down to the floor.
+    """
+    before, contact = falling_rods(np.radians(angle), place=place)
+    after = resolve_collisions(before, contact, restitution)
+    axis = before.rotation[0, :, 0]
+    push = float(after.momentum[0, 2] - before.momentum[0, 2])
+    felt, kept = float(effective_mass(before, contact)[0]), total_energy(after) / total_energy(before)
+    floor = -0.5 * axis @ np.array([0.0, 0.0, -1.0]) - 0.015
+    with style():
+        ax = axes(ax, size=(8.8, 4.3))
+        ax.add_patch(Rectangle((-2.2, floor - 0.1), 4.5, 0.1, fc="0.88", ec="none", hatch="///"))
+        ax.plot([-2.2, 2.3], [floor, floor], color="0.3", lw=1.2, marker="", ls="-")
+        for middle, state, words in ((-1.1, before, "before"), (1.1, after, "after")):
+            _rod(ax, middle, axis, place, floor, state)
+            ax.text(middle, 1.12, words, ha="center", va="top", fontweight="bold")
+        spin = float(after.angular_velocity[0, 1])
+        way = "" if abs(spin) < 5e-3 else ", anticlockwise" if spin < 0 else ", clockwise"
+        ax.text(1.1, 0.98, f"spin {abs(spin):.2f} rad/s{way}\nenergy kept: {100 * kept:.0f} %", ha="center", va="top",
+                fontsize=9.5)  # fmt: skip
+        ax.text(-1.1, 0.98, f"m = 1 kg\nmass felt at the point: {felt:.3f} kg", ha="center", va="top", fontsize=9.5)
+        ax.set(xlim=(-2.2, 2.3), ylim=(-0.95, 1.15), aspect="equal")
+        ax.set_title(f"impulse of the floor {push:.3f} N s")
+        _bare(ax)
+    speeds = after.velocity[0, 2]
+    describe(
+        ax,
+        f"A rod of 1 kg, 1 m long, {angle:.3g} degrees from the horizontal, falls at 1 m/s and is hit from below at "
+        f"{place:.2f} of the way from its middle to its lower end, e = {restitution:.2f}. It feels as heavy as "
+        f"{felt:.3f} kg there; the impulse is {push:.3f} N s. Afterwards its middle moves at {speeds:+.2f} m/s upward "
+        f"and it turns at {abs(spin):.2f} rad/s{way}; {100 * kept:.0f} percent of the energy is kept.",
+    )
+    return ax
+
+
+def _rod(ax: Axes, middle: float, axis: np.ndarray, place: float, floor: float, state: Bodies) -> None:
+    """The rod in the x-z plane with the velocities of its ends and its middle, and the pin that meets the floor."""
+    x, z = middle + 0.5 * axis[0] * np.array([-1, 1]), 0.5 * axis[2] * np.array([-1, 1])
+    ax.plot(x, z, color=PALETTE["blue"], lw=6, ls="-", marker="", solid_capstyle="butt")
+    hit = 0.5 * place * axis
+    ax.plot([middle + hit[0]] * 2, [hit[2], floor], color="0.3", lw=1.6, ls="-", marker="")
+    ax.plot(middle + hit[0], floor, marker="^", ms=8, color="black", ls="none")
+    for s in (-1.0, 0.0, 1.0):
+        arm = 0.5 * s * axis
+        v = point_velocity(state.velocity[0], state.angular_velocity[0], arm)
+        start = (middle + arm[0], arm[2])
+        if np.hypot(v[0], v[2]) > 5e-3:
+            _arrow(ax, start, (start[0] + ARROW * v[0], start[1] + ARROW * v[2]), "vermillion")
+        ax.plot(*start, marker="o" if s else "s", ms=5, color="black", ls="none")
+        side = (-0.09, "right") if s < 0 else (0.09, "left")
+        speed = f"{v[2]:+.2f}".replace("-", "\N{MINUS SIGN}")
+        ax.text(start[0] + side[0], start[1] + 0.06, speed, ha=side[1], va="bottom", fontsize=9.5)
+
+
+def rod_impulses(
+    angle: Sequence[float], closed_form: Sequence[float], measured: Mapping[str, tuple[Sequence[float], Sequence[float]]],
+    *, without_spin: float, ax: Axes | None = None,
+) -> Axes:  # fmt: skip
+    """The impulse on a rod dropped on its end over its angle: the closed form as a line, measurements as marks.
+
+    Args:
+        angle: of the line, from the horizontal [degrees].
+        closed_form: impulse of the line [N s].
+        measured: name -> (angles [degrees], impulses [N s]).
+        without_spin: the impulse of a body that cannot turn [N s].
+    """
+    with style():
+        ax = axes(ax, size=(7.6, 4.1))
+        ax.axhline(without_spin, color="0.45", ls="--", lw=1.2, label="a body that cannot turn")
+        ax.axhline(without_spin / 4, color=PALETTE["blue"], ls=":", lw=1.2, label="a quarter of it")
+        ax.plot(angle, closed_form, color="0.2", ls="-", marker="", lw=1.5, label="your closed form")
+        for (name, (x, y)), colour, mark, size in zip(
+            measured.items(), ("vermillion", "green", "purple"), "osD", (8, 4.5, 5), strict=False
+        ):
+            filled = PALETTE[colour] if mark != "o" else "none"
+            ax.plot(x, y, ls="none", marker=mark, ms=size, mfc=filled, mec=PALETTE[colour], mew=1.5, label=name)
+        ax.set(xlabel="angle from the horizontal [°]", ylabel="impulse [N s]", xticks=range(0, 91, 15))
+        ax.set_ylim(0, 1.12 * without_spin)
+        ax.set_title("A rod dropped on its end")
+        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    named = "; ".join(f"{name}: {y[0]:.3f} N s at {x[0]:g} degrees, {y[-1]:.3f} at {x[-1]:g}" for name, (x, y) in measured.items())
+    describe(ax, f"Impulse on a rod's end over its angle from the horizontal, rising from a quarter of "
+                 f"{without_spin:g} N s for the level rod to all of it for the upright one. {named}.")  # fmt: skip
+    return ax
+
+
+def box_outcomes(box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies]) -> Axes:
+    """A box on its four corners in oblique view, before an impact and after it by several laws.
+
+    Args:
+        box: before; body 0 is the box, standing with its axes along x, y, z.
+        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-), (+,+) [m].
+        outcomes: name -> bodies after.
+    """
+    states = {"before": box} | dict(outcomes)
+    with style():
+        _, several = side_by_side(len(states), size=(2.9 * len(states), 3.3))
+        spoken = []
+        for ax, (name, state) in zip(several, states.items(), strict=True):
+            spoken.append(_box(ax, corners, 2 * box.position[0, 2], state, name))
+    describe(several[0], "A box just above the floor and the upward speeds of its four corners. " + " ".join(spoken))
+    first: Axes = several[0]
+    return first
+
+
+def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str) -> str:
+    """One box with its corners' upward speeds; returns them in words."""
+    low = np.stack([corners[:, 0] + 0.45 * corners[:, 1], 0.4 * corners[:, 1]], axis=-1)
+    high = low + [0.0, height]
+    for face in (low, high):
+        ax.add_patch(Polygon(face[[0, 2, 3, 1]], fc="0.9", ec="0.45", alpha=0.6))
+    for a, b in zip(low, high, strict=True):
+        ax.plot(*np.stack([a, b]).T, color="0.45", lw=1.0, ls="-", marker="")
+    speeds = point_velocity(state.velocity[0], state.angular_velocity[0], corners - state.position[0])[:, 2]
+    for i, (start, speed) in enumerate(zip(low, speeds, strict=True)):
+        if abs(speed) > 5e-3:
+            _arrow(ax, (start[0], start[1]), (start[0], start[1] + ARROW * speed), "vermillion")
+        ax.plot(*start, marker="o", ms=4, color="black", ls="none")
+        side = (-0.06, "right") if i < 2 else (0.06, "left")
+        text = f"{speed:+.2f}".replace("-", "\N{MINUS SIGN}") if abs(speed) > 5e-3 else "0"
+        ax.text(start[0] + side[0], start[1], text, ha=side[1], va="center", fontsize=9)
+    spin = state.angular_velocity[0]
+    ax.set(xlim=(-1.05, 1.05), ylim=(-0.78, 0.8), aspect="equal")
+    ax.set_title(f"{name}\nspin {np.linalg.norm(spin):.2f} rad/s", fontsize=10)
+    _bare(ax)
+    return f"{name}: {', '.join(f'{s + 0.0:.2f}' for s in speeds)} m/s, spin {np.linalg.norm(spin):.2f} rad/s."
+
+
+def spins_by_order(
+    outcomes: Outcomes, others: Mapping[str, Sequence[float]], *, ax: Axes | None = None
+) -> Axes:
+    """The spin that each order of the same contacts gives the same box, as one point an order.
+
+    Args:
+        outcomes: of ``study.outcomes_by_order``.
+        others: name -> spin (3,) of a law that does not ask for the order.
+    """
+    with style():
+        ax = axes(ax, size=(6.4, 4.2))
+        ax.plot(*outcomes.spin[:, :2].T, ls="none", marker="o", ms=6, mfc="none", mec=PALETTE["vermillion"], mew=1.5,
+                label=f"one after the other,\n{len(outcomes.order)} orders")  # fmt: skip
+        for (name, spin), mark in zip(others.items(), "*D^", strict=False):
+            ax.plot(spin[0], spin[1], ls="none", marker=mark, ms=13, color=PALETTE["blue"], label=name)
+        ax.set(xlabel=r"spin about x, $\omega_x$ [rad/s]", ylabel=r"spin about y, $\omega_y$ [rad/s]")
+        ax.set_title("One box, one impact")
+        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    fastest = float(np.linalg.norm(outcomes.spin, axis=1).max())
+    different = len(np.unique(np.round(outcomes.spin, 6), axis=0))
+    named = "; ".join(f"{name}: {np.linalg.norm(s):.2f} rad/s" for name, s in others.items())
+    describe(
+        ax,
+        f"Spins of a box after the same flat landing with its four contacts listed in {len(outcomes.order)} orders: "
+        f"{different} different outcomes scattered around zero, up to {fastest:.2f} rad/s. {named}.",
+    )
+    return ax
+
+
+def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes | None = None) -> Axes:
+    """Effective mass over mass where a box is hit on its upper face, and where leaving out spin errs by how much.
+
+    Args:
+        x, y: of the face, from its middle, (k,) and (l,) [m].
+        ratio: mu/m, (l, k).
+    """
+    with style():
+        ax = axes(ax, size=(7.4, 4.2))
+        filled = ax.contourf(x, y, ratio, levels=np.linspace(0.2, 1.0, 9), cmap="viridis")
+        bar = ax.get_figure(root=True).colorbar(filled, ax=ax)  # type: ignore[union-attr]
+        bar.set_label("mass felt / mass")
+        levels = {1 / 1.5: "50 %", 1 / 1.1: "10 %", 1 / 1.01: "1 %"}
+        lines = ax.contour(x, y, ratio, levels=sorted(levels), colors="white", linewidths=1.6)
+        wanted = {level: next(t for k, t in levels.items() if abs(k - level) < 1e-9) for level in lines.levels}
+        ax.clabel(lines, fmt=wanted, fontsize=9.5)
+        ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+        ax.set_title("Hit here: impulse too large by 1, 10, 50 % without spin")
+        ax.grid(False)
+    describe(
+        ax,
+        f"Effective mass over mass on the upper face of a box: 1 in the middle, {ratio[0, 0]:.2f} at the corners. Three "
+        "nested ellipses show where an impulse computed without spin is too large by 1, 10 and 50 percent.",
+    )
+    return ax
+
+
+def _arrow(ax: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str) -> None:
+    ax.add_patch(FancyArrowPatch(start, tip, arrowstyle="-|>", mutation_scale=11, lw=1.8, color=PALETTE[colour],
+                                 shrinkA=0, shrinkB=0, zorder=4))  # fmt: skip
+
+
+def _bare(ax: Axes) -> None:
+    ax.set(xticks=[], yticks=[])
+    ax.grid(False)
+    for side in ax.spines.values():
+        side.set_visible(False)
