@@ -15,7 +15,13 @@ from course.dynamics.impulse import effective_mass, point_velocity
 from course.study.spinning_impacts import Outcomes, falling_rods
 from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
 
-ARROW = 0.28  # metres of picture for a speed of 1 m/s
+ARROW = 0.22  # metres of picture for a speed of 1 m/s
+LABELS = {  # where a speed is written: right and up of the point, and its alignment
+    -1.0: (-0.08, 0.05, "right", "bottom"),
+    0.0: (0.09, 0.05, "left", "bottom"),
+    1.0: (0.09, -0.04, "left", "top"),
+}
+PIN = 0.45  # how far the lower end stands above the floor
 
 
 def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
@@ -55,10 +61,10 @@ def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | Non
     axis = before.rotation[0, :, 0]
     push = float(after.momentum[0, 2] - before.momentum[0, 2])
     felt, kept = float(effective_mass(before, contact)[0]), total_energy(after) / total_energy(before)
-    floor = -0.5 * axis @ np.array([0.0, 0.0, -1.0]) - 0.015
+    floor = 0.5 * axis[2] - PIN
     with style():
-        ax = axes(ax, size=(8.8, 4.3))
-        ax.add_patch(Rectangle((-2.2, floor - 0.1), 4.5, 0.1, fc="0.88", ec="none", hatch="///"))
+        ax = axes(ax, size=(8.8, 4.5))
+        ax.add_patch(Rectangle((-2.2, floor - 0.08), 4.5, 0.08, fc="0.88", ec="none", hatch="///"))
         ax.plot([-2.2, 2.3], [floor, floor], color="0.3", lw=1.2, marker="", ls="-")
         for middle, state, words in ((-1.1, before, "before"), (1.1, after, "after")):
             _rod(ax, middle, axis, place, floor, state)
@@ -68,7 +74,7 @@ def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | Non
         ax.text(1.1, 0.98, f"spin {abs(spin):.2f} rad/s{way}\nenergy kept: {100 * kept:.0f} %", ha="center", va="top",
                 fontsize=9.5)  # fmt: skip
         ax.text(-1.1, 0.98, f"m = 1 kg\nmass felt at the point: {felt:.3f} kg", ha="center", va="top", fontsize=9.5)
-        ax.set(xlim=(-2.2, 2.3), ylim=(-0.95, 1.15), aspect="equal")
+        ax.set(xlim=(-2.2, 2.3), ylim=(-1.1, 1.15), aspect="equal")
         ax.set_title(f"impulse of the floor {push:.3f} N s")
         _bare(ax)
     speeds = after.velocity[0, 2]
@@ -85,7 +91,7 @@ def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | Non
 def _rod(ax: Axes, middle: float, axis: np.ndarray, place: float, floor: float, state: Bodies) -> None:
     """The rod in the x-z plane with the velocities of its ends and its middle, and the pin that meets the floor."""
     x, z = middle + 0.5 * axis[0] * np.array([-1, 1]), 0.5 * axis[2] * np.array([-1, 1])
-    ax.plot(x, z, color=PALETTE["blue"], lw=6, ls="-", marker="", solid_capstyle="butt")
+    ax.plot(x, z, color=PALETTE["sky"], lw=7, ls="-", marker="", solid_capstyle="butt")
     hit = 0.5 * place * axis
     ax.plot([middle + hit[0]] * 2, [hit[2], floor], color="0.3", lw=1.6, ls="-", marker="")
     ax.plot(middle + hit[0], floor, marker="^", ms=8, color="black", ls="none")
@@ -96,15 +102,18 @@ def _rod(ax: Axes, middle: float, axis: np.ndarray, place: float, floor: float, 
         if np.hypot(v[0], v[2]) > 5e-3:
             _arrow(ax, start, (start[0] + ARROW * v[0], start[1] + ARROW * v[2]), "vermillion")
         ax.plot(*start, marker="o" if s else "s", ms=5, color="black", ls="none")
-        side = (-0.09, "right") if s < 0 else (0.09, "left")
-        speed = f"{v[2]:+.2f}".replace("-", "\N{MINUS SIGN}")
-        ax.text(start[0] + side[0], start[1] + 0.06, speed, ha=side[1], va="bottom", fontsize=9.5)
+        right, up, across, along = LABELS[s]
+        ax.text(start[0] + right, start[1] + up, _speed(v[2]), ha=across, va=along, fontsize=9.5)
 
 
 def rod_impulses(
-    angle: Sequence[float], closed_form: Sequence[float], measured: Mapping[str, tuple[Sequence[float], Sequence[float]]],
-    *, without_spin: float, ax: Axes | None = None,
-) -> Axes:  # fmt: skip
+    angle: Sequence[float],
+    closed_form: Sequence[float],
+    measured: Mapping[str, tuple[Sequence[float], Sequence[float]]],
+    *,
+    without_spin: float,
+    ax: Axes | None = None,
+) -> Axes:
     """The impulse on a rod dropped on its end over its angle: the closed form as a line, measurements as marks.
 
     Args:
@@ -127,9 +136,14 @@ def rod_impulses(
         ax.set_ylim(0, 1.12 * without_spin)
         ax.set_title("A rod dropped on its end")
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    named = "; ".join(f"{name}: {y[0]:.3f} N s at {x[0]:g} degrees, {y[-1]:.3f} at {x[-1]:g}" for name, (x, y) in measured.items())
-    describe(ax, f"Impulse on a rod's end over its angle from the horizontal, rising from a quarter of "
-                 f"{without_spin:g} N s for the level rod to all of it for the upright one. {named}.")  # fmt: skip
+    named = "; ".join(
+        f"{name}: {y[0]:.3f} N s at {x[0]:g} degrees, {y[-1]:.3f} at {x[-1]:g}" for name, (x, y) in measured.items()
+    )
+    describe(
+        ax,
+        f"Impulse on a rod's end over its angle from the horizontal, rising from a quarter of {without_spin:g} N s for "
+        f"the level rod to all of it for the upright one. {named}.",
+    )
     return ax
 
 
@@ -154,7 +168,7 @@ def box_outcomes(box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies
 
 def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str) -> str:
     """One box with its corners' upward speeds; returns them in words."""
-    low = np.stack([corners[:, 0] + 0.45 * corners[:, 1], 0.4 * corners[:, 1]], axis=-1)
+    low = np.stack([corners[:, 0] + 0.5 * corners[:, 1], 0.45 * corners[:, 1]], axis=-1)
     high = low + [0.0, height]
     for face in (low, high):
         ax.add_patch(Polygon(face[[0, 2, 3, 1]], fc="0.9", ec="0.45", alpha=0.6))
@@ -165,11 +179,11 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
         if abs(speed) > 5e-3:
             _arrow(ax, (start[0], start[1]), (start[0], start[1] + ARROW * speed), "vermillion")
         ax.plot(*start, marker="o", ms=4, color="black", ls="none")
-        side = (-0.06, "right") if i < 2 else (0.06, "left")
-        text = f"{speed:+.2f}".replace("-", "\N{MINUS SIGN}") if abs(speed) > 5e-3 else "0"
-        ax.text(start[0] + side[0], start[1], text, ha=side[1], va="center", fontsize=9)
+        side = (-0.05, "right") if i < 2 else (0.05, "left")
+        back = {"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85}
+        ax.text(start[0] + side[0], start[1] - 0.04, _speed(speed), ha=side[1], va="center", fontsize=9.5, bbox=back)
     spin = state.angular_velocity[0]
-    ax.set(xlim=(-1.05, 1.05), ylim=(-0.78, 0.8), aspect="equal")
+    ax.set(xlim=(-0.95, 0.95), ylim=(-0.62, 0.7), aspect="equal")
     ax.set_title(f"{name}\nspin {np.linalg.norm(spin):.2f} rad/s", fontsize=10)
     _bare(ax)
     return f"{name}: {', '.join(f'{s + 0.0:.2f}' for s in speeds)} m/s, spin {np.linalg.norm(spin):.2f} rad/s."
@@ -213,20 +227,20 @@ def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes 
     """
     with style():
         ax = axes(ax, size=(7.4, 4.2))
-        filled = ax.contourf(x, y, ratio, levels=np.linspace(0.2, 1.0, 9), cmap="viridis")
+        filled = ax.contourf(x, y, ratio, levels=np.linspace(0.0, 1.0, 11), cmap="viridis")
         bar = ax.get_figure(root=True).colorbar(filled, ax=ax)  # type: ignore[union-attr]
         bar.set_label("mass felt / mass")
-        levels = {1 / 1.5: "50 %", 1 / 1.1: "10 %", 1 / 1.01: "1 %"}
-        lines = ax.contour(x, y, ratio, levels=sorted(levels), colors="white", linewidths=1.6)
-        wanted = {level: next(t for k, t in levels.items() if abs(k - level) < 1e-9) for level in lines.levels}
-        ax.clabel(lines, fmt=wanted, fontsize=9.5)
+        for error, line in ((1, "-"), (10, "--"), (50, ":")):
+            ax.contour(x, y, ratio, levels=[1 / (1 + error / 100)], colors="black", linewidths=1.6, linestyles=line)
+            ax.plot([], [], color="black", lw=1.6, ls=line, marker="", label=f"{error} % too large")
         ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
-        ax.set_title("Hit here: impulse too large by 1, 10, 50 % without spin")
+        ax.set_title("Impulse computed without spin")
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=3)
         ax.grid(False)
     describe(
         ax,
-        f"Effective mass over mass on the upper face of a box: 1 in the middle, {ratio[0, 0]:.2f} at the corners. Three "
-        "nested ellipses show where an impulse computed without spin is too large by 1, 10 and 50 percent.",
+        f"Effective mass over mass on the upper face of a box: 1 in the middle, {ratio[0, 0]:.2f} at the corners. "
+        "Three nested ellipses show where an impulse computed without spin is too large by 1, 10 and 50 percent.",
     )
     return ax
 
@@ -234,6 +248,10 @@ def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes 
 def _arrow(ax: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str) -> None:
     ax.add_patch(FancyArrowPatch(start, tip, arrowstyle="-|>", mutation_scale=11, lw=1.8, color=PALETTE[colour],
                                  shrinkA=0, shrinkB=0, zorder=4))  # fmt: skip
+
+
+def _speed(value: float) -> str:
+    return "0" if abs(value) < 5e-3 else f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")
 
 
 def _bare(ax: Axes) -> None:

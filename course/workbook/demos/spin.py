@@ -1,0 +1,19 @@
+"""The widget of lesson 12: a rod that the floor hits somewhere."""
+
+from __future__ import annotations
+
+from course.workbook.demos.panel import Panel, slider
+from course.workbook.plots import spin
+
+
+def rod() -> Panel:
+    """A falling rod before and after it is hit: its angle, the restitution, and where the floor meets it."""
+    return Panel(
+        spin.rod_impact,
+        {
+            "angle": slider("angle of the rod", 0.0, 0.0, 90.0, 1.0, "°"),
+            "place": slider("hit at (0 middle, 1 lower end)", 1.0, -1.0, 1.0, 0.05),
+            "restitution": slider("restitution e", 1.0, 0.0, 1.0, 0.05),
+        },
+        columns=2,
+    )
