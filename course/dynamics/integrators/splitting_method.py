@@ -3,15 +3,19 @@
 With the principal moments I1 <= I2 <= I3 and the angular momentum l = R'L in
 those axes, the energy of turning is
 
-    T = |l|^2/(2 I2) + (1/I1 - 1/I2) l1^2/2 + (1/I3 - 1/I2) l3^2/2.
+    T = |l|^2/(2 I2) + (1/I3 - 1/I2) l3^2/2 + (1/I1 - 1/I2) l1^2/2.
 
 Each term alone turns the body evenly: the first about L in space by
-h |L| / I2, the others about axes 1 and 3 of the body. The first commutes with
+h |L| / I2, the others about axes 3 and 1 of the body. The first commutes with
 the other two, so the pieces that must alternate are only two (J. Touma and
 J. Wisdom, Astron. J. 107, 1994, split a body into a symmetric top and a rest;
 A. Dullweber, B. Leimkuhler and R. McLachlan, J. Chem. Phys. 107, 1997; F.
 Fasso, J. Comput. Phys. 189, 2003, compares the ways to split). A symmetric
 top has one of the two, and is turned exactly whatever the step.
+
+A step is a chain of small steps "free motion: axis 3, axis 1; then the kick"
+and their mirror images. R. McLachlan (SIAM J. Sci. Comput. 16, 1995) shows
+that one list of lengths serves any number of pieces.
 """
 
 from __future__ import annotations
@@ -25,33 +29,50 @@ from course.dynamics.bodies import Bodies
 from course.dynamics.integrators.components import conjugated, exponential, multiplied, normalized, rotated
 from course.dynamics.integrators.motion import Motion, PrincipalFrames, Wrench, step_and_time
 
-#: Parts of a step, first half with the middle one, of symmetric compositions: M. Suzuki, Phys. Lett. A 146,
-#: 1990 (order 4); W. Kahan and R.-C. Li, Math. Comp. 66, 1997 (6 and 8); all in Hairer, Lubich and Wanner,
-#: *Geometric Numerical Integration*, section V.3.2.
-_HALF_PARTS = {
-    2: (1.0,),
-    4: (1 / (4 - 4 ** (1 / 3)), 1 / (4 - 4 ** (1 / 3)), 1 - 4 / (4 - 4 ** (1 / 3))),
-    6: (
-        0.39216144400731413928,
-        0.33259913678935943860,
-        -0.70624617255763935981,
-        0.08221359629355080023,
-        0.79854399093482996340,
+
+def _chain(outer: Sequence[float], inner: Sequence[float]) -> tuple[float, ...]:
+    """The lengths of a chain, from what its outer and inner pieces last in the first half of a step."""
+    lengths: list[float] = []
+    for joined in (x for pair in zip(outer, inner, strict=True) for x in pair):
+        lengths.append(joined - (lengths[-1] if lengths else 0.0))
+    return (*lengths, *reversed(lengths))
+
+
+def _of_steps(parts: Sequence[float]) -> tuple[float, ...]:
+    """The chain of steps of order 2, of which the first and the middle ones are given."""
+    return tuple(0.5 * part for part in (*parts, *parts[-2::-1]) for _ in range(2))
+
+
+#: Chains by order: S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142, 2002 (S6 and S10, order 4 and 6);
+#: W. Kahan and R.-C. Li, Math. Comp. 66, 1997 (s17odr8a, order 8; Hairer, Lubich and Wanner,
+#: *Geometric Numerical Integration*, section V.3.2).
+_CHAINS = {
+    2: (0.5, 0.5),
+    4: _chain(
+        (0.0792036964311957, 0.353172906049774, -0.0420650803577195),
+        (0.209515106613362, -0.143851773179818, 0.434336666566456),
     ),
-    8: (
-        0.13020248308889008088,
-        0.56116298177510838456,
-        -0.38947496264484728641,
-        0.15884190655515560090,
-        -0.39590389413323757734,
-        0.18453964097831570709,
-        0.25837438768632204729,
-        0.29501172360931029887,
-        -0.60550853383003451170,
+    6: _chain(
+        (0.0502627644003922, 0.413514300428344, 0.0450798897943977, -0.188054853819569, 0.541960678450780),
+        (0.148816447901042, -0.132385865767784, 0.067307604692185, 0.432666402578175, -0.016404589403618),
+    ),
+    8: _of_steps(
+        (
+            0.13020248308889008088,
+            0.56116298177510838456,
+            -0.38947496264484728641,
+            0.15884190655515560090,
+            -0.39590389413323757734,
+            0.18453964097831570709,
+            0.25837438768632204729,
+            0.29501172360931029887,
+            -0.60550853383003451170,
+        )
     ),
 }
 
-#: Bodies worked on together: their arrays stay in a processor's second cache.
+#: Bodies worked on together: few enough that their arrays stay in a processor's second cache, many enough
+#: that a NumPy call costs little beside its arithmetic.
 _BLOCK = 4096
 
 #: One even turn: about which principal axis (0 or 2), and for what part of the step.
@@ -76,8 +97,8 @@ def splitting(
 
     Args:
         bodies, wrench, step, time: as in ``explicit_euler``.
-        order: 2, or 4, 6, 8 by composing 5, 9, 17 steps of order 2. Above 2
-            it holds where the wrench reads only positions, orientations and time.
+        order: 2 with one kick, or 4, 6, 8 with 6, 10, 17. Above 2 it holds
+            where the wrench reads only positions, orientations and time.
         velocity_dependent: the kick reads the wrench twice, the second time
             with half the kick done, which order 2 needs where the wrench
             depends on velocities. False reads it once, and says that it does not.
@@ -87,32 +108,26 @@ def splitting(
         ValueError: as ``explicit_euler``, and an order that is not there.
     """
     h, t = step_and_time(step, time)
-    if isinstance(order, bool) or order not in _HALF_PARTS:
-        raise failure("order", "one of " + ", ".join(map(str, _HALF_PARTS)), f"{order!r:.60}")
-    half = _HALF_PARTS[order]
-    parts = half + half[-2::-1]
-    motion = Motion.of(bodies)
+    if isinstance(order, bool) or order not in _CHAINS:
+        raise failure("order", "one of " + ", ".join(map(str, _CHAINS)), f"{order!r:.60}")
+    motion, chain = Motion.of(bodies), _CHAINS[order]
     if wrench is None:
-        return _free(motion, _whole(parts), h).to_bodies()
-    for before, part in zip((0.0, *parts), parts, strict=False):
-        motion = _free(motion, _between(before, part), 0.5 * (before + part) * h, h)
-        t += 0.5 * (before + part) * h
-        motion = _kicked(motion, wrench, part * h, t, velocity_dependent)
-    return _free(motion, _between(parts[-1], 0.0), 0.5 * parts[-1] * h, h).to_bodies()
+        return _free(motion, _turns(chain), h, h).to_bodies()
+    before = 0.0
+    for first, second in zip(chain[::2], chain[1::2], strict=True):
+        # Free motion since the last kick: the end of one link and the beginning of the next.
+        turns = [turn for turn in ((0, before), (2, before + first), (0, first)) if turn[1]]
+        motion = _free(motion, turns, (before + first) * h, h)
+        t += (before + first) * h
+        motion = _kicked(motion, wrench, (first + second) * h, t, velocity_dependent)
+        before = second
+    return _free(motion, [(0, before), (2, before)], before * h, h).to_bodies()
 
 
-def _whole(parts: Sequence[float]) -> list[Turn]:
-    """The turns of a step without kicks: axes 1, 3, 1 for each part, neighbours joined."""
-    turns: list[Turn] = []
-    for before, part in zip((0.0, *parts), parts, strict=False):
-        turns += [(0, 0.5 * (before + part)), (2, part)]
-    return [*turns, (0, 0.5 * parts[-1])]
-
-
-def _between(before: float, after: float) -> list[Turn]:
-    """The turns between two kicks: the second half of one part and the first half of the next."""
-    turns = [(2, 0.5 * before), (0, 0.5 * (before + after)), (2, 0.5 * after)]
-    return [turn for turn in turns if turn[1]]
+def _turns(chain: Sequence[float]) -> list[Turn]:
+    """The turns of a step without kicks: axis 3 and axis 1 by turns, neighbours joined."""
+    joined = [chain[0], *(a + b for a, b in zip(chain, chain[1:], strict=False)), chain[-1]]
+    return [(0 if i % 2 else 2, part) for i, part in enumerate(joined)]
 
 
 def _kicked(motion: Motion, wrench: Wrench, span: float, time: float, velocity_dependent: bool) -> Motion:
@@ -127,9 +142,8 @@ def _kicked(motion: Motion, wrench: Wrench, span: float, time: float, velocity_d
     return pushed(span)
 
 
-def _free(motion: Motion, turns: Sequence[Turn], span: float, step: float | None = None) -> Motion:
-    """Free motion for a time span; the turns are parts of the step, by default the span itself."""
-    step = span if step is None else step
+def _free(motion: Motion, turns: Sequence[Turn], span: float, step: float) -> Motion:
+    """Free motion for a time span; the turns are parts of the step."""
     q, frames = np.empty(motion.orientation.shape), motion.frames
     for first in range(0, len(motion.bodies), _BLOCK):
         here = slice(first, first + _BLOCK)
@@ -152,33 +166,40 @@ def _turned(
 ) -> Array:
     q = orientation if frames.axes is None else multiplied(orientation, frames.axes)
     body = rotated(conjugated(q), momentum)
-    inverse = frames.inverse_moments
-    x, y, z, w = np.array(q)
+    inverse, q = frames.inverse_moments, np.array(q)
     half_rates = {axis: 0.5 * step * (inverse[axis] - inverse[1]) for axis in (0, 2)}
+    work = np.empty((4, q.shape[1]))
     for axis, part in turns:
-        if axis == 0:
-            _turn_evenly(part * half_rates[0] * body[0], body[1], body[2], (x, w, y, z))
-        else:
-            _turn_evenly(part * half_rates[2] * body[2], body[0], body[1], (z, w, x, y))
-    q = multiplied(exponential(momentum * (span * inverse[1])), np.array([x, y, z, w]))
+        _turn_evenly(axis, part * half_rates[axis], body, q, work)
+    q = multiplied(exponential(momentum * (span * inverse[1])), q)
     return normalized(q if frames.axes is None else multiplied(q, conjugated(frames.axes)))
 
 
-def _turn_evenly(half_angle: Array, next_: Array, last: Array, q: tuple[Array, Array, Array, Array]) -> None:
-    """Turn the body about one of its axes, in place; ``next_`` and ``last`` are l along the two other axes.
+def _turn_evenly(axis: int, half_rate: Array, body: Array, q: Array, work: Array) -> None:
+    """Turn bodies about one of their axes by 2 half_rate l_axis, in place; body is l, work is room for (4, n).
 
-    The quaternion is multiplied by (tan(angle/2) e, 1): one trigonometric function in place of two, and its
-    length is put right at the end of the step.
+    The quaternion is multiplied by (tan(angle/2) e, 1): one trigonometric
+    function in place of two, and its length is put right at the end of the step.
     """
-    tangent = np.tan(half_angle)
-    cosine = 2.0 / (1.0 + tangent * tangent)
-    sine = cosine * tangent
+    tangent, sine, one, other = work
+    np.multiply(half_rate, body[axis], out=half_rate)
+    np.tan(half_rate, out=tangent)
+    cosine = half_rate
+    np.multiply(tangent, tangent, out=cosine)
+    cosine += 1.0
+    np.divide(2.0, cosine, out=cosine)
+    np.multiply(cosine, tangent, out=sine)
     cosine -= 1.0
-    turned = cosine * next_ + sine * last
+    second, third = (axis + 1) % 3, (axis + 2) % 3
+    following, last = body[second], body[third]
+    np.multiply(sine, last, out=one)
+    np.multiply(sine, following, out=other)
+    following *= cosine
+    following += one
     last *= cosine
-    last -= sine * next_
-    next_[...] = turned
-    for a, b in ((q[0], q[1]), (q[2], q[3])):
-        change = tangent * a
-        a += tangent * b
-        b -= change
+    last -= other
+    for a, b in ((q[axis], q[3]), (q[second], q[third])):
+        np.multiply(tangent, a, out=one)
+        np.multiply(tangent, b, out=other)
+        a += other
+        b -= one
