@@ -10,10 +10,15 @@ from course.contact.separation import (
     separation_acceleration_terms,
     separation_rate,
 )
+from course.contact.solution import ContactSolution, NoContactForce, NotConverged
+from course.contact.solve import solve
 
 __all__ = [
     "CollisionsUnresolved",
+    "ContactSolution",
     "ContactSystem",
+    "NoContactForce",
+    "NotConverged",
     "contact_system",
     "contact_wrench",
     "normal_rate",
@@ -23,4 +28,5 @@ __all__ = [
     "separation_acceleration",
     "separation_acceleration_terms",
     "separation_rate",
+    "solve",
 ]

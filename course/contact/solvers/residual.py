@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, scalars
+from course.arrays import Array, ArrayLike, failure, scalars, shaped
 
 
-def complementarity_residual(matrix: ArrayLike, force: ArrayLike, bias: ArrayLike) -> Array:
+def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> Array:
     """Scaled violation of w = A f + b >= 0, f >= 0, f.w = 0 (syllabus row 20).
 
     max_i |min(D_i f_i, w_i)| / ((|A| |f|)_i + max_j |b_j|) with D = diag A:
@@ -16,7 +18,7 @@ def complementarity_residual(matrix: ArrayLike, force: ArrayLike, bias: ArrayLik
     f = 0.
 
     Args:
-        matrix: A, (..., c, c).
+        matrix: A, (..., c, c), or one sparse (c, c).
         force: f, (..., c).
         bias: b, (..., c).
     Returns:
@@ -24,17 +26,36 @@ def complementarity_residual(matrix: ArrayLike, force: ArrayLike, bias: ArrayLik
     Raises:
         ValueError: shapes that do not belong together, NaN or infinity.
     """
-    a, f, b = scalars("matrix", matrix), scalars("force", force), scalars("bias", bias)
+    f, b = scalars("force", force), scalars("bias", bias)
+    if hasattr(matrix, "tocsr"):
+        count = matrix.shape[0]
+        shaped("matrix", matrix, (count, count))
+        scalars("matrix", matrix.data)
+        shaped("force", f, (count,))
+        shaped("bias", b, (count,))
+        return _largest(scaled_rows(matrix.diagonal(), matrix @ f, abs(matrix) @ np.abs(f), f, b))
+    a = scalars("matrix", matrix)
     if a.ndim < 2 or a.shape[-1] != a.shape[-2]:
         raise failure("matrix", "shape (..., c, c)", f"shape {a.shape}")
     for name, array in (("force", f), ("bias", b)):
         if array.ndim == 0 or array.shape[-1] != a.shape[-1]:
             raise failure(name, f"shape (..., {a.shape[-1]})", f"shape {array.shape}")
-    w = np.einsum("...ij,...j->...i", a, f) + b
-    diagonal = np.diagonal(a, axis1=-2, axis2=-1)
-    scale = np.einsum("...ij,...j->...i", np.abs(a), np.abs(f)) + np.abs(b).max(
-        axis=-1, keepdims=True, initial=0
-    )
-    violation = np.abs(np.minimum(diagonal * f, w))
-    ratio = np.divide(violation, scale, out=np.zeros(np.shape(violation)), where=scale > 0)
-    return ratio.max(axis=-1, initial=0.0)[()]
+    product = np.einsum("...ij,...j->...i", a, f)
+    size = np.einsum("...ij,...j->...i", np.abs(a), np.abs(f))
+    return _largest(scaled_rows(np.diagonal(a, axis1=-2, axis2=-1), product, size, f, b))
+
+
+def scaled_rows(
+    diagonal: Array, product: Array, size: Array, force: Array, bias: Array, *, axis: int = -1
+) -> tuple[Array, Array]:
+    """D f and w, each row divided by its scale (0 where that is 0); the residual is max |min of both|.
+
+    From D, A f, |A| |f|, f and b, the contacts along the axis; nothing is checked.
+    """
+    scale = size + np.abs(bias).max(axis=axis, keepdims=True, initial=0)
+    inverse = np.divide(1.0, scale, out=np.zeros(np.shape(scale)), where=scale > 0)
+    return diagonal * force * inverse, (product + bias) * inverse
+
+
+def _largest(rows: tuple[Array, Array]) -> Array:
+    return np.abs(np.minimum(*rows)).max(axis=-1, initial=0.0)[()]

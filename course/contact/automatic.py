@@ -1,0 +1,272 @@
+"""The choice of a method: take a contact system apart, solve each part by what suits it, check, and try again.
+
+Contacts that share no free body, not even through others, do not depend on
+each other: they are separate islands. Small islands of like size are solved
+together as one batch; large ones by the interior point method. What was found
+is judged by the residual of the whole system. Where it is too large, or where
+forces ran away, the other methods are tried, and a proof that there is nothing
+to find.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from course.arrays import Array, BoolArray, IntArray
+from course.contact.contact_system import ContactSystem
+from course.contact.solution import ContactSolution, NoContactForce, NotConverged, contact_solution
+from course.contact.solvers.active_set import settle
+from course.contact.solvers.block_pivot import block_pivot
+from course.contact.solvers.certificate import certificate
+from course.contact.solvers.gauss import solve_gauss
+from course.contact.solvers.mass_factor import mass_factor
+from course.contact.solvers.nnls import solve_nnls
+from course.contact.solvers.pivot import solve_pivot
+from course.contact.solvers.qp import solve_qp
+from course.contact.solvers.residual import scaled_rows
+from course.contact.solvers.unit_system import UnitSystem
+
+#: Islands of up to this many contacts go to ``block_pivot``, in batches.
+SMALL = 128
+#: Systems of up to this many contacts are not looked through for islands.
+WHOLE = 24
+#: Sizes to which small islands are filled up, so that they form few batches.
+SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
+#: d_ddot below this times -max |b| is looked at again, whatever the residual: forces may have run away.
+SUSPICIOUS = 1e-7
+#: Up to how many contacts the dense methods are tried.
+PIVOT_UP_TO, NNLS_UP_TO = 400, 1000
+
+
+def automatic(
+    system: ContactSystem, *, tolerance: float, max_iterations: int | None = None, start: Array | None = None
+) -> ContactSolution:
+    """``solve`` with method "auto"; see there."""
+    if start is not None:
+        kept = contact_solution(system, np.maximum(start, 0.0), 0, "auto: start", tolerance)
+        if np.all(kept.converged) and np.all(kept.acceleration >= _suspicious(system.b)):
+            return kept
+    if system.b.ndim > 1:
+        return _batch(system, tolerance, max_iterations)
+    parts = _Parts(system, tolerance, max_iterations)
+    parts.solve()
+    solution = contact_solution(system, parts.force, parts.iterations, parts.method, tolerance)
+    if np.any(parts.proof):
+        raise NoContactForce(_no_force(parts.proof, system.b), parts.proof)
+    if not solution.converged:
+        raise NotConverged(_not_converged(float(solution.residual), tolerance, system), solution)
+    return solution
+
+
+def _batch(system: ContactSystem, tolerance: float, limit: int | None) -> ContactSolution:
+    a, b = system.A.reshape(-1, *system.A.shape[-2:]), system.b.reshape(-1, len(system))
+    if len(system) <= SMALL:
+        found = block_pivot(a, b, max_iterations=limit)
+        force, iterations, used = found.force, found.iterations, {"block_pivot"}
+        acceleration = np.einsum("sij,sj->si", a, force) + b
+        bad = (found.residual > tolerance) | np.any(acceleration < _suspicious(b), axis=1)
+    else:
+        force, iterations, used = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp), set()
+        bad = np.ones(len(b), dtype=bool)
+    proof = np.zeros(b.shape)
+    for k in np.flatnonzero(bad):
+        parts = _Parts(ContactSystem(a[k], b[k]), tolerance, limit)
+        parts.solve()
+        force[k], proof[k], iterations[k] = parts.force, parts.proof, parts.iterations
+        used.add(parts.method.removeprefix("auto: "))
+    shape = system.b.shape
+    method = "auto: " + ", ".join(sorted(used))
+    solution = contact_solution(
+        system, force.reshape(shape), iterations.reshape(shape[:-1]), method, tolerance
+    )
+    if np.any(proof):
+        raise NoContactForce(_no_force(proof, b), proof.reshape(shape))
+    if not np.all(solution.converged):
+        raise NotConverged(_not_converged(float(np.max(solution.residual)), tolerance, system), solution)
+    return solution
+
+
+class _Parts:
+    """One system, its forces as they are found, and the proof where there are none."""
+
+    def __init__(self, system: ContactSystem, tolerance: float, limit: int | None) -> None:
+        self.system, self.tolerance, self.limit = system, tolerance, limit
+        self.force, self.proof = np.zeros(system.b.shape), np.zeros(system.b.shape)
+        self.iterations, self._used, self._factor = 0, set[str](), None
+        self._largest = float(np.abs(system.b).max(initial=0.0))
+
+    @property
+    def method(self) -> str:
+        return "auto: " + (", ".join(sorted(self._used)) or "nothing pushes")
+
+    def solve(self) -> None:
+        a, b, diagonal = self.system.A, self.system.b, self.system.diagonal
+        nothing_helps = (diagonal == 0) & (b < 0)
+        if np.any(nothing_helps):
+            self.proof[nothing_helps] = 1.0
+            return
+        if not np.any(b < 0):
+            return
+        label = _islands(a)
+        size = np.bincount(label)
+        approaching = np.bincount(label, weights=b < 0) > 0
+        if size.size == 1 and b.size <= SMALL:
+            found = block_pivot(_dense(a)[None], b[None], max_iterations=self.limit)
+            self._take(slice(None), found.force[0], int(found.iterations[0]), "block_pivot")
+        else:
+            self._small(a, label, size, approaching & (size <= SMALL))
+            for island in np.flatnonzero(approaching & (size > SMALL)):
+                index = slice(None) if size.size == 1 else np.flatnonzero(label == island)
+                self._take(index, *self._by_gauss(index))
+        for island in np.unique(label[self._failing(a, b, diagonal)]):
+            self._rescue(np.flatnonzero(label == island))
+
+    def _small(self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray) -> None:
+        """All small islands, in batches of like size."""
+        if not np.any(chosen):
+            return
+        from scipy.sparse import csr_array
+
+        entries = csr_array(a).tocoo()
+        local = np.empty(label.size, dtype=np.intp)
+        order = np.argsort(label, kind="stable")
+        local[order] = np.arange(label.size) - np.repeat(np.cumsum(size) - size, size)
+        filled = SIZES[np.searchsorted(SIZES, np.minimum(size, SMALL))]
+        for count in np.unique(filled[chosen]):
+            islands = np.flatnonzero(chosen & (filled == count))
+            slot = np.full(size.size, -1)
+            slot[islands] = np.arange(islands.size)
+            # A contact with a = 1 and b = 0 fills up: it takes no force.
+            matrix, bias = np.tile(np.eye(count), (islands.size, 1, 1)), np.zeros((islands.size, count))
+            here = slot[label[entries.row]] >= 0
+            row, column = entries.row[here], entries.col[here]
+            matrix[slot[label[row]], local[row], local[column]] = entries.data[here]
+            contacts = np.flatnonzero(slot[label] >= 0)
+            where = (slot[label[contacts]], local[contacts])
+            bias[where] = self.system.b[contacts]
+            found = block_pivot(matrix, bias, max_iterations=self.limit)
+            self._take(contacts, found.force[where], int(found.iterations.max()), "block_pivot")
+
+    def _take(self, index: Any, force: Array, iterations: int, method: str) -> None:
+        self.force[index] = force
+        self.iterations = max(self.iterations, iterations)
+        self._used.add(method)
+
+    def _failing(self, a: Any, b: Array, diagonal: Array) -> Any:
+        """Which contacts do not meet the tolerance, or approach by more than rounding."""
+        product, size = a @ self.force, abs(a) @ self.force
+        push, motion = scaled_rows(diagonal, product, size, self.force, b)
+        off = np.abs(np.minimum(push, motion)) > self.tolerance
+        return off | (product + b < -SUSPICIOUS * self._largest)
+
+    def _rescue(self, index: IntArray) -> None:
+        """An island that the first method did not solve: a proof, or other methods, or the best there is."""
+        a, b = self.system.A[index][:, index], self.system.b[index]
+        best, least = self.force[index], np.inf
+        proof = certificate(a, b, best, search=False)
+        for attempt in (self._by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
+            found = None if proof is not None else attempt(index)
+            if found is None:
+                continue
+            residual, runs_away = self._judged(a, b, found[0])
+            if residual < least:
+                best, least = found[0], residual
+            if residual <= self.tolerance and not runs_away:
+                self._take(index, *found)
+                return
+            proof = certificate(a, b, found[0], search=False)
+        if proof is None:
+            proof = certificate(a, b)
+        self.force[index] = best
+        if proof is not None:
+            self.proof[index] = proof
+
+    def _judged(self, a: Any, b: Array, force: Array) -> tuple[float, bool]:
+        """The residual of an island by the scale of the whole system, and whether forces seem to run away."""
+        product = a @ force
+        scale = abs(a) @ force + self._largest
+        residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / scale
+        return float(residual.max()), bool(np.any(product + b < -SUSPICIOUS * self._largest))
+
+    def _unit(self, index: Any) -> UnitSystem:
+        if self._factor is None:
+            self._factor = mass_factor(self.system)
+        a, factor = self.system.A, self._factor
+        if not isinstance(index, slice):
+            a, factor = a[index][:, index], None if factor is None else factor[index]
+        return UnitSystem(a, self.system.b[index], factor)
+
+    def _by_gauss(self, index: Any) -> tuple[Array, int, str]:
+        limit = 100 if self.limit is None else self.limit
+        found = solve_gauss(self._unit(index), tolerance=self.tolerance, max_iterations=limit)
+        return found.force, found.iterations, "gauss"
+
+    def _by_pivot(self, index: Any) -> tuple[Array, int, str] | None:
+        unit = self._unit(index)
+        if len(unit) > PIVOT_UP_TO:
+            return None
+        found = solve_pivot(_dense(unit.matrix), unit.bias)
+        return found.force, found.pivots, "pivot"
+
+    def _by_nnls(self, index: Any) -> tuple[Array, int, str] | None:
+        unit = self._unit(index)
+        if len(unit) > NNLS_UP_TO:
+            return None
+        found = solve_nnls(_dense(unit.matrix), unit.bias)
+        return found.force, int(np.count_nonzero(found.force)), "nnls"
+
+    def _by_qp(self, index: Any) -> tuple[Array, int, str] | None:
+        unit = self._unit(index)
+        size = float(np.abs(unit.unit_bias).max())
+        scaled = _dense(unit.matrix) / (unit.root[:, None] * unit.root)
+        found, count = solve_qp(scaled, unit.unit_bias / size, tolerance=1e-10)
+        if found is None:
+            return None
+        at = np.maximum(found * size, 0.0)
+        motion = unit.operator.times(at) + unit.unit_bias
+        better = settle(unit, at, at > motion, tolerance=self.tolerance)
+        chosen = better.force if better.residual < unit.residual(at) else at
+        return unit.force(chosen), count, "qp"
+
+
+def _islands(a: Any) -> IntArray:
+    """For each contact the number of the island it belongs to."""
+    if a.shape[0] <= WHOLE:
+        return np.zeros(a.shape[0], dtype=np.intp)
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import connected_components
+
+    return connected_components(csr_array(a), directed=False)[1].astype(np.intp)
+
+
+def _dense(a: Any) -> Array:
+    return a.toarray() if hasattr(a, "toarray") else a
+
+
+def _suspicious(b: Array) -> Array:
+    """The least d_ddot that passes without a second look."""
+    return -SUSPICIOUS * np.abs(b).max(axis=-1, keepdims=True, initial=0.0)
+
+
+def _no_force(proof: Array, b: Array) -> str:
+    y, bias = (proof, b) if proof.ndim == 1 else (proof[k := int(np.argmax(proof.any(axis=1)))], b[k])
+    which = "" if proof.ndim == 1 else f" of system {k} of the batch"
+    return (
+        f"no contact forces keep these contacts{which} from approaching: forces y on contacts "
+        f"{np.flatnonzero(y)[:8].tolist()} move no body (A y = 0), yet b.y = {bias @ y:.3g} m/s^2 is below 0 "
+        "(y is in .certificate). Something is squeezed or pried apart by its own motion; let the bodies "
+        "collide instead, or take contacts away"
+    )
+
+
+def _not_converged(residual: float, tolerance: float, system: ContactSystem) -> str:
+    a = _dense(system.A) if system.b.ndim == 1 and len(system) <= 2000 else None
+    reason = ""
+    if a is not None and np.linalg.eigvalsh(a)[0] < -1e-9 * np.abs(a).max():
+        reason = "; A is not positive semidefinite"
+    return (
+        f"no method reached the tolerance {tolerance:g}: the best residual is {residual:.3g}{reason} "
+        "(what was reached is in .solution)"
+    )

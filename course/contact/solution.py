@@ -1,0 +1,67 @@
+"""What a contact solver found, and the two ways in which there may be nothing to find."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from course.arrays import Array
+from course.contact.contact_system import ContactSystem
+from course.contact.solvers.residual import complementarity_residual
+
+
+@dataclass(frozen=True, eq=False)
+class ContactSolution:
+    """Contact forces and what they lead to.
+
+    Args:
+        force: f >= 0, (..., c) [N]. It need not be unique; the accelerations of bodies are.
+        acceleration: d_ddot = A f + b, (..., c) [m/s^2].
+        residual: ``complementarity_residual`` of the force, (...).
+        iterations: Newton systems, pivots, sweeps or sets, as the method
+            counts, (...); the most of any part where a system falls apart.
+        method: the name of the method; for "auto" those it used.
+        converged: residual <= tolerance, (...).
+    """
+
+    force: Array
+    acceleration: Array
+    residual: Any
+    iterations: Any
+    method: str
+    converged: Any
+
+
+class NotConverged(RuntimeError):
+    """No method reached the tolerance; ``solution`` is the best that was reached."""
+
+    def __init__(self, message: str, solution: ContactSolution) -> None:
+        super().__init__(message)
+        self.solution = solution
+
+
+class NoContactForce(RuntimeError):
+    """No forces f >= 0 keep all d_ddot >= 0; ``certificate`` is the proof.
+
+    It is y >= 0, (..., c), with J'y = 0 (so A y = 0) and b.y < 0: forces y
+    move no body, yet d_ddot . y = b.y < 0 whatever f is, so some d_ddot is
+    below 0. In a batch y is 0 for the systems that have a solution.
+    """
+
+    def __init__(self, message: str, certificate: Array) -> None:
+        super().__init__(message)
+        self.certificate = certificate
+
+
+def contact_solution(
+    system: ContactSystem, force: Array, iterations: Any, method: str, tolerance: float
+) -> ContactSolution:
+    """The solution of this force: its accelerations, its residual, and whether that is within the tolerance."""
+    if hasattr(system.A, "tocsr"):
+        acceleration = system.A @ force + system.b
+    else:
+        acceleration = np.einsum("...ij,...j->...i", system.A, force) + system.b
+    residual = complementarity_residual(system.A, force, system.b)
+    return ContactSolution(force, acceleration, residual, iterations, method, residual <= tolerance)

@@ -1,0 +1,156 @@
+"""Contact forces by Gauss' principle: an interior point method on the accelerations.
+
+Of all accelerations that the contacts allow, nature takes the one nearest to
+the free one, measured by mass:
+
+    minimise (a - a_free)' M (a - a_free) / 2  with  J a + bias >= 0
+
+(C. F. Gauss, 1829; syllabus row 25 in other unknowns). It is strictly convex
+even where A = J M^-1 J' is singular, so a is unique where f is not; f are its
+multipliers. The method is Mehrotra's predictor and corrector (S. Mehrotra, SIAM
+Journal on Optimization 2(4), 1992) with one of Gondzio's centrality correctors
+(J. Gondzio, Computational Optimization and Applications 6, 1996), and each
+Newton system is solved by whichever elimination of ``shifted`` is cheapest.
+Once it is clear which contacts push, ``active_set`` finishes to rounding.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from course.arrays import Array
+from course.contact.solvers.active_set import settle
+from course.contact.solvers.unit_system import UnitSystem
+
+#: 1/(shift) of the equality problem that gives the starting point.
+START = 1e3
+#: Shift kept in every Newton system, relative to a diagonal of ones: rank deficient systems stay solvable.
+KEPT = 1e-13
+#: Fraction of the way to the boundary.
+FRACTION = 0.995
+#: Share of contacts that may be undecided when ``active_set`` is tried.
+UNDECIDED = 0.1
+
+
+@dataclass(frozen=True)
+class InteriorPoint:
+    """Where the method stopped.
+
+    Args:
+        force: f >= 0, (c,).
+        residual: of that force.
+        iterations: Newton systems factored, those of ``active_set`` included.
+    """
+
+    force: Array
+    residual: float
+    iterations: int
+
+
+@dataclass
+class _Iterate:
+    f: Array
+    w: Array
+
+    @property
+    def gap(self) -> float:
+        return float(np.mean(self.f * self.w))
+
+
+def solve_gauss(system: UnitSystem, *, tolerance: float = 1e-10, max_iterations: int = 100) -> InteriorPoint:
+    """Contact forces of a system whose A has a positive diagonal.
+
+    Args:
+        system: A and b, and the factor of A for elimination by accelerations.
+        tolerance: residual at which it stops.
+        max_iterations: how many Newton systems may be factored.
+    Returns:
+        The best force met; it is f >= 0 in every case.
+    """
+    at = _start(system)
+    best, residual = at.f, np.inf
+    count, undecided_then = 1, len(system) + 1.0
+    while count < max_iterations:
+        now = system.residual(at.f)
+        if now < residual:
+            best, residual = at.f, now
+        if residual <= tolerance or not _sane(at):
+            break
+        undecided = _undecided(at)
+        if undecided <= UNDECIDED * len(system) and undecided <= 0.5 * undecided_then:
+            undecided_then = undecided
+            found = settle(system, at.f, at.f > at.w, tolerance=tolerance)
+            count += found.iterations
+            if found.residual < residual:
+                best, residual = found.force, found.residual
+            if residual <= tolerance:
+                break
+        try:
+            at = _step(system, at)
+        except np.linalg.LinAlgError:
+            break
+        count += 1
+    return InteriorPoint(system.force(best), residual, count)
+
+
+def _start(system: UnitSystem) -> _Iterate:
+    """Forces that stop all contacts, moved to f > 0 and w > 0 as Mehrotra does."""
+    op, b = system.operator, system.unit_bias
+    op.factor(np.full(b.size, START))
+    f = -op.solve(b)
+    w = -f / START
+    f = f + max(-1.5 * float(f.min()), 0.0)
+    w = w + max(-1.5 * float(w.min()), 0.0)
+    product = float(f @ w)
+    return _Iterate(f + 0.5 * product / float(w.sum()), w + 0.5 * product / float(f.sum()))
+
+
+def _step(system: UnitSystem, at: _Iterate) -> _Iterate:
+    """One Newton step toward f w = a smaller common value, with its corrections."""
+    op, f, w = system.operator, at.f, at.w
+    missing = op.times(f) + system.unit_bias - w
+    kept = w + KEPT * f
+    op.factor(f / kept)
+
+    def direction(product: Array) -> tuple[Array, Array]:
+        """df, dw with A df - dw = -missing and w df + f dw = product, up to the shift that is kept."""
+        df = op.solve(product / f - missing)
+        return df, (product - w * df) / f
+
+    gap = at.gap
+    df, dw = direction(-f * w)
+    length = _length(at, df, dw)
+    reached = float(np.mean((f + length * df) * (w + length * dw)))
+    target = (reached / gap) ** 3 * gap
+    product = target - f * w - df * dw
+    df, dw = direction(product)
+    length = _length(at, df, dw)
+    aim = min(1.0, max(1.5 * length, length + 0.3))
+    ahead = (f + aim * df) * (w + aim * dw)
+    more = np.maximum(np.clip(ahead, 0.1 * target, 10 * target) - ahead, -10 * target)
+    df_2, dw_2 = direction(product + more)
+    if (length_2 := _length(at, df_2, dw_2)) > length + 0.01:
+        df, dw, length = df_2, dw_2, length_2
+    length *= FRACTION
+    return _Iterate(f + length * df, w + length * dw)
+
+
+def _length(at: _Iterate, df: Array, dw: Array) -> float:
+    """The longest step, at most 1, that keeps f and w at or above 0."""
+    fastest = max(float(np.max(-df / at.f)), float(np.max(-dw / at.w)), 1.0)
+    return 1.0 / fastest
+
+
+def _undecided(at: _Iterate) -> int:
+    """How many contacts neither clearly push nor clearly part."""
+    ratio = (at.f * float(np.mean(at.w))) / (at.w * float(np.mean(at.f)))
+    return int(np.count_nonzero((ratio > 1e-3) & (ratio < 1e3)))
+
+
+def _sane(at: _Iterate) -> bool:
+    """False once the forces have run away (no solution) or rounding has spoilt them."""
+    return bool(
+        np.all(np.isfinite(at.f)) and np.all(np.isfinite(at.w)) and np.all(at.f > 0) and np.all(at.w > 0)
+    )

@@ -1,0 +1,214 @@
+"""Solve (A + diag(1/theta)) x = q again and again for changing theta, by the cheapest of three eliminations.
+
+Both Newton's method on the contact conditions and the solution on a guessed
+set of pushing contacts need it: theta_i is large where contact i pushes and
+0 where it does not (x_i is 0 then). With T = diag(sqrt(theta)):
+
+by forces         x = T (1 + T A T)^-1 T q, Cholesky of a c x c matrix, dense
+                  or banded;
+by accelerations  A = G'G, x = theta (q - G'y), (1 + G theta G') y = G theta q,
+                  Cholesky of a matrix as large as the bodies' degrees of
+                  freedom: Gauss' view, and the better one where many contacts
+                  share few bodies.
+
+A is brought to a diagonal of ones first, so that heavy and light bodies count
+alike. Banded matrices are ordered by reverse Cuthill-McKee (A. George,
+J. W.-H. Liu, Computer Solution of Large Sparse Positive Definite Systems,
+1981), which brings the numbers close to the diagonal.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import numpy as np
+
+from course.arrays import Array, IntArray
+
+#: Below this many contacts a dense matrix is always the cheapest.
+DENSE = 96
+
+
+class Shifted(Protocol):
+    """What the solvers ask of a matrix A with a diagonal of ones."""
+
+    def times(self, x: Array) -> Array:
+        """A x."""
+        ...
+
+    def factor(self, theta: Array) -> None:
+        """Prepare ``solve`` for this theta >= 0; LinAlgError where rounding makes that impossible."""
+        ...
+
+    def solve(self, q: Array) -> Array:
+        """x with (A + diag(1/theta)) x = q, x_i = 0 where theta_i = 0."""
+        ...
+
+
+def shifted(matrix: Any, factor: Any = None) -> Shifted:
+    """The cheapest of the three for this A, (c, c) sparse or dense with a diagonal of ones.
+
+    Args:
+        matrix: A.
+        factor: None, or G', (c, m) sparse, with A = G'G.
+    """
+    from scipy.sparse import csr_array, issparse
+
+    count = matrix.shape[0]
+    if count <= DENSE:
+        return ShiftedDense(matrix.toarray() if issparse(matrix) else matrix)
+    choices: list[tuple[float, Any]] = [(count**3 / 3, ShiftedDense)]
+    if issparse(matrix):
+        by_forces = _Band(csr_array(matrix))
+        choices.append((_cost(by_forces), by_forces))
+    if factor is not None:
+        rows = csr_array(factor)
+        rows = rows[:, np.unique(rows.indices)]
+        pattern = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
+        by_bodies = _Band((pattern.T @ pattern).tocsr())
+        choices.append((_cost(by_bodies), (by_bodies, rows)))
+    best = min(choices, key=lambda choice: choice[0])[1]
+    if best is ShiftedDense:
+        return ShiftedDense(matrix.toarray() if issparse(matrix) else matrix)
+    return (
+        ShiftedByForces(matrix, best) if isinstance(best, _Band) else ShiftedByAccelerations(best[1], best[0])
+    )
+
+
+class ShiftedDense:
+    """By forces, A dense."""
+
+    def __init__(self, matrix: Array) -> None:
+        self._matrix = matrix
+
+    def times(self, x: Array) -> Array:
+        return self._matrix @ x
+
+    def factor(self, theta: Array) -> None:
+        from scipy.linalg.lapack import dpotrf
+
+        self._used = np.flatnonzero(theta)
+        self._root = np.sqrt(theta[self._used])
+        small = self._matrix[np.ix_(self._used, self._used)] * (self._root[:, None] * self._root)
+        small[np.diag_indices_from(small)] += 1.0
+        self._cholesky, info = dpotrf(small.T, lower=1, overwrite_a=1, clean=0)
+        _check(info)
+
+    def solve(self, q: Array) -> Array:
+        from scipy.linalg.lapack import dpotrs
+
+        x = np.zeros(q.size)
+        if self._used.size:
+            x[self._used] = self._root * dpotrs(self._cholesky, self._root * q[self._used], lower=1)[0]
+        return x
+
+
+class ShiftedByForces:
+    """By forces, A sparse, banded after reordering."""
+
+    def __init__(self, matrix: Any, band: _Band) -> None:
+        from scipy.sparse import csr_array, tril
+
+        self._matrix, self._band = csr_array(matrix), band
+        ordered = csr_array(matrix)[band.order][:, band.order]
+        lower = tril(ordered, format="coo")
+        self._row, self._column, self._value = lower.row, lower.col, lower.data
+        self._place = band.place(self._row, self._column)
+
+    def times(self, x: Array) -> Array:
+        return self._matrix @ x
+
+    def factor(self, theta: Array) -> None:
+        self._root = np.sqrt(theta[self._band.order])
+        values = self._value * self._root[self._row] * self._root[self._column]
+        self._band.factor(self._place, values)
+
+    def solve(self, q: Array) -> Array:
+        x = np.empty(q.size)
+        x[self._band.order] = self._root * self._band.solve(self._root * q[self._band.order])
+        return x
+
+
+class ShiftedByAccelerations:
+    """By accelerations, 1 + G theta G' banded after reordering; G' is (c, m) sparse."""
+
+    def __init__(self, rows: Any, band: _Band) -> None:
+        from scipy.sparse import csr_array
+
+        self._rows = csr_array(rows[:, band.order])
+        self._rows.sort_indices()
+        self._columns = csr_array(self._rows.T)
+        self._band = band
+        count = np.diff(self._rows.indptr)
+        # Every contact adds theta_i g_i g_i'. All those products, and where
+        # they go, are the same for every theta: one sparse matrix times theta.
+        width = int(count.max(initial=0))
+        index, value = np.full((count.size, width), -1), np.zeros((count.size, width))
+        contact = np.repeat(np.arange(count.size), count)
+        slot = np.arange(self._rows.nnz) - np.repeat(self._rows.indptr[:-1], count)
+        index[contact, slot], value[contact, slot] = self._rows.indices, self._rows.data
+        first, second = np.tril_indices(width)
+        row, column = index[:, first], index[:, second]
+        real = column >= 0
+        real &= row >= 0
+        contact = np.broadcast_to(np.arange(count.size)[:, None], row.shape)[real]
+        place = band.place(row[real], column[real])
+        products = (value[:, first] * value[:, second])[real]
+        self._place, position = np.unique(place, return_inverse=True)
+        self._products = csr_array((products, (position, contact)), shape=(self._place.size, count.size))
+
+    def times(self, x: Array) -> Array:
+        return self._rows @ (self._columns @ x)
+
+    def factor(self, theta: Array) -> None:
+        self._theta = theta
+        self._band.factor(self._place, self._products @ theta)
+
+    def solve(self, q: Array) -> Array:
+        pushed = self._theta * q
+        return pushed - self._theta * (self._rows @ self._band.solve(self._columns @ pushed))
+
+
+class _Band:
+    """A symmetric positive definite matrix, one on the diagonal added to it, in LAPACK's band storage."""
+
+    def __init__(self, pattern: Any) -> None:
+        from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+        self.order: IntArray = np.asarray(reverse_cuthill_mckee(pattern, symmetric_mode=True), dtype=np.intp)
+        place = np.empty_like(self.order)
+        place[self.order] = np.arange(self.order.size)
+        coo = pattern.tocoo()
+        self.width = int(np.max(np.abs(place[coo.row] - place[coo.col]), initial=0))
+        self._storage: Array | None = None
+
+    def place(self, row: Any, column: Any) -> Any:
+        """Where an entry on or below the diagonal stands in the storage."""
+        return column.astype(np.int64) * (self.width + 1) + (row - column)
+
+    def factor(self, place: Any, values: Array) -> None:
+        from scipy.linalg.lapack import dpbtrf
+
+        if self._storage is None:
+            self._storage = np.zeros((self.order.size, self.width + 1))
+        storage = self._storage
+        storage[:] = 0
+        storage.ravel()[place] = values
+        storage[:, 0] += 1.0
+        self._cholesky, info = dpbtrf(storage.T, lower=1, overwrite_ab=1)
+        _check(info)
+
+    def solve(self, q: Array) -> Array:
+        from scipy.linalg.lapack import dpbtrs
+
+        return dpbtrs(self._cholesky, q, lower=1)[0]
+
+
+def _cost(band: _Band) -> float:
+    """Multiplications of a banded Cholesky factor; narrow bands run at a fraction of a dense one's speed."""
+    return band.order.size * (band.width + 30.0) ** 2
+
+
+def _check(info: int) -> None:
+    if info:
+        raise np.linalg.LinAlgError(f"not positive definite to rounding at pivot {info}")

@@ -1,0 +1,57 @@
+"""A contact system brought to a diagonal of ones, as the iterative solvers work on it."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from course.arrays import Array
+from course.contact.solvers.residual import scaled_rows
+from course.contact.solvers.shifted import Shifted, shifted
+
+
+class UnitSystem:
+    """D^-1/2 A D^-1/2, D^-1/2 b and, for a force D^1/2 f of it, the residual of the system it came from.
+
+    Args:
+        matrix: A, (c, c), sparse or dense, its diagonal above 0.
+        bias: b, (c,).
+        factor: None, or sparse (c, m) with A = factor factor', such as J M^-1/2.
+    """
+
+    def __init__(self, matrix: Any, bias: Array, factor: Any = None) -> None:
+        self.matrix, self.bias, self._factor = matrix, bias, factor
+        self.diagonal: Array = matrix.diagonal()
+        self.root = np.sqrt(self.diagonal)
+        self.unit_bias = bias / self.root
+        self._magnitude = abs(matrix)
+
+    def __len__(self) -> int:
+        return self.bias.size
+
+    @cached_property
+    def operator(self) -> Shifted:
+        """The matrix with ones on its diagonal."""
+        inverse = 1.0 / self.root
+        if not hasattr(self.matrix, "tocsr"):
+            return shifted(self.matrix * (inverse[:, None] * inverse))
+        from scipy.sparse import diags_array
+
+        scale = diags_array(inverse)
+        return shifted(scale @ self.matrix @ scale, None if self._factor is None else scale @ self._factor)
+
+    def force(self, unit_force: Array) -> Array:
+        """f of the system it came from."""
+        return unit_force / self.root
+
+    def rows(self, unit_force: Array) -> tuple[Array, Array]:
+        """D f and A f + b of the system it came from, each row by its scale (``scaled_rows``)."""
+        f = self.force(unit_force)
+        size = self._magnitude @ np.abs(f)
+        return scaled_rows(self.diagonal, self.matrix @ f, size, f, self.bias)
+
+    def residual(self, unit_force: Array) -> float:
+        """``complementarity_residual`` of that f."""
+        return float(np.max(np.abs(np.minimum(*self.rows(unit_force))), initial=0.0))
