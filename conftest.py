@@ -3,6 +3,7 @@
 import atexit
 import os
 import shutil
+import sys
 import tempfile
 from pathlib import Path
 
@@ -14,3 +15,4 @@ if "IPYTHONDIR" not in os.environ:
     for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR"):
         os.environ[name] = str(Path(scratch) / name.lower())
 os.environ.setdefault("MPLCONFIGDIR", str(Path(__file__).parent / ".pytest_cache" / "matplotlib"))
+sys.modules.setdefault("rfc3987_syntax", None)    # seconds at every import of nbformat, see course/cli.py

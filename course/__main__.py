@@ -13,17 +13,18 @@ def main(arguments=None):
         sys.stderr.write("Python 3.11 or newer is needed, this is %d.%d. Get it from https://www.python.org "
                          "and start with: python3 -m course\n" % tuple(sys.version_info[:2]))
         return 2
-    from course import environment
-
-    arguments = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        environment.ensure(arguments)
-        from course import cli
+        from course import environment
 
-        return cli.run(arguments)
-    except environment.SetupError as problem:
-        sys.stderr.write("%s\n" % problem)
-        return 2
+        arguments = list(sys.argv[1:] if arguments is None else arguments)
+        try:
+            environment.ensure(arguments)
+            from course import cli
+
+            return cli.run(arguments)
+        except environment.SetupError as problem:
+            sys.stderr.write("%s\n" % problem)
+            return 2
     except KeyboardInterrupt:
         return 130
 

@@ -17,15 +17,6 @@ from course.workbook import lab
 ROOT = Path(__file__).resolve().parents[1]
 
 
-@pytest.fixture(autouse=True)
-def no_slow_module_hidden():
-    """What ``run`` hides in its own process is no affair of the other tests."""
-    before = sys.modules.get("rfc3987_syntax", "absent")
-    yield
-    if before == "absent":
-        sys.modules.pop("rfc3987_syntax", None)
-
-
 @pytest.fixture
 def project(tmp_path, monkeypatch):
     """A project folder with two lessons, in place of this checkout; starting JupyterLab is noted, not done."""

@@ -9,6 +9,7 @@ they are.
 from __future__ import annotations
 
 import os
+import signal
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -35,11 +36,16 @@ class ThisPython(KernelSpecManager):
 
 def start(root: Path, notebook: Path | None, *, port: int | None, browser: bool) -> None:
     """Serve JupyterLab until Ctrl-C. ``notebook`` (below ``root``) is opened; a taken port gets the next one."""
+    # While it loads there is nothing to tidy up, and an interrupt in the midst of imports can get lost.
+    signal.signal(signal.SIGINT, lambda number, frame: os._exit(130))
     from jupyterlab.labapp import LabApp
 
     put_first("PYTHONPATH", root)       # kernels start in the notebook's folder, not in the project's
     put_first("JUPYTER_CONFIG_PATH", CONFIGURATION)
-    LabApp.launch_instance(argv=options(root, notebook, port=port, browser=browser))
+    server = LabApp.initialize_server(argv=options(root, notebook, port=port, browser=browser))
+    # Jupyter's own handler asks back, and without a terminal it leaves the interrupt to wherever it strikes.
+    signal.signal(signal.SIGINT, lambda number, frame: server.stop(from_signal=True))
+    server.start()
 
 
 def put_first(variable: str, folder: Path) -> None:
@@ -54,7 +60,6 @@ def options(root: Path, notebook: Path | None, *, port: int | None = None, brows
         "Application.log_level": "ERROR",       # the address is logged above that
         "ServerApp.root_dir": root,
         "ServerApp.open_browser": browser,
-        "ServerApp.answer_yes": True,           # Ctrl-C ends it without asking back
         "ServerApp.kernel_spec_manager_class": f"{__name__}.{ThisPython.__name__}",
         "LabApp.news_url": None,
         "LabApp.check_for_updates_class": "jupyterlab.handlers.announcements.NeverCheckForUpdate",

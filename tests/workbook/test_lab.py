@@ -1,9 +1,19 @@
-"""JupyterLab over the workbook: its command line, its one kernel, and the whole in a real browser."""
+"""JupyterLab over the workbook: its command line, its one kernel, a real start and its end by Ctrl-C.
+
+What it looks like in a browser is tested in tests/browser.
+"""
 
 import json
 import os
+import re
+import shutil
+import signal
+import socket
 import subprocess
 import sys
+import time
+import urllib.error
+import urllib.request
 from pathlib import Path
 
 import pytest
@@ -80,3 +90,56 @@ def test_all_that_ships_is_found_where_it_is_looked_for():
     )
     out = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     assert "'fetchNews': 'false'" in out
+
+
+def asked(address):
+    """What the server answers; it prints its address a moment before it listens."""
+    for _ in range(50):
+        try:
+            with urllib.request.urlopen(address, timeout=20) as answer:
+                return json.load(answer)
+        except urllib.error.URLError as problem:
+            if not isinstance(problem.reason, ConnectionRefusedError):
+                raise
+            time.sleep(0.1)
+    raise TimeoutError(address)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="sends Ctrl-C to a process group")
+def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
+    """A home of its own with a kernel that would not start; the port is taken; Ctrl-C ends it without a word."""
+    root, home = tmp_path / "project", tmp_path / "home"
+    shutil.copytree(ROOT / "course", root / "course", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("pyproject.toml", "requirements.lock", "requirements-all.lock"):
+        shutil.copy(ROOT / name, root / name)
+    (root / "lessons").mkdir()
+    (root / "lessons" / "10-impulse.ipynb").write_text('{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}')
+    wrong = home / ".local" / "share" / "jupyter" / "kernels" / "python3"
+    wrong.mkdir(parents=True)
+    (wrong / "kernel.json").write_text('{"argv": ["/no/such/python"], "display_name": "x", "language": "python"}')
+    kept = {k: v for k, v in os.environ.items() if not k.startswith("JUPYTER_") and k not in ("IPYTHONDIR", "PYTHONPATH")}
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        command = [sys.executable, "-m", "course", "open", "10", "--no-browser", "--port", str(port)]
+        server = subprocess.Popen(command, cwd=root, env={**kept, "HOME": str(home)}, text=True, start_new_session=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)  # fmt: skip
+        said = []
+        for line in server.stdout:
+            said.append(line)
+            address = re.search(r"(http://127\.0\.0\.1:(\d+))/(\S*)\?token=(\w+)", line)
+            if address:
+                break
+        assert address, "".join(said)
+        assert int(address[2]) != port and address[3] == "lab/tree/work/10-impulse.ipynb"
+        specs = asked(f"{address[1]}/api/kernelspecs?token={address[4]}")
+        content = asked(f"{address[1]}/api/contents/work?token={address[4]}")
+    os.killpg(server.pid, signal.SIGINT)
+    rest, _ = server.communicate(timeout=30)
+    assert server.returncode == 0 and "Traceback" not in rest
+    assert list(specs["kernelspecs"]) == ["python3"]
+    assert specs["kernelspecs"]["python3"]["spec"]["argv"][0] == sys.executable
+    assert [entry["name"] for entry in content["content"]] == ["10-impulse.ipynb"]
+    assert not (home / ".jupyter" / "lab").exists()           # no settings of ours in the user's home
