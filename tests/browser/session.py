@@ -104,22 +104,23 @@ class Lab:
         opened.wait_for_selector(".jp-Notebook .jp-Cell", timeout=60_000)
         opened.keyboard.press("Control+b")  # the file browser away: room for the notebook
         opened.wait_for_selector(".jp-NotebookPanel-toolbar", timeout=30_000)
-        opened.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
+        # It says "idle" before there is a kernel too, and who runs a cell then is asked to choose one.
+        opened.wait_for_function(
+            "document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle' && "
+            "!/No Kernel/.test(document.querySelector('.jp-Toolbar-kernelName')?.innerText ?? 'No Kernel')"
+        )
 
     def run_all(self, *, seconds: float = 120) -> None:
         """Run every cell; the first try after loading is sometimes lost, so it is repeated until a prompt shows."""
+        ran = "[...document.querySelectorAll('.jp-InputPrompt')].some(p => /\\[(\\*|\\d+)\\]/.test(p.innerText))"
         for _ in range(5):
-            self.page.evaluate("document.activeElement.blur()")
-            self.page.click("text=Run >> nth=0")
-            self.page.click("text=Run All Cells >> nth=0")
-            try:
-                self.page.wait_for_function(
-                    "[...document.querySelectorAll('.jp-InputPrompt')].some(p => /\\[(\\*|\\d+)\\]/.test(p.innerText))",
-                    timeout=8000,
-                )
+            if self.page.locator("dialog").count():  # a kernel that starts slowly may have brought one up
+                self.page.keyboard.press("Escape")
+            self.page.click(".lm-MenuBar-itemLabel:text-is('Run')")
+            self.page.click(".lm-Menu-itemLabel:text-is('Run All Cells')")  # not "Restart Kernel and Run All Cells"
+            with contextlib.suppress(Exception):  # playwright's own time-out class is not imported here
+                self.page.wait_for_function(ran, timeout=15_000)
                 break
-            except Exception:  # noqa: BLE001 - playwright's own time-out class is not imported here
-                continue
         self.wait_idle(seconds)
 
     def wait_idle(self, seconds: float = 60) -> None:
