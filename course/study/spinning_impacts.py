@@ -169,7 +169,7 @@ def box_landings(count: int = 20, *, seed: int = 12, spread: float = 0.8) -> Box
 
 
 @dataclass(frozen=True, eq=False)
-class Outcomes:
+class OrderOutcomes:
     """What became of one body under several orders of the same list of contacts.
 
     Args:
@@ -190,14 +190,14 @@ def outcomes_by_order(
     orders: Sequence[Sequence[int]],
     *,
     law: str = "sequential",
-) -> Outcomes:
+) -> OrderOutcomes:
     """Body 0 after the same impact, with the contacts listed in each of these orders."""
     rows = np.array([list(order) for order in orders])
     expected = np.arange(len(contacts))
     if rows.ndim != 2 or not np.array_equal(np.sort(rows, axis=1), np.broadcast_to(expected, rows.shape)):
         raise failure("orders", f"orders of the contacts 0 to {len(contacts) - 1}", f"shape {rows.shape}")
     after = [resolve_collisions(bodies, contacts[order], restitution, law=law) for order in rows]
-    return Outcomes(
+    return OrderOutcomes(
         rows, np.array([a.velocity[0] for a in after]), np.array([a.angular_velocity[0] for a in after])
     )
 

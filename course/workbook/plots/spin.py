@@ -12,7 +12,7 @@ from course.contact.collisions import resolve_collisions
 from course.dynamics.bodies import Bodies
 from course.dynamics.energy import total_energy
 from course.dynamics.impulse import effective_mass, point_velocity
-from course.study.spinning_impacts import Outcomes, falling_rods
+from course.study.spinning_impacts import OrderOutcomes, falling_rods
 from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
 
 ARROW = 0.22  # metres of picture for a speed of 1 m/s
@@ -190,7 +190,7 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
 
 
 def spins_by_order(
-    outcomes: Outcomes, others: Mapping[str, Sequence[float]], *, ax: Axes | None = None
+    outcomes: OrderOutcomes, others: Mapping[str, Sequence[float]], *, ax: Axes | None = None
 ) -> Axes:
     """The spin that each order of the same contacts gives the same box, as one point an order.
 
