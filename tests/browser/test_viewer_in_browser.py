@@ -94,7 +94,7 @@ def plays_and_scrubs(opened):
     opened.wait_for_function("document.querySelector('.widget-readout').innerText == '1.00 s'", timeout=60_000)
     end = film.picture()
     assert end not in (start, middle)
-    opened.locator("select").last.select_option("top")
+    opened.locator(".widget-dropdown select").last.select_option("top")
     opened.wait_for_timeout(1000)
     assert film.picture() != end
     assert opened.console_errors == [] and opened.asked_outside == []
