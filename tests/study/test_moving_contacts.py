@@ -14,6 +14,7 @@ from course.study.moving_contacts import (
     SECOND_FIVE,
     TurningPair,
     difference_errors,
+    flying_corners,
     moving_contact,
 )
 
@@ -92,3 +93,25 @@ def test_error_of_differences_is_a_v():
         found.best("six points")
     with pytest.raises(ValueError, match="steps"):
         difference_errors([(FORWARD, pair.gap)], exact, [0.0])
+
+
+def test_complex_step_is_the_rate_of_the_gap():
+    corners, h = flying_corners(50, seed=3), 1e-5
+    d = [np.sum((p_a - p_b) * n, axis=-1) for p_a, p_b, n in (corners.points(-h), corners.points(h))]
+    np.testing.assert_allclose(corners.rates(), (d[1] - d[0]) / (2 * h), atol=1e-8)
+    x, v, omega, arm = corners.position, corners.velocity, corners.omega, corners.arm
+    move = v + np.cross(omega, arm)
+    points = x + arm
+    by_hand = np.sum(
+        (move[0] - move[1]) * corners.normal + (points[0] - points[1]) * np.cross(omega[1], corners.normal),
+        axis=-1,
+    )
+    np.testing.assert_allclose(corners.rates(), by_hand, atol=1e-13)
+
+
+def test_flying_corners_keep_their_arms():
+    corners = flying_corners(5)
+    p_a, _, n = corners.points(0.7)
+    centre = corners.position[0] + 0.7 * corners.velocity[0]
+    np.testing.assert_allclose(np.linalg.norm(p_a - centre, axis=-1), np.linalg.norm(corners.arm[0], axis=-1))
+    np.testing.assert_allclose(np.linalg.norm(n, axis=-1), 1)

@@ -3,5 +3,7 @@
 from course.workbook.demos.impacts import impulse, wall
 from course.workbook.demos.panel import Panel
 from course.workbook.demos.registry import DEMOS, Demo, find_demo, serve, table
+from course.workbook.demos.separation import gap_rate
+from course.workbook.demos.spin import rod
 
-__all__ = ["DEMOS", "Demo", "Panel", "find_demo", "impulse", "serve", "table", "wall"]
+__all__ = ["DEMOS", "Demo", "Panel", "find_demo", "gap_rate", "impulse", "rod", "serve", "table", "wall"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from course.workbook.demos import impacts
+from course.workbook.demos import impacts, separation, spin
 from course.workbook.demos.panel import Panel
 from course.workbook.syllabus import read_syllabus
 
@@ -38,6 +38,22 @@ DEMOS = (
         (18,),
         3,
         "Turn the wall under the ball: only the part along n changes. At e = 0 the ball slides along the wall.",
+    ),
+    Demo(
+        "rod",
+        spin.rod,
+        "A falling rod is hit at its end, or elsewhere",
+        (15, 16, 17, 22),
+        5,
+        "Level and hit at its end: a quarter of the impulse. Move the hit to the middle; then turn the rod upright.",
+    ),
+    Demo(
+        "gap_rate",
+        separation.gap_rate,
+        "What closes a gap: two bodies rise and turn",
+        (19, 20, 22),
+        4,
+        "Both centres stand still, and the gap closes. Let A rise until it stays. Then move A's centre over the gap.",
     ),
 )
 

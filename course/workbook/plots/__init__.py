@@ -23,6 +23,14 @@ from course.workbook.plots.separation import (
     passing_a_corner,
     turning_pair,
 )
+from course.workbook.plots.spin import (
+    box_outcomes,
+    mass_over_face,
+    rod_impact,
+    rod_impulses,
+    rod_on_pegs,
+    spins_by_order,
+)
 
 __all__ = [
     "PALETTE",
@@ -32,6 +40,7 @@ __all__ = [
     "block_paths",
     "blocks_and_wall",
     "bouncing_errors",
+    "box_outcomes",
     "contact_velocities",
     "course_map",
     "describe",
@@ -42,10 +51,15 @@ __all__ = [
     "heights",
     "impact",
     "ladder_picture",
+    "mass_over_face",
     "passing_a_corner",
     "reflection",
+    "rod_impact",
+    "rod_impulses",
+    "rod_on_pegs",
     "show",
     "side_by_side",
+    "spins_by_order",
     "stability_sweep",
     "style",
     "turning_pair",

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Polygon, Rectangle
 
+from course.arrays import ArrayLike
 from course.dynamics import point_velocity
 from course.study.ladder import ladder_gaps
 from course.study.moving_contacts import DifferenceErrors, TurningPair
@@ -24,8 +26,13 @@ def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes
         ax = axes(ax, size=(7.4, 3.4))
         for i, time in enumerate(times):
             for outline, colour in zip(pair.outlines(time), ("blue", "orange"), strict=True):
-                filled = {"fc": PALETTE[colour], "ec": "black", "lw": 0.8, "alpha": 0.75}
-                empty = {"fc": "none", "ec": PALETTE[colour], "lw": 1.4, "ls": LINES[min(i, 3)]}
+                filled: dict[str, Any] = {"fc": PALETTE[colour], "ec": "black", "lw": 0.8, "alpha": 0.75}
+                empty: dict[str, Any] = {
+                    "fc": "none",
+                    "ec": PALETTE[colour],
+                    "lw": 1.4,
+                    "ls": LINES[min(i, 3)],
+                }
                 ax.add_patch(Polygon(outline, **(empty if i else filled)))
         for place, name in zip(pair.bodies().position[:, 1:], ("A, the bar", "B, the plank"), strict=True):
             ax.plot(*place, marker="P", ms=11, mfc="white", mec="black", ls="none", zorder=5)
@@ -242,29 +249,25 @@ def _contributions(ax: Axes, parts: Mapping[str, float], total: float) -> None:
     ax.grid(axis="x", visible=False)
 
 
-def _arrow(
-    ax: Axes, start: Sequence[float], along: Sequence[float], colour: str, label: str, *, lw: float = 1.8
-) -> None:
-    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    length = float(np.linalg.norm(along))
+def _arrow(ax: Axes, start: ArrayLike, along: ArrayLike, colour: str, label: str, *, lw: float = 1.8) -> None:
+    tail, way = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
+    length = float(np.linalg.norm(way))
     if length < 1e-9:
         return
-    ax.annotate("", start + along, start, arrowprops={"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour],
-                                                      "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    look = {"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", tuple(tail + way), tuple(tail), arrowprops=look)
     if label:
-        ax.text(
-            *(start + along * (1 + 0.16 / length)), label, color=PALETTE[colour], ha="center", va="center"
-        )
+        y, z = tail + way * (1 + 0.16 / length)
+        ax.text(y, z, label, color=PALETTE[colour], ha="center", va="center")
 
 
-def _measure(
-    ax: Axes, start: Sequence[float], end: Sequence[float], label: str, shift: tuple[float, float], side: str
-) -> None:
+def _measure(ax: Axes, start: ArrayLike, end: ArrayLike, label: str, shift: ArrayLike, side: str) -> None:
     """A double arrow with its length beside it."""
-    ax.annotate("", end, start, arrowprops={"arrowstyle": "<->", "lw": 1.2, "color": PALETTE["vermillion"],
-                                            "shrinkA": 0, "shrinkB": 0})  # fmt: skip
-    middle = 0.5 * (np.asarray(start, dtype=float) + np.asarray(end, dtype=float)) + shift
-    ax.text(*middle, label, color=PALETTE["vermillion"], ha=side, va="center")
+    first, last = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    look = {"arrowstyle": "<->", "lw": 1.2, "color": PALETTE["vermillion"], "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", tuple(last), tuple(first), arrowprops=look)
+    y, z = 0.5 * (first + last) + np.asarray(shift)
+    ax.text(y, z, label, color=PALETTE["vermillion"], ha=side, va="center")
 
 
 def _turn(ax: Axes, y: float, z: float, label: str, rate: float) -> None:
