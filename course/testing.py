@@ -57,10 +57,11 @@ class Count:
 
 def stages(tier: Tier) -> list[Stage]:
     """The stages of a tier, the quick ones first."""
-    workers = ("-n", str(min(2, os.cpu_count() or 1)), "--dist", "loadfile")
+    processes = ("-n", str(min(2, os.cpu_count() or 1)))
+    workers = (*processes, "--dist", "worksteal", "--durations", "5", "--durations-min", "2")
     notebook_runner = ("-m", "pytest", "-q", "--no-header", "-rs")
     pytest = (*notebook_runner, "-p", "no:nbval")      # its import takes longer than many a test
-    notebooks = (*notebook_runner, *workers, "--nbval-current-env", "--nbval-cell-timeout", str(CELL_SECONDS),
+    notebooks = (*notebook_runner, *processes, "--dist", "loadfile", "--nbval-current-env", "--nbval-cell-timeout", str(CELL_SECONDS),
                  "--nbval-sanitize-with", "tests/nbval_sanitize.cfg", "-p", "no:doctest")  # fmt: skip
     unit = f"not ({ELSEWHERE} or slow)" if tier == "quick" else f"not ({ELSEWHERE})"
     everything = [

@@ -513,6 +513,7 @@ def test_a_path_too_long_for_windows_is_said_with_the_number(monkeypatch):
     installation.require_short_path(Path("C:/" + "x" * 91, ".venv"), windows=True)
 
 
+@pytest.mark.slow
 def test_the_longest_installed_file_is_as_reckoned():
     packages = installation.site_packages(Path(environment.venv_python(sys.prefix)))
     if not (packages / "jupyterlab").is_dir():

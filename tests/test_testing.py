@@ -36,6 +36,7 @@ def test_markers_choose_the_tests_of_a_tier():
         assert command("all", name)[-3:] == ("-m", marker, "tests")
 
 
+@pytest.mark.slow
 def test_every_marker_is_declared_and_run_by_some_stage():
     lines = subprocess.run([sys.executable, "-m", "pytest", "-p", "no:nbval", "--markers"], cwd=ROOT, capture_output=True, text=True,
                            check=True).stdout  # fmt: skip
@@ -74,6 +75,7 @@ GOOD = Stage("good", (*PYTEST, "test_good.py"))
 BAD = Stage("bad", (*PYTEST, "test_bad.py"))
 
 
+@pytest.mark.slow
 def test_a_failing_stage_hides_none_after_it(project, capfd):
     code, said = run(project, BAD, Stage("fine", ("-c", "pass")), Stage("lint", ("-c", "raise SystemExit(3)")), GOOD)
     assert code == 1
@@ -83,17 +85,20 @@ def test_a_failing_stage_hides_none_after_it(project, capfd):
     assert "because" not in said[-1]
 
 
+@pytest.mark.slow
 def test_all_well_ends_with_0(project, capfd):
     code, said = run(project, GOOD)
     assert code == 0 and said[-1] == "2 passed, 0 failed, 1 skipped"
 
 
+@pytest.mark.slow
 def test_pytest_breaking_down_counts_as_a_failure(project, capfd):
     for stage in (Stage("unreadable", (*PYTEST, "test_unreadable.py")), Stage("no such option", (*PYTEST, "--bogus"))):
         code, said = run(project, stage)
         assert code == 1 and said[-1] == "0 passed, 1 failed, 0 skipped"
 
 
+@pytest.mark.slow
 def test_a_stage_that_collects_nothing(project, capfd):
     nothing = (*PYTEST, "-k", "no_such_test", "test_good.py")
     assert run(project, Stage("required", nothing))[0] == 1
