@@ -157,7 +157,7 @@ P_HAT = Exercise(
             "sign",
             lambda m_1, m_2, v_1, v_2, e: -_scalar_impulse(m_1, m_2, v_1, v_2, e),
             "The sign is turned round. While they approach, v_1 < v_2 along n, and an impulse that pushes them apart "
-            "is positive: it must hold v_2 - v_1.",
+            "is positive: it must contain v_2 - v_1.",
         ),
         Mistake(
             "as printed",
@@ -447,7 +447,7 @@ IMPULSE_CENTRAL = Exercise(
             "no guard",
             _impulse(guard=False),
             "Right while they approach. For bodies that already part your impulse is negative: it pulls them back "
-            "together. Where (v2 - v1).n <= 0 the impulse is 0.",
+            "together. Where (v1 - v2).n >= 0 the impulse is 0.",
         ),
         Mistake(
             "only e",
@@ -507,8 +507,8 @@ IMPULSE_CENTRAL = Exercise(
         Mistake(
             "reduced mass as a fraction",
             _impulse(mass=lambda a, b: np.asarray(a) * b / (np.asarray(a) + b)),
-            "Right for two bodies, NaN for a wall: m1 m2/(m1 + m2) is infinity over infinity there. Write it as "
-            "1/(1/m1 + 1/m2), which has no such case.",
+            "Right for two bodies, NaN for a wall. Infinity over infinity, as in m1 m2/(m1 + m2), or infinity times 0 "
+            "has no value; 1/(1/m1 + 1/m2) does, because 1/infinity is 0.",
         ),
         Mistake(
             "mean of masses",
@@ -594,6 +594,19 @@ KINETIC_ENERGY_LOST = Exercise(
             "This is the energy of approach that comes back, e^2 of it. Lost is the rest, 1 - e^2.",
         ),
         Mistake(
+            "speed not squared",
+            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: _approaching(
+                _closing(velocity_1, velocity_2, normal),
+                0.5 * _reduced(mass_1, mass_2) * (1 - np.asarray(restitution) ** 2)
+                * _closing(velocity_1, velocity_2, normal)),
+            "The speed is not squared: your unit is kg m/s, not J.",
+        ),
+        Mistake(
+            "mass of body 1",
+            _lost(mass=lambda a, b: np.asarray(a) + 0 / np.asarray(b)),
+            "You use the mass of body 1 alone. Both bodies give up energy: take the reduced mass.",
+        ),
+        Mistake(
             "half forgotten",
             _lost(half=1.0),
             "Twice too much: the half of m v^2/2 is missing.",
@@ -612,8 +625,8 @@ KINETIC_ENERGY_LOST = Exercise(
         Mistake(
             "reduced mass as a fraction",
             _lost(mass=lambda a, b: np.asarray(a) * b / (np.asarray(a) + b)),
-            "Right for two bodies, NaN for a wall: m1 m2/(m1 + m2) is infinity over infinity there. Write it as "
-            "1/(1/m1 + 1/m2), which has no such case.",
+            "Right for two bodies, NaN for a wall. Infinity over infinity, as in m1 m2/(m1 + m2), or infinity times 0 "
+            "has no value; 1/(1/m1 + 1/m2) does, because 1/infinity is 0.",
         ),
         Mistake(
             "guard the wrong way round",
@@ -636,9 +649,9 @@ KINETIC_ENERGY_LOST = Exercise(
         "Compare the energy of the relative motion along n before and after: its speed is u before and e u after.",
         "The mass that goes with the relative speed is the reduced mass, one over the sum of the inverse masses. "
         "Half of it times u^2 - (e u)^2 is lost.",
-        "mu = 1 / (1 / mass_1 + 1 / mass_2)\n"
-        "lost = 0.5 * mu * (1 - ____) * closing**2\n"
-        "return np.where(closing > 0, lost, 0.0)",
+        "u = np.sum((velocity_1 - velocity_2) * normal, axis=-1)\n"
+        "lost = 0.5 / (1 / mass_1 + 1 / mass_2) * (1 - ____) * ____**2\n"
+        "return np.where(u < 0, lost, 0.0)",
     ),
 )
 
