@@ -1,6 +1,7 @@
 """The command line: ``python3 -m course COMMAND``, also installed as ``course``.
 
-Each command is a thin call; what it needs is imported when it runs, so that opening the workbook waits for nothing else.
+Each command is a thin call; what it needs is imported when it runs, so that opening the workbook waits for nothing
+else.
 Exit codes: 0 done, 1 something was found wrong (a test, a check, a drift), 2 the request could not be carried out.
 """
 
@@ -49,7 +50,7 @@ def main(context: typer.Context, browser: Browser = True, port: Port = None) -> 
 
 @app.command("open")
 def open_workbook(
-    lesson: Annotated[str | None, typer.Argument(help='Such as "10" or "impulse"; default: the first unfinished.')] = None,
+    lesson: Annotated[str | None, typer.Argument(help='"10" or "impulse"; default: the first unfinished.')] = None,
     browser: Browser = True, port: Port = None,
 ) -> None:  # fmt: skip
     """Open a lesson in JupyterLab. It is copied to work/ first; what you saved there is never overwritten."""
@@ -86,7 +87,7 @@ def lesson_to_open(root: Path) -> str | None:
 @app.command()
 def test(
     quick: Annotated[bool, typer.Option("--quick", help="Under a minute: unit tests, floors, lint.")] = False,
-    everything: Annotated[bool, typer.Option("--all", help="Also browser, peers, a fresh clone, the long ones.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="Also browser, peers, fresh clone, the long ones.")] = False,
 ) -> None:
     """Run the project's tests, stage by stage."""
     from course.testing import run_tests
@@ -133,14 +134,14 @@ def build(
         drift = build_lessons(check=check)
     for line in drift:
         typer.echo(line)
-    typer.echo(f"{len(drift)} lessons differ" if check else f"{len(drift)} lessons written" if drift else "nothing to do")
+    typer.echo(f"{len(drift)} lessons {'differ' if check else 'written'}" if drift else "lessons/ is as it should be")
     raise typer.Exit(1 if check and drift else 0)
 
 
 @app.command()
 def grade(
     folder: Annotated[Path, typer.Argument(help="The folder with the submitted notebooks.")],
-    out: Annotated[Path, typer.Option(help="The table to write; feedback pages are put beside it.")] = Path("grades.csv"),
+    out: Annotated[Path, typer.Option(help="The table to write; the pages are put beside it.")] = Path("grades.csv"),
     feedback: Annotated[Path | None, typer.Option(help="The folder for the feedback pages.")] = None,
     seed: Annotated[int | None, typer.Option(min=0, help="Draw the same inputs as an earlier batch.")] = None,
     time_limit: Annotated[float, typer.Option(min=0.1, help="Seconds an exercise may take.")] = 10.0,

@@ -61,8 +61,9 @@ def stages(tier: Tier) -> list[Stage]:
     workers = (*processes, "--dist", "worksteal", "--durations", "5", "--durations-min", "2")
     notebook_runner = ("-m", "pytest", "-q", "--no-header", "-rs")
     pytest = (*notebook_runner, "-p", "no:nbval")      # its import takes longer than many a test
-    notebooks = (*notebook_runner, *processes, "--dist", "loadfile", "--nbval-current-env", "--nbval-cell-timeout", str(CELL_SECONDS),
-                 "--nbval-sanitize-with", "tests/nbval_sanitize.cfg", "-p", "no:doctest")  # fmt: skip
+    notebooks = (*notebook_runner, *processes, "--dist", "loadfile", "-p", "no:doctest", "--nbval-current-env",
+                 "--nbval-cell-timeout", str(CELL_SECONDS),
+                 "--nbval-sanitize-with", "tests/nbval_sanitize.cfg")  # fmt: skip
     unit = f"not ({ELSEWHERE} or slow)" if tier == "quick" else f"not ({ELSEWHERE})"
     everything = [
         Stage("lint", ("-m", "ruff", "check", "."), "quick"),

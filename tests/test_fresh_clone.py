@@ -22,7 +22,7 @@ def clone(tmp_path_factory):
         pytest.skip("this is no git checkout")
     folder = tmp_path_factory.mktemp("new user") / "collision course"       # with blanks, as folders have
     subprocess.run(["git", "clone", "--quiet", "--no-hardlinks", str(ROOT), str(folder)], check=True)
-    drop = ("COLLISION_", "JUPYTER_", "PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "IPYTHONDIR", "MPLCONFIGDIR", "PYTEST_")
+    drop = ("COLLISION_", "JUPYTER_", "PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "IPYTHON", "MPLCONFIG", "PYTEST_")
     kept = {name: value for name, value in os.environ.items() if not name.startswith(drop)}
     kept["PATH"] = os.pathsep.join(part for part in kept["PATH"].split(os.pathsep) if ".venv" not in Path(part).parts)
     kept["PIP_CACHE_DIR"] = str(tmp_path_factory.mktemp("cache"))

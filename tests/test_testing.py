@@ -38,8 +38,8 @@ def test_markers_choose_the_tests_of_a_tier():
 
 @pytest.mark.slow
 def test_every_marker_is_declared_and_run_by_some_stage():
-    lines = subprocess.run([sys.executable, "-m", "pytest", "-p", "no:nbval", "--markers"], cwd=ROOT, capture_output=True, text=True,
-                           check=True).stdout  # fmt: skip
+    lines = subprocess.run([sys.executable, "-m", "pytest", "-p", "no:nbval", "--markers"], cwd=ROOT,
+                           capture_output=True, text=True, check=True).stdout  # fmt: skip
     for marker in ("slow", "long", "browser", "peers", "fresh"):
         assert f"@pytest.mark.{marker}: " in lines
 

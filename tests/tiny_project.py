@@ -20,9 +20,10 @@ def build_editable(folder, config_settings=None, metadata_directory=None):
     name = "tiny_course-1.0-py3-none-any.whl"
     with zipfile.ZipFile(Path(folder) / name, "w") as wheel:
         wheel.writestr("tiny_course.pth", str(Path.cwd()))
-        wheel.writestr("tiny_course-1.0.dist-info/METADATA", "Metadata-Version: 2.1\\nName: tiny-course\\nVersion: 1.0\\n")
-        wheel.writestr("tiny_course-1.0.dist-info/WHEEL", "Wheel-Version: 1.0\\nRoot-Is-Purelib: true\\nTag: py3-none-any\\n")
-        wheel.writestr("tiny_course-1.0.dist-info/RECORD", "")
+        info = "tiny_course-1.0.dist-info/"
+        wheel.writestr(info + "METADATA", "Metadata-Version: 2.1\\nName: tiny-course\\nVersion: 1.0\\n")
+        wheel.writestr(info + "WHEEL", "Wheel-Version: 1.0\\nRoot-Is-Purelib: true\\nTag: py3-none-any\\n")
+        wheel.writestr(info + "RECORD", "")
     return name
 
 def build_wheel(*arguments):
@@ -74,7 +75,8 @@ def wheel(folder, name, version):
     with zipfile.ZipFile(path, "w") as file:
         file.writestr(zipfile.ZipInfo(f"{module}.py"), f"__version__ = {version!r}\n")
         file.writestr(zipfile.ZipInfo(f"{info}/METADATA"), f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
-        file.writestr(zipfile.ZipInfo(f"{info}/WHEEL"), "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
+        file.writestr(zipfile.ZipInfo(f"{info}/WHEEL"),
+                      "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")  # fmt: skip
         file.writestr(zipfile.ZipInfo(f"{info}/RECORD"), "")
     return hashlib.sha256(path.read_bytes()).hexdigest()
 

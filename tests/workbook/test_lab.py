@@ -46,7 +46,7 @@ def test_port_and_browser(tmp_path):
 def test_its_only_kernel_is_this_interpreter(tmp_path, monkeypatch):
     wrong = tmp_path / "kernels" / "python3"
     wrong.mkdir(parents=True)
-    (wrong / "kernel.json").write_text(json.dumps({"argv": ["/no/such/python"], "display_name": "x", "language": "python"}))
+    (wrong / "kernel.json").write_text('{"argv": ["/no/such/python"], "display_name": "x", "language": "python"}')
     monkeypatch.setenv("JUPYTER_PATH", str(tmp_path))
     monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path))
     from jupyter_client.kernelspec import KernelSpecManager
@@ -85,7 +85,7 @@ def test_what_it_leaves_out_is_named_as_jupyterlab_names_it():
 def test_all_that_ships_is_found_where_it_is_looked_for():
     """JupyterLab itself reads our settings from the folder that is put first."""
     code = (
-        "from pathlib import Path; from course.workbook import lab; lab.put_first('JUPYTER_CONFIG_PATH', lab.CONFIGURATION)\n"
+        "from course.workbook import lab; lab.put_first('JUPYTER_CONFIG_PATH', lab.CONFIGURATION)\n"
         "from jupyterlab_server.settings_utils import _get_overrides; print(_get_overrides('/nowhere')[0])"
     )
     out = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True).stdout
@@ -114,11 +114,12 @@ def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
     for name in ("pyproject.toml", "requirements.lock", "requirements-all.lock"):
         shutil.copy(ROOT / name, root / name)
     (root / "lessons").mkdir()
-    (root / "lessons" / "10-impulse.ipynb").write_text('{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}')
+    empty = '{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}'
+    (root / "lessons" / "10-impulse.ipynb").write_text(empty)
     wrong = home / ".local" / "share" / "jupyter" / "kernels" / "python3"
     wrong.mkdir(parents=True)
     (wrong / "kernel.json").write_text('{"argv": ["/no/such/python"], "display_name": "x", "language": "python"}')
-    kept = {k: v for k, v in os.environ.items() if not k.startswith("JUPYTER_") and k not in ("IPYTHONDIR", "PYTHONPATH")}
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("JUPYTER_", "IPYTHONDIR", "PYTHONPATH"))}
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()

@@ -48,7 +48,8 @@ def test_slide_numbers_live_only_in_the_data():
 def test_the_table_says_what_is_not_built():
     table = syllabus_table()
     assert table.count("\nrow ") + table.startswith("row ") == 25
-    unbuilt = [t for row in read_syllabus() for t in row.topics if not (ROOT / "solutions" / f"{t.lesson}.ipynb").exists()]
+    topics = [topic for row in read_syllabus() for topic in row.topics]
+    unbuilt = [topic for topic in topics if not (ROOT / "solutions" / f"{topic.lesson}.ipynb").exists()]
     assert table.count("not built yet") == len(unbuilt)
     for topic in unbuilt:
         assert f"{topic.lesson}: not built yet" in table
@@ -66,7 +67,8 @@ GOOD = {
 def project(tmp_path):
     (tmp_path / "solutions").mkdir()
     (tmp_path / "tests").mkdir()
-    (tmp_path / "tests" / "test_x.py").write_text("def test_it():\n    assert 1\nclass TestMore:\n    def test_in(self): ...\n")
+    code = "def test_it():\n    assert 1\nclass TestMore:\n    def test_in(self): ...\n"
+    (tmp_path / "tests" / "test_x.py").write_text(code)
     cells = [{"cell_type": "markdown", "source": ["# 10 Impulse\n", "## **Derive**\n", "text"]},
              {"cell_type": "code", "source": ["# Build\n"]}]  # fmt: skip
     (tmp_path / "solutions" / "10-impulse.ipynb").write_text(json.dumps({"cells": cells}))
