@@ -107,7 +107,8 @@ def predict(name: str, answer: Any = None) -> None:
     if answer is Ellipsis or (answer is None and progress.predicted(name) is None):
         choices = tuple(Part(key, text) for key, text in prediction.choices.items())
         way = f"put {_wanted(prediction)} where the ... stands, then run the cell again"
-        ask = Part("answer", way if answer is Ellipsis else f"commit first: predict({name!r}, ...) with {_wanted(prediction)}")
+        first = f"commit first: predict({name!r}, ...) with {_wanted(prediction)}"
+        ask = Part("answer", way if answer is Ellipsis else first)
         display_message(Message("not attempted", f"Your prediction: {prediction.question}", (*choices, ask)))
         return
     given = progress.predicted(name) if answer is None else _given(prediction, answer)

@@ -65,7 +65,8 @@ def stability_sweep(
 ) -> Axes:
     """A quantity over a knob, past the threshold the theory predicts, with the theory and the cure beside it.
 
-    ``also`` is another measurement to compare with, named in place of the cure. ``labels`` are the x label, the y label (with units) and the title; ``log`` holds the axes that are logarithmic.
+    ``also`` is another measurement to compare with, named in place of the cure. ``labels`` are the x label,
+    the y label (with units) and the title; ``log`` holds the axes that are logarithmic.
     """
     with style():
         ax = axes(ax)

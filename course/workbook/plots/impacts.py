@@ -63,7 +63,8 @@ def _two_balls(ax: Axes, height: float, masses: np.ndarray, speeds: np.ndarray, 
         if abs(speeds[index]) > 1e-9:
             lift = height + radii[index] + 0.14
             _arrow(ax, (centre, lift), (centre + tip, lift), colour, 2.0)
-        ax.text(side * 1.75, height, f"{speeds[index]:+.2f} m/s".replace("-", "\N{MINUS SIGN}"), ha="center", va="center", color=PALETTE[colour])
+        said = f"{speeds[index]:+.2f} m/s".replace("-", "\N{MINUS SIGN}")
+        ax.text(side * 1.75, height, said, ha="center", va="center", color=PALETTE[colour])
 
 
 def _energy_bars(ax: Axes, before: np.ndarray, after: np.ndarray, lost: float) -> None:
