@@ -27,6 +27,7 @@ from course.dynamics.impulse import (
 )
 from course.dynamics.integrators import (
     Wrench,
+    advance,
     dop853,
     explicit_euler,
     midpoint,
@@ -55,6 +56,7 @@ __all__ = [
     "Bodies",
     "MassProperties",
     "Wrench",
+    "advance",
     "angular_kinetic_energy",
     "apply_impulse",
     "body_frame_euler",

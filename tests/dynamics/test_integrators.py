@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 from course import rotations
 from course.dynamics import (
     Bodies,
+    advance,
     dop853,
     explicit_euler,
     kinetic_energy,
@@ -334,6 +335,26 @@ def test_a_batch_is_a_loop(method, seed):
             assert np.allclose(getattr(together, f)[i], getattr(after, f)[0], rtol=1e-13, atol=1e-14)
 
 
+@pytest.mark.parametrize("count", [0, 1, 16, 37])
+def test_advance_is_a_loop_of_steps(count):
+    bodies = tumbling(fixed=True)
+    for method, wrench, options in (
+        (splitting, None, {"order": 4}),
+        (splitting, compass, {"velocity_dependent": False}),
+        (rk4, None, {}),
+        (dop853, compass, {"relative_tolerance": 1e-6}),
+    ):
+        if method is dop853 and count > 1:
+            continue
+        at_once = advance(bodies, wrench, 0.05, count, method=method, time=0.2, **options)
+        stepped = bodies
+        for k in range(count):
+            stepped = method(stepped, wrench, 0.05, time=0.2 + k * 0.05, **options)
+        assert difference_of_free(at_once, stepped) < 1e-13
+        assert np.array_equal(at_once.momentum, stepped.momentum)
+        assert all(np.array_equal(getattr(at_once, f)[0], getattr(bodies, f)[0]) for f in STATE)
+
+
 def test_blocks_do_not_show(monkeypatch):
     bodies = tumbling(7)
     whole = splitting(bodies, compass, 0.1), splitting(bodies, None, 0.1)
@@ -409,6 +430,12 @@ def test_bad_input_is_refused_by_name(method, call, message):
 
 
 def test_bad_options_are_refused_by_name():
+    with pytest.raises(ValueError, match="count: expected a whole number of at least 0; got -1"):
+        advance(tumbling(), None, 0.1, -1)
+    with pytest.raises(ValueError, match="order: expected one of 2, 4, 6, 8; got 5"):
+        advance(tumbling(), None, 0.1, 3, order=5)
+    with pytest.raises(TypeError, match="substeps"):
+        advance(tumbling(), None, 0.1, 3, substeps=5)
     for order in (3, 10, True, "2"):
         with pytest.raises(ValueError, match=re.escape(f"order: expected one of 2, 4, 6, 8; got {order!r}")):
             splitting(tumbling(), None, 0.1, order=order)

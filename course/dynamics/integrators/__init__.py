@@ -1,5 +1,6 @@
 """Steps in time with one signature, batched over bodies: (bodies, wrench, step, *, time=0.0) -> Bodies."""
 
+from course.dynamics.integrators.advance import advance
 from course.dynamics.integrators.motion import Wrench, uniform_gravity
 from course.dynamics.integrators.reference import dop853, reference_motion
 from course.dynamics.integrators.runge_kutta import explicit_euler, midpoint, rk4, symplectic_euler
@@ -7,6 +8,7 @@ from course.dynamics.integrators.splitting_method import splitting
 
 __all__ = [
     "Wrench",
+    "advance",
     "dop853",
     "explicit_euler",
     "midpoint",

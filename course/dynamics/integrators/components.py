@@ -11,25 +11,32 @@ import numpy as np
 
 from course.arrays import Array
 
+_CYCLE = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+
 
 def cross(a: Array, b: Array) -> Array:
     """a x b, (3, n)."""
     result = np.empty(b.shape)
-    result[0] = a[1] * b[2] - a[2] * b[1]
-    result[1] = a[2] * b[0] - a[0] * b[2]
-    result[2] = a[0] * b[1] - a[1] * b[0]
+    for i, j, k in _CYCLE:
+        np.multiply(a[j], b[k], out=result[i])
+        result[i] -= a[k] * b[j]
     return result
 
 
 def multiplied(first: Array, second: Array) -> Array:
     """The product of quaternions, first after second: R(first) R(second), (4, n)."""
-    ax, ay, az, aw = first
-    bx, by, bz, bw = second
+    a, b, a_w, b_w = first, second, first[3], second[3]
     result = np.empty(second.shape)
-    result[0] = aw * bx + bw * ax + ay * bz - az * by
-    result[1] = aw * by + bw * ay + az * bx - ax * bz
-    result[2] = aw * bz + bw * az + ax * by - ay * bx
-    result[3] = aw * bw - ax * bx - ay * by - az * bz
+    for i, j, k in _CYCLE:
+        row = result[i]
+        np.multiply(a_w, b[i], out=row)
+        row += b_w * a[i]
+        row += a[j] * b[k]
+        row -= a[k] * b[j]
+    row = result[3]
+    np.multiply(a_w, b_w, out=row)
+    for i in range(3):
+        row -= a[i] * b[i]
     return result
 
 
@@ -42,18 +49,25 @@ def conjugated(q: Array) -> Array:
 
 def rotated(q: Array, v: Array) -> Array:
     """R(q) v for unit quaternions: v + 2 w (u x v) + 2 u x (u x v) with q = (u, w), (3, n)."""
-    u = q[:3]
-    twice = cross(u, v)
+    twice = cross(q, v)
     twice += twice
-    return v + q[3] * twice + cross(u, twice)
+    result = cross(q, twice)
+    twice *= q[3]
+    result += twice
+    result += v
+    return result
 
 
-def exponential(rotation_vector: Array) -> Array:
-    """The unit quaternion of a turn by |theta| about theta, (4, n)."""
+def turn_about(rotation_vector: Array) -> Array:
+    """A quaternion that turns by |theta| about theta, (theta tan(|theta|/2)/|theta|, 1): of any length but 0, (4, n).
+
+    One trigonometric function instead of two; ``normalized`` after the product makes the length 1.
+    """
     half = 0.5 * np.sqrt(np.einsum("in,in->n", rotation_vector, rotation_vector))
+    np.maximum(half, 1e-150, out=half)  # where nothing turns the factor below is 1/2
     result = np.empty((4, half.size))
-    result[:3] = rotation_vector * (0.5 * np.sinc(half / np.pi))
-    result[3] = np.cos(half)
+    np.multiply(rotation_vector, 0.5 * np.tan(half) / half, out=result[:3])
+    result[3] = 1.0
     return result
 
 

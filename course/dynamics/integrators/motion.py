@@ -14,10 +14,10 @@ from course.arrays import Array, ArrayLike, BoolArray, failure, scalar, vectors
 from course.dynamics.bodies import Bodies
 from course.dynamics.integrators.components import (
     conjugated,
-    exponential,
     multiplied,
     normalized,
     rotated,
+    turn_about,
 )
 from course.dynamics.mass_properties import principal_axes
 
@@ -115,7 +115,7 @@ class Motion:
 
     def turned(self, rotation_vector: Array) -> Array:
         """The orientations turned by a rotation vector in world axes, exp(theta/2) q, (4, n)."""
-        q = normalized(multiplied(exponential(rotation_vector), self.orientation))
+        q = normalized(multiplied(turn_about(rotation_vector), self.orientation))
         return q if self.fixed is None else np.where(self.fixed, self.orientation, q)
 
     def wrench(self, wrench: Wrench | None, time: float) -> tuple[Array, Array]:

@@ -26,7 +26,7 @@ import numpy as np
 
 from course.arrays import Array, failure
 from course.dynamics.bodies import Bodies
-from course.dynamics.integrators.components import conjugated, exponential, multiplied, normalized, rotated
+from course.dynamics.integrators.components import conjugated, multiplied, normalized, rotated, turn_about
 from course.dynamics.integrators.motion import Motion, PrincipalFrames, Wrench, step_and_time
 
 
@@ -75,6 +75,9 @@ _CHAINS = {
 #: that a NumPy call costs little beside its arithmetic.
 _BLOCK = 4096
 
+#: Steps without a kick after which l is taken afresh from the orientation, and that is brought to length 1.
+_ROUND = 16
+
 #: One even turn: about which principal axis (0 or 2), and for what part of the step.
 Turn = tuple[int, float]
 
@@ -108,20 +111,31 @@ def splitting(
         ValueError: as ``explicit_euler``, and an order that is not there.
     """
     h, t = step_and_time(step, time)
-    if isinstance(order, bool) or order not in _CHAINS:
-        raise failure("order", "one of " + ", ".join(map(str, _CHAINS)), f"{order!r:.60}")
-    motion, chain = Motion.of(bodies), _CHAINS[order]
     if wrench is None:
-        return _free(motion, _turns(chain), h, h).to_bodies()
-    before = 0.0
+        return free_flight(bodies, h, 1, order=order)
+    motion, chain, before = Motion.of(bodies), _chain_of(order), 0.0
     for first, second in zip(chain[::2], chain[1::2], strict=True):
         # Free motion since the last kick: the end of one link and the beginning of the next.
         turns = [turn for turn in ((0, before), (2, before + first), (0, first)) if turn[1]]
-        motion = _free(motion, turns, (before + first) * h, h)
+        motion = _free(motion, [(turns, before + first)], h)
         t += (before + first) * h
         motion = _kicked(motion, wrench, (first + second) * h, t, velocity_dependent)
         before = second
-    return _free(motion, [(0, before), (2, before)], before * h, h).to_bodies()
+    return _free(motion, [([(0, before), (2, before)], before)], h).to_bodies()
+
+
+def free_flight(bodies: Bodies, step: float, count: int, *, order: int = 2) -> Bodies:
+    """``count`` steps of ``splitting`` without a wrench, but for rounding; block after block of bodies."""
+    chain, motion = _chain_of(order), Motion.of(bodies)
+    rounds = [(_turns(chain * size), float(size)) for size in (_ROUND, count % _ROUND) if size]
+    whole = [rounds[0]] * (count // _ROUND) + rounds[1:]
+    return _free(motion, whole, step).to_bodies()
+
+
+def _chain_of(order: int) -> tuple[float, ...]:
+    if isinstance(order, bool) or order not in _CHAINS:
+        raise failure("order", "one of " + ", ".join(map(str, _CHAINS)), f"{order!r:.60}")
+    return _CHAINS[order]
 
 
 def _turns(chain: Sequence[float]) -> list[Turn]:
@@ -142,17 +156,20 @@ def _kicked(motion: Motion, wrench: Wrench, span: float, time: float, velocity_d
     return pushed(span)
 
 
-def _free(motion: Motion, turns: Sequence[Turn], span: float, step: float) -> Motion:
-    """Free motion for a time span; the turns are parts of the step."""
+def _free(motion: Motion, rounds: Sequence[tuple[Sequence[Turn], float]], step: float) -> Motion:
+    """Free motion in rounds of turns; each has its length in steps."""
     q, frames = np.empty(motion.orientation.shape), motion.frames
     for first in range(0, len(motion.bodies), _BLOCK):
         here = slice(first, first + _BLOCK)
         axes = None if frames.axes is None else frames.axes[:, here]
         block = PrincipalFrames(frames.inverse_moments[:, here], frames.moments[:, here], axes)
         block_q, block_l = motion.orientation[:, here], motion.angular_momentum[:, here]
-        q[:, here] = _turned(block_q, block_l, block, turns, span, step)
+        for turns, length in rounds:
+            block_q = _turned(block_q, block_l, block, turns, length * step, step)
+        q[:, here] = block_q
     if motion.fixed is not None:
         q = np.where(motion.fixed, motion.orientation, q)
+    span = step * sum(length for _, length in rounds)
     return motion.moved(position=motion.position + span * motion.velocity, orientation=q)
 
 
@@ -171,7 +188,7 @@ def _turned(
     work = np.empty((4, q.shape[1]))
     for axis, part in turns:
         _turn_evenly(axis, part * half_rates[axis], body, q, work)
-    q = multiplied(exponential(momentum * (span * inverse[1])), q)
+    q = multiplied(turn_about(momentum * (span * inverse[1])), q)
     return normalized(q if frames.axes is None else multiplied(q, conjugated(frames.axes)))
 
 
