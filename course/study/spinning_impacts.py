@@ -193,9 +193,9 @@ def outcomes_by_order(
 ) -> OrderOutcomes:
     """Body 0 after the same impact, with the contacts listed in each of these orders."""
     rows = np.array([list(order) for order in orders])
-    expected = np.arange(len(contacts))
-    if rows.ndim != 2 or not np.array_equal(np.sort(rows, axis=1), np.broadcast_to(expected, rows.shape)):
-        raise failure("orders", f"orders of the contacts 0 to {len(contacts) - 1}", f"shape {rows.shape}")
+    count = len(contacts)
+    if rows.shape != (len(rows), count) or not np.all(np.sort(rows, axis=1) == np.arange(count)):
+        raise failure("orders", f"orders of the contacts 0 to {count - 1}", str(orders)[:60])
     after = [resolve_collisions(bodies, contacts[order], restitution, law=law) for order in rows]
     return OrderOutcomes(
         rows, np.array([a.velocity[0] for a in after]), np.array([a.angular_velocity[0] for a in after])

@@ -29,6 +29,7 @@ from course.workbook.plots.spin import (
     rod_impact,
     rod_impulses,
     rod_on_pegs,
+    spin_by_pegs,
     spins_by_order,
 )
 
@@ -59,6 +60,7 @@ __all__ = [
     "rod_on_pegs",
     "show",
     "side_by_side",
+    "spin_by_pegs",
     "spins_by_order",
     "stability_sweep",
     "style",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
@@ -13,7 +14,7 @@ from course.dynamics.bodies import Bodies
 from course.dynamics.energy import total_energy
 from course.dynamics.impulse import effective_mass, point_velocity
 from course.study.spinning_impacts import OrderOutcomes, falling_rods
-from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
+from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 ARROW = 0.22  # metres of picture for a speed of 1 m/s
 LABELS = {  # where a speed is written: right and up of the point, and its alignment
@@ -73,7 +74,14 @@ def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | Non
         way = "" if abs(spin) < 5e-3 else ", anticlockwise" if spin < 0 else ", clockwise"
         ax.text(1.1, 0.98, f"spin {abs(spin):.2f} rad/s{way}\nenergy kept: {100 * kept:.0f} %", ha="center", va="top",
                 fontsize=9.5)  # fmt: skip
-        ax.text(-1.1, 0.98, f"m = 1 kg\nmass felt at the point: {felt:.3f} kg", ha="center", va="top", fontsize=9.5)
+        ax.text(
+            -1.1,
+            0.98,
+            f"m = 1 kg\nmass felt at the point: {felt:.3f} kg",
+            ha="center",
+            va="top",
+            fontsize=9.5,
+        )
         ax.set(xlim=(-2.2, 2.3), ylim=(-1.1, 1.15), aspect="equal")
         ax.set_title(f"impulse of the floor {push:.3f} N s")
         _bare(ax)
@@ -131,13 +139,16 @@ def rod_impulses(
             measured.items(), ("vermillion", "green", "purple"), "osD", (8, 4.5, 5), strict=False
         ):
             filled = PALETTE[colour] if mark != "o" else "none"
-            ax.plot(x, y, ls="none", marker=mark, ms=size, mfc=filled, mec=PALETTE[colour], mew=1.5, label=name)
+            ax.plot(
+                x, y, ls="none", marker=mark, ms=size, mfc=filled, mec=PALETTE[colour], mew=1.5, label=name
+            )
         ax.set(xlabel="angle from the horizontal [°]", ylabel="impulse [N s]", xticks=range(0, 91, 15))
         ax.set_ylim(0, 1.12 * without_spin)
         ax.set_title("A rod dropped on its end")
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     named = "; ".join(
-        f"{name}: {y[0]:.3f} N s at {x[0]:g} degrees, {y[-1]:.3f} at {x[-1]:g}" for name, (x, y) in measured.items()
+        f"{name}: {y[0]:.3f} N s at {x[0]:g} degrees, {y[-1]:.3f} at {x[-1]:g}"
+        for name, (x, y) in measured.items()
     )
     describe(
         ax,
@@ -157,11 +168,17 @@ def box_outcomes(box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies
     """
     states = {"before": box} | dict(outcomes)
     with style():
-        _, several = side_by_side(len(states), size=(2.9 * len(states), 3.3))
+        figure, grid = plt.subplots(2, (len(states) + 1) // 2, figsize=(8.6, 5.8))
+        several = list(grid.flat)
+        for unused in several[len(states) :]:
+            figure.delaxes(unused)
         spoken = []
-        for ax, (name, state) in zip(several, states.items(), strict=True):
+        for ax, (name, state) in zip(several, states.items(), strict=False):
             spoken.append(_box(ax, corners, 2 * box.position[0, 2], state, name))
-    describe(several[0], "A box just above the floor and the upward speeds of its four corners. " + " ".join(spoken))
+    describe(
+        several[0],
+        "A box just above the floor and the upward speeds of its four corners. " + " ".join(spoken),
+    )
     first: Axes = several[0]
     return first
 
@@ -181,12 +198,22 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
         ax.plot(*start, marker="o", ms=4, color="black", ls="none")
         side = (-0.05, "right") if i < 2 else (0.05, "left")
         back = {"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85}
-        ax.text(start[0] + side[0], start[1] - 0.04, _speed(speed), ha=side[1], va="center", fontsize=9.5, bbox=back)
+        ax.text(
+            start[0] + side[0],
+            start[1] - 0.04,
+            _speed(speed),
+            ha=side[1],
+            va="center",
+            fontsize=9.5,
+            bbox=back,
+        )
     spin = state.angular_velocity[0]
     ax.set(xlim=(-0.95, 0.95), ylim=(-0.62, 0.7), aspect="equal")
     ax.set_title(f"{name}\nspin {np.linalg.norm(spin):.2f} rad/s", fontsize=10)
     _bare(ax)
-    return f"{name}: {', '.join(f'{s + 0.0:.2f}' for s in speeds)} m/s, spin {np.linalg.norm(spin):.2f} rad/s."
+    return (
+        f"{name}: {', '.join(f'{round(s, 2) + 0.0:.2f}' for s in speeds)} m/s, spin {np.linalg.norm(spin):.2f} rad/s."
+    )
 
 
 def spins_by_order(
@@ -218,6 +245,51 @@ def spins_by_order(
     return ax
 
 
+def spin_by_pegs(
+    place: Sequence[float],
+    by_order: Mapping[str, Sequence[float]],
+    both: Sequence[float],
+    threshold: float,
+    *,
+    ax: Axes | None = None,
+) -> Axes:
+    """The spin of a level rod after it fell on two pegs, over where they stand: by the order of the pegs, and at once.
+
+    Args:
+        place: of the pegs, left and right of the middle [m].
+        by_order: name of an order -> spin about y [rad/s].
+        both: spin by the law that takes both at once [rad/s].
+        threshold: where the pegs do not feel each other [m].
+    """
+    with style():
+        ax = axes(ax, size=(8.6, 4.0))
+        for (name, spin), colour, mark in zip(by_order.items(), ("vermillion", "purple"), "os", strict=False):
+            ax.plot(
+                place,
+                spin,
+                ls="none",
+                marker=mark,
+                ms=5,
+                mfc="none",
+                mec=PALETTE[colour],
+                mew=1.4,
+                label=name,
+            )
+        ax.plot(place, both, ls="--", marker="", color=PALETTE["green"], label="both at once")
+        ax.axvline(threshold, color=PALETTE["blue"], ls=":", label=f"radius of gyration\n{threshold:.3g} m")
+        ax.set(xlabel="pegs left and right of the middle at [m]", ylabel=r"spin about y, $\omega_y$ [rad/s]")
+        ax.set_title("A level rod on two pegs, e = 1")
+        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    most = max(float(np.abs(spin).max()) for spin in by_order.values())
+    describe(
+        ax,
+        f"Spin of a level rod after it fell on two pegs, over the distance of the pegs from its middle: opposite for "
+        f"the two orders, up to {most:.2f} rad/s, and zero for both where the pegs stand at {threshold:.3f} m and "
+        "under the ends. With both pegs at once there is no spin.",
+    )
+    return ax
+
+
 def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes | None = None) -> Axes:
     """Effective mass over mass where a box is hit on its upper face, and where leaving out spin errs by how much.
 
@@ -231,7 +303,9 @@ def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes 
         bar = ax.get_figure(root=True).colorbar(filled, ax=ax)  # type: ignore[union-attr]
         bar.set_label("mass felt / mass")
         for error, line in ((1, "-"), (10, "--"), (50, ":")):
-            ax.contour(x, y, ratio, levels=[1 / (1 + error / 100)], colors="black", linewidths=1.6, linestyles=line)
+            ax.contour(
+                x, y, ratio, levels=[1 / (1 + error / 100)], colors="black", linewidths=1.6, linestyles=line
+            )
             ax.plot([], [], color="black", lw=1.6, ls=line, marker="", label=f"{error} % too large")
         ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
         ax.set_title("Impulse computed without spin")
