@@ -99,7 +99,8 @@ def test_orders_of_compositions(order, wrench, seed):
     """At least as promised, between rounding and 1e-4.
 
     Order 8 meets rounding before its error falls as slowly as h^8: slopes up
-    to 12 are seen, and a wrong coefficient makes 2 of them.
+    to 12 are seen. A chain that is its own mirror image has even order, so
+    that one which falls short has a slope less by 2 at least.
     """
     bodies, duration = tumbling(8, seed=seed), 2.0
     if wrench is None:
@@ -116,7 +117,7 @@ def test_orders_of_compositions(order, wrench, seed):
             errors.append(error)
     assert len(errors) >= 3
     slope = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
-    assert slope > order - 0.4
+    assert slope > order - 1
 
 
 def test_a_single_kick_is_of_order_1_where_velocities_matter_and_of_2_elsewhere():
@@ -321,6 +322,23 @@ def test_fixed_bodies_stay_and_what_the_wrench_says_of_them_is_not_read(method):
     weight, none = uniform_gravity([0, 0, -9.81])(bodies, 0.0)
     assert np.array_equal(weight[0], np.zeros(3)) and not none.any()
     assert np.allclose(weight[1:, 2], -9.81 * bodies.mass[1:])
+
+
+@pytest.mark.parametrize("method", [*STEPS, dop853])
+def test_what_is_kept_from_call_to_call_fits_the_bodies(method):
+    """The same inertia array, first in a fixed body, then in a free one, then fixed again."""
+    free = tumbling(2, fixed=False)
+    still = np.array([[0.0], [1.0]])
+    fixed = replace(
+        free,
+        mass=np.array([np.inf, 1.0]),
+        momentum=still * free.momentum,
+        angular_momentum=still * free.angular_momentum,
+    )
+    assert fixed.inertia is free.inertia
+    for _ in range(2):
+        assert np.array_equal(method(fixed, None, 0.1).orientation[0], fixed.orientation[0])
+        assert np.abs(method(free, None, 0.1).orientation[0] - free.orientation[0]).max() > 1e-3
 
 
 @pytest.mark.parametrize("method", [*STEPS, partial(splitting, order=6)])

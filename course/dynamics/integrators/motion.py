@@ -41,24 +41,29 @@ class PrincipalFrames:
     axes: Array | None
 
 
-_known_frames: dict[int, tuple[weakref.ref[Any], PrincipalFrames]] = {}
+_known_frames: dict[tuple[int, int], tuple[weakref.ref[Any], weakref.ref[Any], PrincipalFrames]] = {}
 
 
 def principal_frames(bodies: Bodies) -> PrincipalFrames:
-    """The frames of these bodies' inertias, worked out once for each (read-only) inertia array."""
-    key = id(bodies.inertia)
+    """The frames of these bodies, worked out once for each pair of (read-only) inertia and mass arrays."""
+    inertia, mass = bodies.inertia, bodies.mass
+    key = id(inertia), id(mass)
     found = _known_frames.get(key)
-    if found is not None and found[0]() is bodies.inertia:
-        return found[1]
-    free = np.isfinite(bodies.mass)
-    moments, axes = principal_axes(np.where(free[:, None, None], bodies.inertia, np.eye(3)))
+    if found is not None and found[0]() is inertia and found[1]() is mass:
+        return found[2]
+    free = np.isfinite(mass)
+    moments, axes = principal_axes(np.where(free[:, None, None], inertia, np.eye(3)))
     same = np.array_equal(axes, np.broadcast_to(np.eye(3), axes.shape))
     frames = PrincipalFrames(
         np.ascontiguousarray(np.where(free[:, None], 1.0 / moments, 0.0).T),
         np.ascontiguousarray(moments.T),
         None if same else np.ascontiguousarray(rotations.from_matrix(axes).T),
     )
-    _known_frames[key] = (weakref.ref(bodies.inertia, lambda _: _known_frames.pop(key, None)), frames)
+
+    def forget(_: Any) -> None:
+        _known_frames.pop(key, None)
+
+    _known_frames[key] = weakref.ref(inertia, forget), weakref.ref(mass, forget), frames
     return frames
 
 
