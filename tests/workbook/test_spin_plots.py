@@ -30,7 +30,7 @@ def text(ax):
     ],
 )
 def test_a_rod_tells_what_happens_to_it(angle, restitution, place, told):
-    # By hand, with s = place cos theta: 1/mu = 1 + 3 s^2, p = (1 + e) mu, spin = 6 p s, mu (1 - e^2)/2 of 0.5 J is lost.
+    # With s = place cos theta: 1/mu = 1 + 3 s^2, p = (1 + e) mu, spin = 6 p s, mu (1 - e^2)/2 of 0.5 J is lost.
     ax = plots.rod_impact(angle, restitution, place)
     for words in told:
         assert words in text(ax)
