@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, IntArray
+from course.arrays import Array, BoolArray, IntArray, failure
 from course.contact.contact_system import ContactSystem
 from course.contact.solution import ContactSolution, NoContactForce, NotConverged, contact_solution
 from course.contact.solvers.active_set import settle
@@ -25,7 +25,7 @@ from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.qp import solve_qp
-from course.contact.solvers.residual import scaled_rows
+from course.contact.solvers.residual import runs_away, scaled_rows
 from course.contact.solvers.unit_system import UnitSystem
 
 #: Islands of up to this many contacts go to ``block_pivot``, in batches.
@@ -34,10 +34,8 @@ SMALL = 128
 WHOLE = 24
 #: Sizes to which small islands are filled up, so that they form few batches.
 SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
-#: d_ddot below this times -max |b| is looked at again, whatever the residual: forces may have run away.
-SUSPICIOUS = 1e-7
-#: Up to how many contacts the dense methods are tried.
-PIVOT_UP_TO, NNLS_UP_TO = 400, 1000
+#: Up to how many contacts the dense methods are tried, and A's eigenvalues looked at where all goes wrong.
+PIVOT_UP_TO, NNLS_UP_TO, CHECKED_UP_TO = 400, 1000, 2000
 
 
 def automatic(
@@ -46,7 +44,7 @@ def automatic(
     """``solve`` with method "auto"; see there."""
     if start is not None:
         kept = contact_solution(system, np.maximum(start, 0.0), 0, "auto: start", tolerance)
-        if np.all(kept.converged) and np.all(kept.acceleration >= _suspicious(system.b)):
+        if np.all(kept.converged) and not np.any(_suspicious(system.A, kept.force, system.b)):
             return kept
     if system.b.ndim > 1:
         return _batch(system, tolerance, max_iterations)
@@ -56,7 +54,7 @@ def automatic(
     if np.any(parts.proof):
         raise NoContactForce(_no_force(parts.proof, system.b), parts.proof)
     if not solution.converged:
-        raise NotConverged(_not_converged(float(solution.residual), tolerance, system), solution)
+        raise NotConverged(_not_converged(float(solution.residual), tolerance), solution)
     return solution
 
 
@@ -65,8 +63,7 @@ def _batch(system: ContactSystem, tolerance: float, limit: int | None) -> Contac
     if len(system) <= SMALL:
         found = block_pivot(a, b, max_iterations=limit)
         force, iterations, used = found.force, found.iterations, {"block_pivot"}
-        acceleration = np.einsum("sij,sj->si", a, force) + b
-        bad = (found.residual > tolerance) | np.any(acceleration < _suspicious(b), axis=1)
+        bad = (found.residual > tolerance) | np.any(_suspicious(a, force, b), axis=1)
     else:
         force, iterations, used = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp), set()
         bad = np.ones(len(b), dtype=bool)
@@ -84,7 +81,7 @@ def _batch(system: ContactSystem, tolerance: float, limit: int | None) -> Contac
     if np.any(proof):
         raise NoContactForce(_no_force(proof, b), proof.reshape(shape))
     if not np.all(solution.converged):
-        raise NotConverged(_not_converged(float(np.max(solution.residual)), tolerance, system), solution)
+        raise NotConverged(_not_converged(float(np.max(solution.residual)), tolerance), solution)
     return solution
 
 
@@ -154,16 +151,16 @@ class _Parts:
         self.iterations = max(self.iterations, iterations)
         self._used.add(method)
 
-    def _failing(self, a: Any, b: Array, diagonal: Array) -> Any:
+    def _failing(self, a: Any, b: Array, diagonal: Array) -> BoolArray:
         """Which contacts do not meet the tolerance, or approach by more than rounding."""
         product, size = a @ self.force, abs(a) @ self.force
         push, motion = scaled_rows(diagonal, product, size, self.force, b)
-        off = np.abs(np.minimum(push, motion)) > self.tolerance
-        return off | (product + b < -SUSPICIOUS * self._largest)
+        return (np.abs(np.minimum(push, motion)) > self.tolerance) | runs_away(product, size, b)
 
     def _rescue(self, index: IntArray) -> None:
         """An island that the first method did not solve: a proof, or other methods, or the best there is."""
         a, b = self.system.A[index][:, index], self.system.b[index]
+        _require_semidefinite(a)
         best, least = self.force[index], np.inf
         proof = certificate(a, b, best, search=False)
         for attempt in (self._by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
@@ -185,10 +182,9 @@ class _Parts:
 
     def _judged(self, a: Any, b: Array, force: Array) -> tuple[float, bool]:
         """The residual of an island by the scale of the whole system, and whether forces seem to run away."""
-        product = a @ force
-        scale = abs(a) @ force + self._largest
-        residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / scale
-        return float(residual.max()), bool(np.any(product + b < -SUSPICIOUS * self._largest))
+        product, size = a @ force, abs(a) @ force
+        residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / (size + self._largest)
+        return float(residual.max()), bool(np.any(runs_away(product, size, b)))
 
     def _unit(self, index: Any) -> UnitSystem:
         if self._factor is None:
@@ -245,9 +241,12 @@ def _dense(a: Any) -> Array:
     return a.toarray() if hasattr(a, "toarray") else a
 
 
-def _suspicious(b: Array) -> Array:
-    """The least d_ddot that passes without a second look."""
-    return -SUSPICIOUS * np.abs(b).max(axis=-1, keepdims=True, initial=0.0)
+def _suspicious(a: Any, force: Array, b: Array) -> BoolArray:
+    """``runs_away`` of one system or of a batch."""
+    if b.ndim == 1:
+        return runs_away(a @ force, abs(a) @ force, b)
+    product, size = (np.einsum("...ij,...j->...i", m, force) for m in (a, np.abs(a)))
+    return runs_away(product, size, b)
 
 
 def _no_force(proof: Array, b: Array) -> str:
@@ -261,12 +260,20 @@ def _no_force(proof: Array, b: Array) -> str:
     )
 
 
-def _not_converged(residual: float, tolerance: float, system: ContactSystem) -> str:
-    a = _dense(system.A) if system.b.ndim == 1 and len(system) <= 2000 else None
-    reason = ""
-    if a is not None and np.linalg.eigvalsh(a)[0] < -1e-9 * np.abs(a).max():
-        reason = "; A is not positive semidefinite"
+def _require_semidefinite(a: Any) -> None:
+    """Looked at only where methods fail, as it costs more than they do."""
+    if a.shape[0] > CHECKED_UP_TO:
+        return
+    matrix = _dense(a)
+    root = np.sqrt(matrix.diagonal())
+    scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
+    least = float(np.linalg.eigvalsh(matrix * (scale[:, None] * scale))[0])
+    if least < -1e-9:
+        raise failure("A", "a positive semidefinite matrix", f"eigenvalue {least:.3g} in units of its diagonal")
+
+
+def _not_converged(residual: float, tolerance: float) -> str:
     return (
-        f"no method reached the tolerance {tolerance:g}: the best residual is {residual:.3g}{reason} "
+        f"no method reached the tolerance {tolerance:g}: the best residual is {residual:.3g} "
         "(what was reached is in .solution)"
     )

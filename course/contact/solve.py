@@ -132,8 +132,12 @@ def _qp(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
         unit = csc_array(diags_array(1 / root) @ a @ diags_array(1 / root))
     else:
         unit = a / (root[:, None] * root)
-    found, count = solve_qp(unit, b / root / size, tolerance=options.tolerance, max_iterations=options.limit)
-    return (np.zeros(b.size) if found is None else found * size / root), count
+    # The solver stops at a gap, and where f and w are both small each is its root: so a hundredth, if it can.
+    for own in (0.01 * options.tolerance, options.tolerance):
+        found, count = solve_qp(unit, b / root / size, tolerance=own, max_iterations=options.limit)
+        if found is not None:
+            return found * size / root, count
+    return np.zeros(b.size), count
 
 
 def _nnls(a: Any, b: Array, options: _Options) -> tuple[Array, int]:

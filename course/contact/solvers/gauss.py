@@ -32,6 +32,8 @@ KEPT = 1e-13
 FRACTION = 0.995
 #: Share of contacts that may be undecided when ``active_set`` is tried.
 UNDECIDED = 0.1
+#: Newton steps after which it is tried anyway.
+PATIENCE = 6
 
 
 @dataclass(frozen=True)
@@ -69,20 +71,27 @@ def solve_gauss(system: UnitSystem, *, tolerance: float = 1e-10, max_iterations:
     Returns:
         The best force met; it is f >= 0 in every case.
     """
-    at = _start(system)
-    best, residual = at.f, np.inf
-    count, undecided_then = 1, len(system) + 1.0
+    try:
+        at = _start(system)
+    except np.linalg.LinAlgError:  # A is not positive semidefinite
+        return InteriorPoint(np.zeros(len(system)), np.inf, 1)
+    best, residual, approach_before = at.f, np.inf, np.inf
+    count, tried, undecided_then = 1, PATIENCE, len(system) + 1.0
     while count < max_iterations:
         now = system.residual(at.f)
         if now < residual:
             best, residual = at.f, now
-        if residual <= tolerance or not _sane(at):
+        approach = system.approach(best) if residual <= tolerance else np.inf
+        # Large forces make the residual small before w is: go on while that falls.
+        if not _sane(at) or approach == 0 or (residual <= tolerance and approach > 0.5 * approach_before):
             break
+        approach_before = approach
         undecided = _undecided(at)
-        if undecided <= UNDECIDED * len(system) and undecided <= 0.5 * undecided_then:
-            undecided_then = undecided
+        clear = undecided <= UNDECIDED * len(system) and undecided <= 0.5 * undecided_then
+        if clear or count - tried >= PATIENCE:
+            undecided_then, tried = min(undecided, undecided_then), count
             found = settle(system, at.f, at.f > at.w, tolerance=tolerance)
-            count += found.iterations
+            count, tried = count + found.iterations, tried + found.iterations
             if found.residual < residual:
                 best, residual = found.force, found.residual
             if residual <= tolerance:

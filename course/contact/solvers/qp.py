@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -34,10 +35,12 @@ def solve_qp(
     f = cp.Variable(bias.size)
     objective = cp.Minimize(0.5 * cp.quad_form(f, cp.psd_wrap(matrix)) + bias @ f)
     problem = cp.Problem(objective, [-f <= 0])
-    options = {name: tolerance for name in ("tol_gap_abs", "tol_gap_rel", "tol_feas")}
+    options = dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), tolerance)
     limit = 200 if max_iterations is None else max_iterations
     try:
-        problem.solve(solver=cp.CLARABEL, max_iter=limit, max_threads=1, **options)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # "may be inaccurate": the residual says how much
+            problem.solve(solver=cp.CLARABEL, max_iter=limit, max_threads=1, **options)
     except cp.error.SolverError:
         return None, limit
     stats = problem.solver_stats

@@ -6,7 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, scalars, shaped
+from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
+
+
+#: See ``runs_away``.
+SUSPICIOUS, ROUNDING = 1e-8, 1e-12
 
 
 def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> Array:
@@ -55,6 +59,19 @@ def scaled_rows(
     scale = size + np.abs(bias).max(axis=axis, keepdims=True, initial=0)
     inverse = np.divide(1.0, scale, out=np.zeros(np.shape(scale)), where=scale > 0)
     return diagonal * force * inverse, (product + bias) * inverse
+
+
+def runs_away(product: Array, size: Array, bias: Array) -> BoolArray:
+    """Which contacts approach by more than rounding, whatever the residual says.
+
+    Where no force exists, forces may grow until the residual, which is
+    relative to them, is as small as one likes. So a d_ddot below
+    -1e-8 max |b| - 1e-12 |A| |f| calls for a second look.
+
+    From A f, |A| |f| and b, each (..., c); nothing is checked.
+    """
+    largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
+    return product + bias < -(SUSPICIOUS * largest + ROUNDING * size)
 
 
 def _largest(rows: tuple[Array, Array]) -> Array:

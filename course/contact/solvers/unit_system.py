@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array
-from course.contact.solvers.residual import scaled_rows
+from course.contact.solvers.residual import runs_away, scaled_rows
 from course.contact.solvers.shifted import Shifted, shifted
 
 
@@ -55,3 +55,11 @@ class UnitSystem:
     def residual(self, unit_force: Array) -> float:
         """``complementarity_residual`` of that f."""
         return float(np.max(np.abs(np.minimum(*self.rows(unit_force))), initial=0.0))
+
+    def approach(self, unit_force: Array) -> float:
+        """The largest -w, 0 where no contact approaches by more than rounding (``runs_away``)."""
+        f = self.force(unit_force)
+        product = self.matrix @ f
+        if not np.any(runs_away(product, self._magnitude @ np.abs(f), self.bias)):
+            return 0.0
+        return -float(np.min(product + self.bias))

@@ -1,0 +1,60 @@
+"""Block pivoting of many small systems at once."""
+
+import numpy as np
+import pytest
+
+import course.contact.solvers.block_pivot as module
+from course.contact.solvers import complementarity_residual
+from course.contact.solvers.block_pivot import block_pivot
+
+
+def systems(count, contacts, rank, seed):
+    rng = np.random.default_rng(seed)
+    g = rng.normal(size=(count, rank, contacts)) * 10.0 ** rng.uniform(-2, 2, (count, 1, contacts))
+    return np.swapaxes(g, 1, 2) @ g, -np.einsum("skc,sk->sc", g, rng.normal(size=(count, rank)))
+
+
+@pytest.mark.parametrize("contacts", [1, 2, 4, 7, 12])
+@pytest.mark.parametrize("spare", [2, 0, -1])
+def test_batches_reach_rounding(contacts, spare):
+    """Full rank, just full rank, and one contact too many."""
+    a, b = systems(300, contacts, max(contacts + spare, 1), [contacts, spare + 1])
+    found = block_pivot(a, b)
+    residual = complementarity_residual(a, found.force, b)
+    assert np.all(found.force >= 0) and np.mean(residual <= 1e-10) > 0.99
+    np.testing.assert_allclose(found.residual, residual, atol=1e-14)
+    assert np.all(found.iterations >= 1)
+
+
+def test_one_by_one_is_the_same_as_together(monkeypatch):
+    a, b = systems(40, 5, 7, 3)
+    together = block_pivot(a, b)
+    for k in range(40):
+        alone = block_pivot(a[k : k + 1], b[k : k + 1])
+        np.testing.assert_allclose(together.force[k], alone.force[0], atol=1e-9 * np.abs(alone.force).max())
+    monkeypatch.setattr(module, "BLOCK", 10)
+    np.testing.assert_allclose(block_pivot(a, b).force, together.force, atol=1e-12 * together.force.max())
+
+
+def test_large_systems_by_lapack():
+    a, b = systems(3, 90, 100, 9)
+    found = block_pivot(a, b)
+    assert found.residual.max() <= 1e-12
+    np.testing.assert_allclose(complementarity_residual(a, found.force, b), found.residual, atol=1e-14)
+
+
+def test_nothing_to_do_and_nothing_that_helps():
+    empty = block_pivot(np.zeros((0, 4, 4)), np.zeros((0, 4)))
+    assert empty.force.shape == (0, 4)
+    a = np.zeros((10, 2, 2))
+    a[:, 1, 1] = 2.0
+    found = block_pivot(a, np.full((10, 2), -1.0))
+    np.testing.assert_allclose(found.force, np.tile([0, 0.5], (10, 1)))
+    assert np.all(found.residual == 1), "a contact that no force moves approaches for ever"
+
+
+def test_a_limit_ends_it():
+    a, b = systems(50, 8, 5, 12)
+    limited = block_pivot(a, b, max_iterations=1)
+    assert limited.iterations.max() <= 2 and limited.residual.max() > 1e-10
+    assert np.all(np.isfinite(limited.force))
