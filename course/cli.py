@@ -210,9 +210,10 @@ def fail(sentence: str) -> NoReturn:
 @contextmanager
 def plainly(*more: type[Exception]) -> Iterator[None]:
     """Turn a bad argument, an unusable file (or one of ``more``) into its sentence and exit code 2."""
+    kinds: tuple[type[Exception], ...] = (ValueError, OSError, *more)
     try:
         yield
-    except (ValueError, OSError, *more) as problem:
+    except kinds as problem:
         fail(str(problem))
 
 
