@@ -63,7 +63,7 @@ def wedged_ball(angle: float = 0.5) -> RestingScene:
     """
     lean = scalar("angle", angle)
     normal = np.array([[np.cos(lean), 0, np.sin(lean)], [-np.cos(lean), 0, np.sin(lean)]])
-    bodies = Bodies.balls([1.0, np.inf], 0.5, [[0, 0, 0], [0, 0, -9.0]])
+    bodies = Bodies.balls(np.array([1.0, np.inf]), 0.5, np.array([[0, 0, 0], [0, 0, -9.0]]))
     contacts = contacts_at(np.zeros(2), np.ones(2), -0.5 * normal, normal)
     return weighed("ball between two walls", bodies, contacts)
 
