@@ -19,6 +19,8 @@ from course.dynamics import (
 )
 from course.dynamics.elliptic import first_integral, jacobi_functions, quarter_period
 
+pytestmark = pytest.mark.slow  # orders and thresholds are measured by many steps
+
 SEEDS = [0, 1, 2]
 
 

@@ -24,6 +24,8 @@ from course.study.stability import (
     stability_map,
 )
 
+pytestmark = pytest.mark.slow  # orders and thresholds are measured by many steps
+
 SEEDS = [0, 1]
 
 # Energy per step on an oscillator, x = h w: |R(i x)|^2 of the stability function R.

@@ -8,7 +8,6 @@ import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
 
-
 #: See ``runs_away``.
 SUSPICIOUS, ROUNDING = 1e-8, 1e-12
 
