@@ -73,15 +73,17 @@ def open_workbook(
 
 
 def lesson_to_open(root: Path) -> str | None:
-    """The first lesson where nothing was begun; afterwards the first that is unfinished, of those there are."""
-    from course.workbook.progress import first_unfinished
+    """The first lesson where nothing was begun; afterwards the first of those there are that is unfinished."""
+    from course.exercises.definition import all_lessons
+    from course.workbook.progress import state
     from course.workbook.work_folder import lesson_files
 
     files = [path.stem for path in lesson_files(root)]
     begun = any((root / "work" / f"{name}.ipynb").exists() for name in files)
-    unfinished = first_unfinished(root / "work") if begun else None
-    wanted = Path(unfinished.file_name).stem if unfinished else None
-    return wanted if wanted in files else files[0] if files else None
+    passed = state(root / "work").passed if begun else frozenset()
+    unfinished = {Path(le.file_name).stem for le in all_lessons() if any(e.name not in passed for e in le.core)}
+    wanted = files if not begun else [name for name in files if name in unfinished]
+    return next(iter([*wanted, *files]), None)
 
 
 @app.command()

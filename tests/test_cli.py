@@ -96,7 +96,7 @@ def test_without_lessons_jupyterlab_opens_all_the_same(project, started, capsys)
 
 
 def test_an_unknown_lesson_ends_with_2_and_a_sentence(project, started, capsys):
-    assert cli.run(["open", "impuls"]) == 2
+    assert cli.run(["open", "inpulse"]) == 2
     said = capsys.readouterr().err
     assert "did you mean 'impulse'?" in said and "Traceback" not in said and started == []
 

@@ -82,7 +82,7 @@ def faults(source, module, *, package=False):
     bare = here in GROUND or module in ("course", "course.__main__")
     for name, top in imports(source, module, package=package):
         outer, there = name.split(".")[0], room(name)
-        if outer in ("lessons", "solutions", "tests"):
+        if outer in ("lessons", "solutions", "tests", "benchmarks"):
             said.append(f"{module} imports from {outer}")
         elif outer == "course":
             said += house_faults(module, here, there, numeric)

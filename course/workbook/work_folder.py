@@ -34,7 +34,7 @@ def lesson_files(root: Path = ROOT) -> list[Path]:
 
 
 def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
-    """The lesson that ``name`` means: "10", "10-impulse", "impulse", or a path to the lesson or to a copy of it.
+    """The lesson that ``name`` means: "10", "10-impulse", "impulse", "imp", or a path to the lesson or to a copy.
 
     Raises ``ValueError`` that names the nearest lesson where there is none.
     """
@@ -44,6 +44,9 @@ def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
         number, _, title = stem.partition("-")
         if wanted in (stem, title) or (wanted.isdecimal() and int(wanted) == int(number)):
             return path
+    holders = [path for stem, path in known.items() if wanted and wanted in stem]
+    if len(holders) == 1:
+        return holders[0]
     near = difflib.get_close_matches(wanted, [*known, *(stem[3:] for stem in known)], n=1, cutoff=0.5)
     advice = f"did you mean {near[0]!r}?" if near else f"known: {', '.join(known) or 'none yet'}"
     raise ValueError(f"lesson: expected a lesson's number or name; got {str(name)!r}; {advice}")

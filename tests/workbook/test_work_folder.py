@@ -36,7 +36,7 @@ def test_lessons_are_those_with_a_number(root):
 
 
 @pytest.mark.parametrize(
-    "name", ["10", "10-impulse", "impulse", "10-impulse.ipynb", "lessons/10-impulse.ipynb",
+    "name", ["10", "10-impulse", "impulse", "imp", "10-impulse.ipynb", "lessons/10-impulse.ipynb",
              Path("work/10-impulse (new 3).ipynb")],
 )  # fmt: skip
 def test_a_lesson_goes_by_several_names(root, name):
@@ -47,7 +47,8 @@ def test_a_number_may_lack_its_zero(root):
     assert find_lesson("0", root).name == "00-start-here.ipynb"
 
 
-@pytest.mark.parametrize("name, said", [("impuls", "did you mean 'impulse'?"), ("99", "known: 00-start-here, 10-imp")])
+@pytest.mark.parametrize("name, said", [("inpulse", "did you mean 'impulse'?"), ("", "known: "), ("s", "known: "),
+                                        ("99", "known: 00-start-here, 10-imp")])  # fmt: skip
 def test_an_unknown_lesson_is_named_with_the_nearest(root, name, said):
     with pytest.raises(ValueError, match="lesson: expected") as error:
         find_lesson(name, root)
