@@ -66,7 +66,7 @@ def served(arguments: list[str], root: Path) -> Iterator[str]:
 
 
 def _address(server: subprocess.Popen[bytes], log: Path) -> str:
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 240
     while time.monotonic() < deadline:
         text = log.read_text(errors="replace")
         found = re.search(r"http://(?:127\.0\.0\.1|localhost):\d+/\S*", text)
@@ -75,7 +75,7 @@ def _address(server: subprocess.Popen[bytes], log: Path) -> str:
         if server.poll() is not None:
             raise RuntimeError(f"the server ended with code {server.returncode}:\n{text}")
         time.sleep(0.1)
-    raise TimeoutError(f"no address within 60 s:\n{log.read_text(errors='replace')}")
+    raise TimeoutError(f"no address within 240 s:\n{log.read_text(errors='replace')}")
 
 
 @contextlib.contextmanager
@@ -86,7 +86,7 @@ def page(width: int = 1280, height: int = 1000):
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium(), args=FLAGS)
         opened = browser.new_page(viewport={"width": width, "height": height}, device_scale_factor=1)
-        opened.set_default_timeout(30_000)
+        opened.set_default_timeout(120_000)
         opened.console_errors = []
         opened.on("console", lambda m: opened.console_errors.append(m.text) if m.type == "error" else None)
         try:
@@ -101,16 +101,16 @@ class Lab:
     def __init__(self, opened, address: str) -> None:
         self.page = opened
         opened.goto(address)
-        opened.wait_for_selector(".jp-Notebook .jp-Cell", timeout=60_000)
+        opened.wait_for_selector(".jp-Notebook .jp-Cell", timeout=240_000)
         opened.keyboard.press("Control+b")  # the file browser away: room for the notebook
-        opened.wait_for_selector(".jp-NotebookPanel-toolbar", timeout=30_000)
+        opened.wait_for_selector(".jp-NotebookPanel-toolbar", timeout=120_000)
         # It says "idle" before there is a kernel too, and who runs a cell then is asked to choose one.
         opened.wait_for_function(
             "document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle' && "
             "!/No Kernel/.test(document.querySelector('.jp-Toolbar-kernelName')?.innerText ?? 'No Kernel')"
         )
 
-    def run_all(self, *, seconds: float = 120) -> None:
+    def run_all(self, *, seconds: float = 400) -> None:
         """Run every cell; the first try after loading is sometimes lost, so it is repeated until a prompt shows."""
         ran = "[...document.querySelectorAll('.jp-InputPrompt')].some(p => /\\[(\\*|\\d+)\\]/.test(p.innerText))"
         for _ in range(5):
@@ -119,11 +119,11 @@ class Lab:
             self.page.click(".lm-MenuBar-itemLabel:text-is('Run')")
             self.page.click(".lm-Menu-itemLabel:text-is('Run All Cells')")  # not "Restart Kernel and Run All Cells"
             with contextlib.suppress(Exception):  # playwright's own time-out class is not imported here
-                self.page.wait_for_function(ran, timeout=15_000)
+                self.page.wait_for_function(ran, timeout=40_000)
                 break
         self.wait_idle(seconds)
 
-    def wait_idle(self, seconds: float = 60) -> None:
+    def wait_idle(self, seconds: float = 200) -> None:
         """Until nothing runs or waits to run."""
         self.page.wait_for_timeout(400)
         self.page.wait_for_function(
@@ -138,7 +138,7 @@ class Lab:
         found.scroll_into_view_if_needed()
         return found
 
-    def write_and_run(self, text: str, source: str, *, seconds: float = 60):
+    def write_and_run(self, text: str, source: str, *, seconds: float = 200):
         """Replace the source of the cell that contains ``text``, run it, and return the cell."""
         cell = self.cell(text)
         cell.locator(".cm-content").click()

@@ -72,7 +72,7 @@ def test_the_widget_redraws_when_a_slider_moves(lab):
     lab.page.mouse.down()
     lab.page.mouse.move(box["x"] + 60, box["y"] + box["height"] / 2, steps=4)
     lab.page.mouse.up()
-    lab.page.wait_for_function("([c, t]) => c.alt !== t", arg=[image.element_handle(), before], timeout=10_000)
+    lab.page.wait_for_function("([c, t]) => c.alt !== t", arg=[image.element_handle(), before], timeout=60_000)
     assert "4 N s" in before and "4 N s" not in image.get_attribute("alt")
 
 
@@ -93,8 +93,8 @@ def test_a_demo_serves_the_same_widget_full_screen_without_network(name, tmp_pat
     with served(["demo", name, "--no-browser", "--port", str(free_port())], root) as address, page() as opened:
         asked = []
         opened.on("request", lambda request: asked.append(request.url))
-        opened.goto(address, timeout=60_000)
-        opened.wait_for_selector(".widget-html img", timeout=60_000)
+        opened.goto(address, timeout=240_000)
+        opened.wait_for_selector(".widget-html img", timeout=240_000)
         assert len(opened.locator(".widget-html img").first.get_attribute("alt")) > 40
         own = ("http://localhost", "http://127.0.0.1", "data:", "blob:", "ws:")
         outside = [url for url in asked if not url.startswith(own)]

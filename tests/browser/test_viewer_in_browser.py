@@ -57,7 +57,7 @@ class Film:
 
     def __init__(self, opened):
         self.page = opened
-        opened.wait_for_selector("canvas", timeout=60_000)
+        opened.wait_for_selector("canvas", timeout=240_000)
         self.canvas = opened.locator("canvas").first
         self.canvas.scroll_into_view_if_needed()
 
@@ -91,7 +91,7 @@ def plays_and_scrubs(opened):
     film.scrub("Home")
     assert film.time() == "0.00 s" and film.picture() == start
     opened.locator(".widget-play button").first.click()
-    opened.wait_for_function("document.querySelector('.widget-readout').innerText == '1.00 s'", timeout=60_000)
+    opened.wait_for_function("document.querySelector('.widget-readout').innerText == '1.00 s'", timeout=240_000)
     end = film.picture()
     assert end not in (start, middle)
     opened.locator(".widget-dropdown select").last.select_option("top")
@@ -131,7 +131,7 @@ def test_in_voila(tmp_path):
         _answers(port)
         with page() as opened:
             cut_off(opened)
-            opened.goto(f"http://localhost:{port}/", timeout=60_000)
+            opened.goto(f"http://localhost:{port}/", timeout=240_000)
             plays_and_scrubs(opened)
     finally:
         os.killpg(server.pid, signal.SIGINT)
@@ -165,6 +165,6 @@ def test_a_saved_notebook_shows_the_picture_before_anything_runs(tmp_path):
     with served(["open", "10", "--no-browser", "--port", str(free_port())], root) as address, page() as opened:
         cut_off(opened)
         Lab(opened, address)
-        alt = opened.locator(".jp-OutputArea img").first.get_attribute("alt", timeout=30_000)
+        alt = opened.locator(".jp-OutputArea img").first.get_attribute("alt", timeout=120_000)
         assert alt.startswith("A box slides and turns. ") and "at 0.5 s of 0 to 1 s" in alt
         assert "Error displaying widget" not in opened.inner_text("body")
