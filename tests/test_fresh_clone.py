@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import time
@@ -26,7 +27,9 @@ def clone(tmp_path_factory):
     kept = {name: value for name, value in os.environ.items() if not name.startswith(drop)}
     kept["PATH"] = os.pathsep.join(part for part in kept["PATH"].split(os.pathsep) if ".venv" not in Path(part).parts)
     kept["PIP_CACHE_DIR"] = str(tmp_path_factory.mktemp("cache"))
-    return folder, kept
+    yield folder, kept
+    for large in (folder, kept["PIP_CACHE_DIR"]):
+        shutil.rmtree(large, ignore_errors=True)
 
 
 def first_python():
@@ -58,7 +61,7 @@ def test_the_second_start_sets_nothing_up(clone):
 
 
 def test_the_quick_tests_pass_there(clone):
-    done = start(clone, "test", "--quick", seconds=1200)
+    done = start(clone, "test", "--quick", seconds=2400)
     assert done.returncode == 0, done.stdout[-4000:] + done.stderr[-2000:]
     assert re.fullmatch(r"\d{2,} passed, 0 failed, \d+ skipped", done.stdout.strip().splitlines()[-1])
 
