@@ -128,6 +128,7 @@ def test_a_python_that_is_too_old_is_told_in_a_sentence(monkeypatch):
         environment.require_python()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("version", ["2.7", "3.6", "3.8", "3.10"])
 def test_a_real_old_python_says_it_without_a_traceback(version, tmp_path):
     python = next((p for p in old_pythons(version) if environment.works(str(p))), None)

@@ -11,7 +11,7 @@ from course.exercises.message import verdict_message
 from course.exercises.verdict import answers_of, judge, violated
 
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
-SEEDS = (None, 1, 20_261, 987_654_321)
+SEEDS = (None, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 20_261, 987_654_321)))
 by_name = pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
 
 

@@ -144,6 +144,7 @@ def folder(tmp_path):
     return tmp_path / "in"
 
 
+@pytest.mark.slow
 def test_a_batch_that_is_done_is_not_done_again(folder, tmp_path, monkeypatch):
     out = tmp_path / "new" / "grades.csv"
     first = grade_folder(folder, out, lessons=LESSONS)
@@ -256,6 +257,7 @@ def test_a_machine_that_runs_no_answer_says_so_before_anything_is_marked(folder,
     assert not (tmp_path / "grades.csv").exists()
 
 
+@pytest.mark.slow
 def test_output_inside_the_folder_is_no_submission(folder):
     out = folder / "grades.csv"
     assert grade_folder(folder, out, lessons=LESSONS).submissions == 5
@@ -286,6 +288,7 @@ def test_arguments_that_cannot_be_used_are_refused(folder, tmp_path, change, wor
     assert (folder / "ann.ipynb").read_text() == before and not (tmp_path / "grades.csv").exists()
 
 
+@pytest.mark.slow
 def test_a_notebook_is_checked_on_its_own_inputs(tmp_path):
     seen = []
     path = write(tmp_path / "a.ipynb", notebook(OTHER))
