@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
+import functools
 import os
 import re
 import shutil
@@ -81,18 +83,25 @@ def _address(server: subprocess.Popen[bytes], log: Path) -> str:
 @contextlib.contextmanager
 def page(width: int = 1280, height: int = 1000):
     """A page of a new browser profile; what it logs as errors is in ``page.console_errors``."""
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium(), args=FLAGS)
+    browser = _playwright().chromium.launch(executable_path=chromium(), args=FLAGS)
+    try:
         opened = browser.new_page(viewport={"width": width, "height": height}, device_scale_factor=1)
         opened.set_default_timeout(120_000)
         opened.console_errors = []
         opened.on("console", lambda m: opened.console_errors.append(m.text) if m.type == "error" else None)
-        try:
-            yield opened
-        finally:
-            browser.close()
+        yield opened
+    finally:
+        browser.close()
+
+
+@functools.cache
+def _playwright():
+    """The one driver of this process: two at once in a thread refuse each other, and pages here overlap."""
+    from playwright.sync_api import sync_playwright
+
+    driver = sync_playwright().start()
+    atexit.register(driver.stop)
+    return driver
 
 
 class Lab:
