@@ -19,6 +19,7 @@ J. W.-H. Liu, Computer Solution of Large Sparse Positive Definite Systems,
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Protocol
 
 import numpy as np
@@ -57,22 +58,30 @@ def shifted(matrix: Any, factor: Any = None) -> Shifted:
     count = matrix.shape[0]
     if count <= DENSE:
         return ShiftedDense(matrix.toarray() if issparse(matrix) else matrix)
-    choices: list[tuple[float, Any]] = [(count**3 / 3, ShiftedDense)]
-    if issparse(matrix):
-        by_forces = _Band(csr_array(matrix))
-        choices.append((_cost(by_forces), by_forces))
-    if factor is not None:
-        rows = csr_array(factor)
-        rows = rows[:, np.unique(rows.indices)]
-        pattern = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
-        by_bodies = _Band((pattern.T @ pattern).tocsr())
-        choices.append((_cost(by_bodies), (by_bodies, rows)))
-    best = min(choices, key=lambda choice: choice[0])[1]
-    if best is ShiftedDense:
-        return ShiftedDense(matrix.toarray() if issparse(matrix) else matrix)
-    return (
-        ShiftedByForces(matrix, best) if isinstance(best, _Band) else ShiftedByAccelerations(best[1], best[0])
+    best: tuple[float, Callable[[], Shifted]] = (
+        count**3 / 3,
+        lambda: ShiftedDense(matrix.toarray() if issparse(matrix) else matrix),
     )
+    freedoms = count + 1
+    if factor is not None:
+        rows = _without_empty_columns(csr_array(factor))
+        freedoms = rows.shape[1]
+        ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
+        bodies = _Band((ones.T @ ones).tocsr())
+        best = min(best, (_cost(bodies), lambda: ShiftedByAccelerations(rows, bodies)), key=lambda x: x[0])
+    if issparse(matrix) and freedoms > 0.9 * count:
+        contacts = _Band(csr_array(matrix))
+        best = min(best, (_cost(contacts), lambda: ShiftedByForces(matrix, contacts)), key=lambda x: x[0])
+    return best[1]()
+
+
+def _without_empty_columns(rows: Any) -> Any:
+    from scipy.sparse import csr_array
+
+    used = np.zeros(rows.shape[1], dtype=bool)
+    used[rows.indices] = True
+    number = np.cumsum(used) - 1
+    return csr_array((rows.data, number[rows.indices], rows.indptr), shape=(rows.shape[0], int(used.sum())))
 
 
 class ShiftedDense:
@@ -135,7 +144,9 @@ class ShiftedByAccelerations:
     def __init__(self, rows: Any, band: _Band) -> None:
         from scipy.sparse import csr_array
 
-        self._rows = csr_array(rows[:, band.order])
+        self._rows = csr_array(
+            (rows.data.copy(), band.rank[rows.indices], rows.indptr.copy()), shape=rows.shape
+        )
         self._rows.sort_indices()
         self._columns = csr_array(self._rows.T)
         self._band = band
@@ -154,8 +165,10 @@ class ShiftedByAccelerations:
         contact = np.broadcast_to(np.arange(count.size)[:, None], row.shape)[real]
         place = band.place(row[real], column[real])
         products = (value[:, first] * value[:, second])[real]
-        self._place, position = np.unique(place, return_inverse=True)
-        self._products = csr_array((products, (position, contact)), shape=(self._place.size, count.size))
+        every = csr_array((products, (place, contact)), shape=(band.size, count.size))
+        self._place = np.flatnonzero(np.diff(every.indptr))
+        start = np.append(every.indptr[self._place], every.nnz)
+        self._products = csr_array((every.data, every.indices, start), shape=(self._place.size, count.size))
 
     def times(self, x: Array) -> Array:
         return self._rows @ (self._columns @ x)
@@ -176,11 +189,16 @@ class _Band:
         from scipy.sparse.csgraph import reverse_cuthill_mckee
 
         self.order: IntArray = np.asarray(reverse_cuthill_mckee(pattern, symmetric_mode=True), dtype=np.intp)
-        place = np.empty_like(self.order)
-        place[self.order] = np.arange(self.order.size)
+        self.rank = np.empty_like(self.order)
+        self.rank[self.order] = np.arange(self.order.size)
         coo = pattern.tocoo()
-        self.width = int(np.max(np.abs(place[coo.row] - place[coo.col]), initial=0))
+        self.width = int(np.max(np.abs(self.rank[coo.row] - self.rank[coo.col]), initial=0))
         self._storage: Array | None = None
+
+    @property
+    def size(self) -> int:
+        """How many numbers the storage holds."""
+        return self.order.size * (self.width + 1)
 
     def place(self, row: Any, column: Any) -> Any:
         """Where an entry on or below the diagonal stands in the storage."""

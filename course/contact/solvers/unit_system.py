@@ -37,10 +37,9 @@ class UnitSystem:
         inverse = 1.0 / self.root
         if not hasattr(self.matrix, "tocsr"):
             return shifted(self.matrix * (inverse[:, None] * inverse))
-        from scipy.sparse import diags_array
-
-        scale = diags_array(inverse)
-        return shifted(scale @ self.matrix @ scale, None if self._factor is None else scale @ self._factor)
+        a = _scaled(self.matrix, inverse)
+        a.data *= inverse[a.indices]
+        return shifted(a, None if self._factor is None else _scaled(self._factor, inverse))
 
     def force(self, unit_force: Array) -> Array:
         """f of the system it came from."""
@@ -63,3 +62,12 @@ class UnitSystem:
         if not np.any(runs_away(product, self._magnitude @ np.abs(f), self.bias)):
             return 0.0
         return -float(np.min(product + self.bias))
+
+
+def _scaled(rows: Any, factor: Array) -> Any:
+    """A sparse matrix with its rows multiplied."""
+    from scipy.sparse import csr_array
+
+    rows = csr_array(rows)
+    data = rows.data * np.repeat(factor, np.diff(rows.indptr))
+    return csr_array((data, rows.indices, rows.indptr), shape=rows.shape)
