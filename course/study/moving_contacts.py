@@ -107,6 +107,7 @@ def moving_contact(kind: str, *, seed: int = 13, gap: float = 0.0) -> MovingCont
     root = rng.normal(size=(2, 3, 3))
     inertia = root @ np.swapaxes(root, 1, 2) + np.eye(3)
     spots, (axis_a, axis_b) = rng.normal(size=(2, 3)), _unit(rng.normal(size=(2, 3)))
+    spots = np.zeros((2, 3)) if kind == "curved" else spots  # balls about their centres of mass
     bodies = Bodies(rng.uniform(0.5, 3, 2), inertia, rng.normal(size=(2, 3)), _unit(rng.normal(size=(2, 4))),
                     *0.6 * rng.normal(size=(2, 2, 3)))  # fmt: skip
     force, torque = rng.normal(size=(2, 2, 3))

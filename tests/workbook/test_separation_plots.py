@@ -4,7 +4,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from course.study import TurningPair, difference_errors
+from course.contact import separation_acceleration_terms
+from course.study import Dome, TurningPair, difference_errors, moving_contact
 from course.study.moving_contacts import CENTRAL, FORWARD
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
@@ -64,3 +65,47 @@ def test_the_widget_redraws():
     before = panel.picture
     panel.children[0].children[0].value = 0.0
     assert "in all -0.50" in panel.picture and panel.picture != before
+
+
+def test_dome_tells_both_angles():
+    ax = plots.dome(Dome())
+    assert "48.2 degrees" in text(ax) and "36.9 degrees" in text(ax)
+
+
+def test_dome_bias_draws_points_on_their_lines():
+    scene, angles = Dome(), np.radians([20.0, 50.0])
+    measured = {"gap": scene.bias(angles), "old point": scene.bias_as_printed(angles)}
+    ax = plots.dome_bias(scene, angles, measured)
+    lines = {line.get_label(): line for line in ax.lines}
+    for name, curve in (
+        ("gap", lines[r"$v^2/R - g\,\cos\varphi$"]),
+        ("old point", lines[r"$2\,v^2/R - g\,\cos\varphi$"]),
+    ):
+        there = np.interp([20.0, 50.0], *curve.get_data())
+        np.testing.assert_allclose(lines[name].get_ydata(), there, atol=1e-2)
+    assert "48.19" in text(ax) and "36.87" in text(ax)
+
+
+def test_old_point_tells_both_gaps():
+    scene, theta = Dome(), np.radians(42)
+    ax = plots.old_point(42.0, 0.08)
+    for gap in (scene.gap(theta, 0.08), scene.gap_from_the_old_point(theta, 0.08)):
+        assert f"{1000 * gap:.1f} mm" in text(ax)
+    assert "sinks in" in ax.get_title(loc="left")
+    assert "lets it go" in plots.old_point(60.0, 0.05).get_title(loc="left")
+
+
+def test_bias_terms_add_up():
+    scene = moving_contact("face_b")
+    contacts = scene.contacts(scene.bodies)
+    ax = plots.bias_terms(
+        separation_acceleration_terms(scene.bodies, contacts, scene.force, scene.torque), ["one"]
+    )
+    heights = [bar.get_height() for bar in ax.patches]
+    assert len(heights) == 6 and sum(heights[:5]) == pytest.approx(heights[5])
+
+
+def test_the_dome_widget_redraws():
+    panel = demos.dome()
+    panel.children[0].children[0].value = 60.0
+    assert "60 degrees" in panel.picture

@@ -9,6 +9,7 @@ import pytest
 
 from course import rotations
 from course.workbook import viewer
+from course.workbook.plots.figure import figure_html
 from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
 from course.workbook.viewer.widget import MOST_FRAMES, camera_of
 
@@ -157,7 +158,11 @@ def test_draw_and_film_draw_into_figures_with_alternative_text():
     figure = viewer.film(turning_box(camera="top"), [0.0, 0.5, 1.0, 1.5, 2.0], columns=3)
     assert len(figure.axes) == 5
     assert [a.get_title() for a in figure.axes] == ["0.00 s", "0.50 s", "1.00 s", "1.50 s", "2.00 s"]
+    text = figure_html(figure).split('"')[1]
+    assert text.count("A box slides and turns.") == 1 and text.endswith("at 0.00, 0.50, 1.00, 1.50, 2.00 s.")
     plt.close("all")
+    with pytest.raises(ValueError, match="times: expected at least one"):
+        viewer.film(turning_box(), [])
 
 
 def test_the_film_has_the_places_of_its_moments():
@@ -170,6 +175,23 @@ def test_the_film_has_the_places_of_its_moments():
     assert matrix[:3, 3] == pytest.approx([1.0, 0.0, 1.0]) and list(matrix[3]) == [0, 0, 0, 1]
     assert arrow.vertices["20"].max(axis=0)[2] == pytest.approx(1.75)
     assert shown.slider.options[20] == ("1.00 s", 20) and shown.play.max == 40
+
+
+def test_another_motion_of_the_same_bodies_takes_the_place_of_the_first():
+    shown = viewer.show(turning_box(), still=1.0)
+    before = shown.picture
+    drawn = [id(o) for o in shown.plot.objects]
+    place = np.stack([0 * TIMES, TIMES, 1 + 0 * TIMES], axis=-1)[:, None]
+    arrows = [viewer.Arrows("omega", np.zeros((41, 1, 3)), "rad/s", scale=0.25)]
+    shown.update(viewer.make_scene(viewer.box([0.3, 0.2, 0.1]), place, times=TIMES, arrows=arrows, ground=0.0))
+    body, arrow = shown.plot.objects[:2]
+    assert drawn == [id(o) for o in shown.plot.objects]
+    assert body.model_matrix["20"][:3, 3] == pytest.approx([0.0, 1.0, 1.0])
+    assert arrow.vertices["20"] == pytest.approx(np.broadcast_to([0.0, 1.0, 1.0], arrow.vertices["20"].shape))
+    assert "0.25 m drawn" in shown.children[-1].value and shown.picture != before
+    for other in (turning_box(arrows=[]), viewer.make_scene(viewer.sphere(1.0), [[0, 0, 0]])):
+        with pytest.raises(ValueError, match="scene: expected the same number of bodies"):
+            shown.update(other)
 
 
 def test_a_long_or_fine_film_is_thinned_evenly():

@@ -1,9 +1,13 @@
 """Widgets to play with: in a lesson ``demos.impulse()``, in front of a room ``course demo impulse``."""
 
 from course.workbook.demos.impacts import impulse, wall
+from course.workbook.demos.motion import tumbling, tumbling_scene
 from course.workbook.demos.panel import Panel
 from course.workbook.demos.registry import DEMOS, Demo, find_demo, serve, table
-from course.workbook.demos.separation import gap_rate
+from course.workbook.demos.separation import dome, gap_rate
 from course.workbook.demos.spin import rod
 
-__all__ = ["DEMOS", "Demo", "Panel", "find_demo", "gap_rate", "impulse", "rod", "serve", "table", "wall"]
+__all__ = [
+    "DEMOS", "Demo", "Panel", "dome", "find_demo", "gap_rate", "impulse", "rod", "serve", "table", "tumbling",
+    "tumbling_scene", "wall",
+]  # fmt: skip

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from course.workbook.demos import impacts, separation, spin
-from course.workbook.demos.panel import Panel
+import ipywidgets
+
+from course.workbook.demos import impacts, motion, separation, spin
 from course.workbook.syllabus import read_syllabus
 
 
@@ -15,7 +16,7 @@ class Demo:
     """A demo for a lecture: its name, what it shows, its syllabus rows, minutes, and what to try."""
 
     name: str
-    make: Callable[[], Panel]
+    make: Callable[[], ipywidgets.Widget]
     title: str
     rows: tuple[int, ...]
     minutes: int
@@ -23,6 +24,14 @@ class Demo:
 
 
 DEMOS = (
+    Demo(
+        "tumbling",
+        motion.tumbling,
+        "A handle that spins in space, and turns over",
+        (14,),
+        5,
+        "Play: no torque, L stays, and it turns over. Now the other two axes. Then make the tilt ten times smaller.",
+    ),
     Demo(
         "impulse",
         impacts.impulse,
@@ -54,6 +63,14 @@ DEMOS = (
         (19, 20, 22),
         4,
         "Both centres stand still, and the gap closes. Let A rise until it stays. Then move A's centre over the gap.",
+    ),
+    Demo(
+        "dome",
+        separation.dome,
+        "Sliding off a dome: what the printed formula counts twice",
+        (20, 24),
+        5,
+        "Look ahead from 42 degrees: it sinks in, and yet the old point falls behind. Past 48 degrees it lets go.",
     ),
 )
 

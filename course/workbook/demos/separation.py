@@ -3,19 +3,31 @@
 from __future__ import annotations
 
 from course.workbook.demos.panel import Panel, slider
-from course.workbook.plots import separation as plots
+from course.workbook.plots import separation, separation_acceleration
 
 
 def gap_rate() -> Panel:
     """A bar over a plank: let each rise and turn, and see which motion closes the gap."""
     return Panel(
-        plots.contact_velocities,
+        separation.contact_velocities,
         {
             "rate_a": slider("A turns", 1.5, -3.0, 3.0, 0.25, "rad/s"),
             "rate_b": slider("B turns", 0.5, -3.0, 3.0, 0.25, "rad/s"),
             "velocity_a": slider("A rises", 0.0, -2.0, 2.0, 0.1, "m/s"),
             "velocity_b": slider("B rises", 0.0, -2.0, 2.0, 0.1, "m/s"),
             "reach": slider("y of A's centre", 1.8, 0.2, 2.0, 0.1, "m"),
+        },
+        columns=2,
+    )
+
+
+def dome() -> Panel:
+    """A particle let go on a dome, a moment ahead: its gap, and the gap from the point that it touched."""
+    return Panel(
+        separation_acceleration.old_point,
+        {
+            "angle": slider("angle from the top", 42.0, 5.0, 70.0, 1.0, "°"),
+            "ahead": slider("moment ahead", 0.08, 0.0, 0.12, 0.01, "s"),
         },
         columns=2,
     )

@@ -16,6 +16,7 @@ from course.workbook.plots.impacts import (
     impact,
     velocity_circle,
 )
+from course.workbook.plots.motion import energies, energy_contours, seen_from_body
 from course.workbook.plots.separation import (
     contact_velocities,
     difference_errors,
@@ -23,6 +24,7 @@ from course.workbook.plots.separation import (
     passing_a_corner,
     turning_pair,
 )
+from course.workbook.plots.separation_acceleration import bias_terms, dome, dome_bias, old_point
 from course.workbook.plots.spin import (
     box_outcomes,
     mass_over_face,
@@ -37,6 +39,7 @@ __all__ = [
     "PALETTE",
     "axes",
     "ball_row",
+    "bias_terms",
     "billiard_break",
     "block_paths",
     "blocks_and_wall",
@@ -46,6 +49,10 @@ __all__ = [
     "course_map",
     "describe",
     "difference_errors",
+    "dome",
+    "dome_bias",
+    "energies",
+    "energy_contours",
     "energy_over_time",
     "falling_boxes",
     "figure_html",
@@ -53,11 +60,13 @@ __all__ = [
     "impact",
     "ladder_picture",
     "mass_over_face",
+    "old_point",
     "passing_a_corner",
     "reflection",
     "rod_impact",
     "rod_impulses",
     "rod_on_pegs",
+    "seen_from_body",
     "show",
     "side_by_side",
     "spin_by_pegs",

@@ -8,9 +8,8 @@ from typing import Any
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
-from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from course.arrays import Array
+from course.arrays import Array, failure
 from course.workbook.plots.figure import PALETTE, describe, style
 from course.workbook.viewer.scene import CAMERAS, Scene
 from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
@@ -30,18 +29,17 @@ def draw(scene: Scene, *, time: float | None = None, ax: Any = None) -> Any:
             figure = plt.figure(figsize=(6.6, 4.6), layout="none")
             ax = figure.add_axes((0.0, 0.09, 1.0, 0.88), projection="3d", computed_zorder=False)
             _legend(figure, scene, index)
-        _triangles(ax, scene, index)
-        if scene.ground is not None:
-            _ground(ax, scene)
-        _frame(ax, scene)
+        _draw(ax, scene, index)
         if not alone and scene.moves:
-            ax.set_title(f"{scene.times[index]:.2f} s", fontsize=10, loc="center", y=0.94)
+            _title(ax, scene, index)
     describe(ax, scene.description(index))
     return ax
 
 
 def film(scene: Scene, times: Sequence[float], *, columns: int = 4) -> Any:
     """The scene at several times [s] side by side, ``columns`` a row; returns the figure."""
+    if not len(times):
+        raise failure("times", "at least one", "none")
     rows = -(-len(times) // columns)
     with style():
         figure = plt.figure(figsize=(2.3 * columns, 2.3 * rows + 0.4), layout="none")
@@ -50,15 +48,32 @@ def film(scene: Scene, times: Sequence[float], *, columns: int = 4) -> Any:
             place = (column / columns, 0.4 / (2.3 * rows + 0.4) + (rows - 1 - row) * 2.3 / (2.3 * rows + 0.4),
                      1 / columns, 2.2 / (2.3 * rows + 0.4))  # fmt: skip
             ax: Any = figure.add_axes(place, projection="3d", computed_zorder=False)
-            draw(scene, time=time, ax=ax)
+            index = scene.index_at(time)
+            _draw(ax, scene, index)
+            _title(ax, scene, index)
             ax.set_axis_off()
             ax.set_box_aspect((1, 1, 1), zoom=1.35)
         _legend(figure, scene, None)
+    shown = ", ".join(f"{scene.times[scene.index_at(time)]:.2f}" for time in times)
+    describe(ax, f"{scene.description()} Shown side by side at {shown} s.")
     return figure
+
+
+def _draw(ax: Any, scene: Scene, index: int) -> None:
+    _triangles(ax, scene, index)
+    if scene.ground is not None:
+        _ground(ax, scene)
+    _frame(ax, scene)
+
+
+def _title(ax: Any, scene: Scene, index: int) -> None:
+    ax.set_title(f"{scene.times[index]:.2f} s", fontsize=10, loc="center", y=0.94)
 
 
 def _triangles(ax: Any, scene: Scene, index: int) -> None:
     """Bodies and arrows as one collection, so that matplotlib sorts all their triangles by depth."""
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
     corners, colors = [], []
     for solid, vertices in zip(scene.solids, scene.vertices(index), strict=True):
         corners.append(vertices[solid.triangles])
@@ -96,6 +111,8 @@ def ground_lines(scene: Scene, *, lines: int = 9) -> Array:
 
 
 def _ground(ax: Any, scene: Scene) -> None:
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection
+
     ax.add_collection3d(Line3DCollection(ground_lines(scene), colors="0.75", linewidths=0.7, zorder=0.5))
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-from functools import cached_property
 from typing import Any
 
 import ipywidgets
@@ -31,7 +30,7 @@ class Viewer(ipywidgets.VBox):
     def __init__(
         self, scene: Scene, *, still: float | None = None, speed: float = 1.0, height: int = 420
     ) -> None:
-        self.scene, self._still = scene, still
+        self.scene, self._still, self._speed = scene, still, speed
         self.frames = _frames(scene, speed)
         self.plot = _plot(scene, self.frames, height)
         self.camera = ipywidgets.Dropdown(
@@ -48,9 +47,23 @@ class Viewer(ipywidgets.VBox):
             )
             controls = [self.play, self.slider, self.camera]
         self._look(None)
-        super().__init__([self.plot, ipywidgets.HBox(controls), ipywidgets.HTML(_legend(scene, speed))])
+        self._words = ipywidgets.HTML(_legend(scene, speed))
+        super().__init__([self.plot, ipywidgets.HBox(controls), self._words])
 
-    @cached_property
+    def update(self, scene: Scene) -> None:
+        """Show another motion of the same bodies, with the same kinds of arrows, at the same times."""
+        alike = len(scene.solids) == len(self.scene.solids) and np.array_equal(scene.times, self.scene.times)
+        if not alike or [a.name for a in scene.arrows] != [a.name for a in self.scene.arrows]:
+            raise ValueError("scene: expected the same number of bodies, kinds of arrows and times as before")
+        self.scene = scene
+        drawn = self.plot.objects
+        for number in range(len(scene.solids)):
+            drawn[number].model_matrix = _matrices(scene, number, self.frames)
+        for body, arrows in zip(drawn[len(scene.solids) :], scene.arrows, strict=False):
+            body.vertices = _arrow_film(scene, arrows, self.frames)
+        self._words.value = _legend(scene, self._speed)
+
+    @property
     def picture(self) -> str:
         """One moment as an ``<img>`` with alternative text."""
         ax = draw(self.scene, time=self._still)

@@ -1,0 +1,105 @@
+"""Pictures of motion: energies over time, and the constant L as a turning body sees it. All flat."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
+
+from course.study.tumbling import Tumble, turnover_times
+from course.workbook.plots.figure import PALETTE, axes, describe, style
+
+AXIS_NAMES = ("crossbar", "stem", "third axis")
+_LINES = (("blue", "-"), ("orange", "--"), ("green", "-."), ("purple", ":"))
+
+
+def energies(times: ArrayLike, parts: Mapping[str, ArrayLike], *, title: str = "", ax: Axes | None = None) -> Axes:
+    """Parts of an energy [J] over time [s], a line each, and their sum."""
+    t = np.asarray(times)
+    with style():
+        ax = axes(ax)
+        for (name, values), (color, line) in zip(parts.items(), _LINES, strict=False):
+            ax.plot(t, values, color=PALETTE[color], ls=line, marker="", label=name)
+        total = np.sum([np.broadcast_to(v, t.shape) for v in parts.values()], axis=0)
+        ax.plot(t, total, color="black", lw=5, alpha=0.3, ls="-", marker="", zorder=1, label="their sum")
+        ax.set(xlabel="time [s]", ylabel="energy [J]", title=title)
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    told = "; ".join(f"{n} runs from {np.min(v):.3g} to {np.max(v):.3g} J" for n, v in parts.items())
+    what = f"{title or 'Energy'} over {t[0]:g} to {t[-1]:g} s"
+    describe(ax, f"{what}: {told}. Their sum changes by {np.ptp(total):.2g} J.")
+    return ax
+
+
+def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
+    """The parts of L along a body's own three axes, over |L|, in time; each turning over is marked."""
+    with style():
+        ax = axes(ax, size=(7.6, 3.6))
+        share = tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum)
+        for values, name, (color, line) in zip(share.T, AXIS_NAMES, _LINES, strict=False):
+            ax.plot(tumble.times, values, color=PALETTE[color], ls=line, marker="", label=name)
+        moments = turnover_times(tumble)
+        label = "on its side"
+        for when in moments:
+            ax.axvline(when, color="0.5", lw=1, ls=":", label=label)
+            label = "_"
+        ax.set(xlabel="time [s]", ylabel="part of L along the axis / |L|", ylim=(-1.1, 1.1))
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    when = ", ".join(f"{m:.2f}" for m in moments)
+    describe(
+        ax,
+        "The parts of the angular momentum along the crossbar, the stem and the third axis, over time. The "
+        "stem's part stays near 1, drops quickly to -1, stays there, and comes back; it crosses zero at "
+        f"{when or 'no time'} s.",
+    )
+    return ax
+
+
+def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
+    """The sphere |l| = |L| seen along each principal axis: lines of equal energy, and where l runs.
+
+    ``l = R'L`` is L as the body sees it. Returns the last of three Axes.
+    """
+    moments, path = tumble.moments, tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum)
+    grid = np.linspace(-1, 1, 241)
+    with style():
+        figure, three = plt.subplots(1, 3, figsize=(9.6, 3.7))
+        for toward, panel in enumerate(three):
+            # Right-handed: the axis toward the reader, the next to the right, the one after it up.
+            right, up = (toward + 1) % 3, (toward + 2) % 3
+            x, y = np.meshgrid(grid, grid)
+            inside = x**2 + y**2 <= 1
+            energy = x**2 / moments[right] + y**2 / moments[up] + (1 - x**2 - y**2) / moments[toward]
+            levels = np.linspace(1 / moments[2], 1 / moments[0], 17)[1:-1]
+            energy = np.where(inside, energy, np.nan)
+            panel.contour(x, y, energy, levels=levels, colors="0.62", linewidths=0.9, linestyles="-")
+            turn = np.linspace(0, 2 * np.pi, 200)
+            panel.plot(np.cos(turn), np.sin(turn), color="0.3", lw=1.2, ls="-", marker="")
+            _path(panel, path, toward, right, up)
+            panel.set(aspect="equal", xticks=[-1, 0, 1], yticks=[-1, 0, 1], xlim=(-1.08, 1.08), ylim=(-1.08, 1.08))
+            panel.set_xlabel(f"along {AXIS_NAMES[right]}")
+            panel.set_ylabel(f"along {AXIS_NAMES[up]}")
+            panel.set_title(f"seen along: {AXIS_NAMES[toward]}", fontsize=10.5)
+            panel.grid(False)
+        handles, labels = three[1].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside lower center", ncols=3)
+    describe(
+        three[-1],
+        "A sphere seen along the crossbar, the stem and the third axis, with lines of equal energy. Seen along "
+        "the crossbar and along the third axis the lines are closed rings around the middle; seen along the stem they "
+        "are branches that come near the middle and lead away from it. The handle's own line starts close to the "
+        "stem's axis, runs away along such a branch to the opposite side, and comes back.",
+    )
+    return three[-1]
+
+
+def _path(ax: Axes, path: np.ndarray, toward: int, right: int, up: int) -> None:
+    """The orbit: solid on the side of the reader, dotted behind; where it starts."""
+    near = path[:, toward] >= 0
+    for side, line, name in ((near, "-", "the handle"), (~near, ":", "behind the sphere")):
+        shown = np.where(side[:, None], path, np.nan)
+        ax.plot(shown[:, right], shown[:, up], color=PALETTE["vermillion"], ls=line, lw=2, marker="", label=name)
+    if near[0]:
+        ax.plot(path[0, right], path[0, up], "o", color="black", ms=5, ls="none", label="start")

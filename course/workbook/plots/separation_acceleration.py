@@ -1,0 +1,196 @@
+"""Pictures of accelerating gaps: a particle on a dome, what is counted twice there, and the terms of b."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Circle
+
+from course.arrays import ArrayLike
+from course.study.dome import Dome
+from course.workbook.plots.figure import PALETTE, axes, describe, style
+
+#: The terms of b that a contact of a face can have where the bodies touch.
+TERMS = {
+    "force": "force",
+    "torque": "torque",
+    "spin": "L x omega",
+    "centripetal": "centripetal",
+    "normal": "turning\nnormal",
+}
+
+
+def dome(scene: Dome, *, ax: Axes | None = None) -> Axes:
+    """A dome, the particle on it, where it leaves and where the printed formula lets it leave."""
+    true, printed = scene.leaving_angle, scene.leaving_angle_as_printed
+    with style():
+        ax = axes(ax, size=(6.6, 4.2))
+        ax.add_patch(Circle((0, 0), scene.radius, fc="0.9", ec="0.3"))
+        slid = scene.radius * _out(np.linspace(scene.start, true, 50))
+        ax.plot(*slid.T, color=PALETTE["blue"], lw=2.4, ls="-", marker="")
+        for angle, colour, line, mark, name in (
+            (true, "blue", "-", "o", "nature"),
+            (printed, "vermillion", "--", "s", "the printed formula"),
+        ):
+            drop = np.sqrt(2 * scene.radius / scene.gravity)
+            path = scene.flight(angle, np.linspace(0, 1.2 * drop, 60))
+            ax.plot(*path.T, color=PALETTE[colour], lw=1.8, ls=line, marker="")
+            foot = scene.radius * _out(angle)
+            label = f"{name}: leaves at {np.degrees(angle):.1f}°"
+            ax.plot(*foot, color=PALETTE[colour], ls=line, marker=mark, ms=8, label=label)
+            ax.plot([0, foot[0]], [0, foot[1]], color=PALETTE[colour], lw=1.0, ls=":", marker="")
+        ax.plot([0, 0], [0, scene.radius], color="0.5", lw=1.0, ls=":", marker="")
+        ax.set(xlim=(-0.7 * scene.radius, 2.1 * scene.radius), ylim=(0, 1.25 * scene.radius), aspect="equal")
+        ax.set(xlabel="y [m]", ylabel="z [m]")
+        ax.legend(loc="upper right")
+    describe(
+        ax,
+        f"A dome of radius {scene.radius:g} m. A particle slides down from its top on the right. In nature it leaves "
+        f"{np.degrees(true):.1f} degrees from the top and flies off; by the printed formula it leaves already at "
+        f"{np.degrees(printed):.1f} degrees.",
+    )
+    return ax
+
+
+def dome_bias(
+    scene: Dome, angles: ArrayLike, measured: Mapping[str, ArrayLike], *, ax: Axes | None = None
+) -> Axes:
+    """The second rate of the gap without a force over the angle: measured points, and up to three formulas as lines.
+
+    ``measured`` holds the values at ``angles`` [rad] of the gap itself, then those from the old point, then those from
+    the old plane, under any names.
+    """
+    theta = np.linspace(scene.start, np.radians(70), 200)
+    formulas = (
+        (scene.bias(theta), r"$v^2/R - g\,\cos\varphi$"),
+        (scene.bias_as_printed(theta), r"$2\,v^2/R - g\,\cos\varphi$"),
+        (-scene.gravity * np.cos(theta), r"$-g\,\cos\varphi$"),
+    )
+    with style():
+        ax = axes(ax, size=(7.6, 4.2))
+        for (name, values), (height, word), mark, line, colour in zip(
+            measured.items(),
+            formulas,
+            "os^",
+            ("-", "--", "-."),
+            ("blue", "vermillion", "green"),
+            strict=False,
+        ):
+            ax.plot(
+                np.degrees(angles),
+                np.asarray(values),
+                ls="none",
+                marker=mark,
+                color=PALETTE[colour],
+                label=name,
+            )
+            ax.plot(np.degrees(theta), height, color=PALETTE[colour], ls=line, marker="", lw=1.4, label=word)
+        ax.axhline(0, color="0.3", lw=1.0)
+        for angle, colour in ((scene.leaving_angle, "blue"), (scene.leaving_angle_as_printed, "vermillion")):
+            ax.axvline(np.degrees(angle), color=PALETTE[colour], lw=1.0, ls=":")
+            ax.text(
+                np.degrees(angle) + 0.7, 14.0, f"{np.degrees(angle):.2f}°", color=PALETTE[colour], va="center"
+            )
+        ax.set(xlabel="angle from the top [degrees]", ylabel="second rate of the gap [m/s²]", ylim=(-11, 16))
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    true, printed = np.degrees(scene.leaving_angle), np.degrees(scene.leaving_angle_as_printed)
+    describe(
+        ax,
+        "Second rate of the gap of a particle let go on a dome, over its angle, as measured by "
+        f"{', '.join(measured)}, on lines that the formulas predict. The true one crosses 0 at {true:.2f} degrees, "
+        f"the one from the old point at {printed:.2f}.",
+    )
+    return ax
+
+
+def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
+    """A particle let go on a dome of 1 m, a moment ahead: its gap, and the gap from the point that was touched.
+
+    The angle from the top in degrees, the moment in s.
+    """
+    scene, theta = Dome(), np.radians(angle)
+    p, p_b = scene.flight(theta, ahead), _out(theta)
+    n = p / np.linalg.norm(p)
+    across = np.array([n[1], -n[0]])
+    true, old = float(scene.gap(theta, ahead)), float(scene.gap_from_the_old_point(theta, ahead))
+    bias = float(scene.bias(theta))
+    with style():
+        ax = axes(ax, size=(7.8, 4.2))
+        ax.add_patch(Circle((0, 0), 1.0, fc="0.9", ec="0.3"))
+        path = scene.flight(theta, np.linspace(0, ahead, 40))
+        ax.plot(*path.T, color="0.4", lw=1.2, ls=":", marker="", label="flight without a contact force")
+        level = np.stack([p_b - 0.03 * across, p - old * n + 0.04 * across])
+        ax.plot(*level.T, color=PALETTE["vermillion"], lw=1.0, ls=":", marker="")
+        ax.plot(
+            *np.stack([n, p]).T,
+            color=PALETTE["blue"],
+            lw=4,
+            ls="-",
+            marker="",
+            label=f"gap to the dome: {1000 * true:.1f} mm",
+        )
+        label = f"gap from the old point: {1000 * old:.1f} mm"
+        beside = np.stack([p - old * n, p]) + 0.015 * across
+        ax.plot(*beside.T, color=PALETTE["vermillion"], lw=2.4, ls="--", marker="", label=label)
+        ax.plot(
+            *p_b,
+            marker="s",
+            ms=8,
+            color=PALETTE["vermillion"],
+            ls="none",
+            label="point of the dome touched at 0 s",
+        )
+        ax.plot(*p, marker="o", ms=8, color=PALETTE["blue"], ls="none", label=f"particle after {ahead:.2f} s")
+        look = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", tuple(p + 0.12 * n), tuple(p), arrowprops=look)
+        ax.text(p[0] + 0.145 * n[0], p[1] + 0.145 * n[1], "N", ha="center", va="center")
+        y, z = 0.5 * (p + p_b)
+        ax.set(xlim=(y - 0.32, y + 0.32), ylim=(z - 0.28, z + 0.28), aspect="equal", anchor="W")
+        ax.set(xlabel="y [m]", ylabel="z [m]")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        word = "the dome lets it go" if bias > 0 else "without a force it sinks in"
+        ax.set_title(f"at {angle:.0f}°: b = {bias:+.1f} m/s², {word}")
+    describe(
+        ax,
+        f"A particle on a dome of 1 m is let go {angle:.0f} degrees from the top at {float(scene.speed(theta)):.2f} "
+        f"m/s. {ahead:.2f} s later its gap to the dome is {1000 * true:.1f} mm; measured along its new normal from the "
+        f"point it touched before, {1000 * old:.1f} mm.",
+    )
+    return ax
+
+
+def bias_terms(
+    terms: Mapping[str, ArrayLike], labels: Sequence[str], *, unit: str = "m/s²", ax: Axes | None = None
+) -> Axes:
+    """The terms of b of up to four contacts side by side, and their sum.
+
+    ``terms`` are those of ``course.contact.separation_acceleration_terms``, (c,) each; ``labels`` name the contacts.
+    """
+    values = {word: np.asarray(terms[name], dtype=float) for name, word in TERMS.items()}
+    total = np.sum([np.asarray(v, dtype=float) for v in terms.values()], axis=0)
+    with style():
+        ax = axes(ax, size=(8.4, 3.6))
+        places, width = np.arange(len(values) + 1), 0.8 / len(labels)
+        for row, (name, colour, hatch) in enumerate(
+            zip(labels, ("blue", "vermillion", "green", "purple"), ("", "//", "..", "xx"), strict=False)
+        ):
+            heights = [*(v[row] for v in values.values()), total[row]]
+            shift = (row - 0.5 * (len(labels) - 1)) * width
+            ax.bar(places + shift, heights, width, color=PALETTE[colour], hatch=hatch, ec="white", label=name)
+        ax.axhline(0, color="0.3", lw=0.8)
+        ax.set_xticks(places, [*values, "sum: b"])
+        ax.set(ylabel=unit)
+        ax.grid(axis="x", visible=False)
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    spoken = []
+    for row, name in enumerate(labels):
+        parts = ", ".join(f"{word.replace(chr(10), ' ')} {v[row] + 0.0:.2f}" for word, v in values.items())
+        spoken.append(f"{name}: {parts}, in all {total[row] + 0.0:.2f}")
+    describe(ax, f"The terms of b in {unit}. {'; '.join(spoken)}.")
+    return ax
+
+
+def _out(angle: float | np.ndarray) -> np.ndarray:
+    return np.stack([np.sin(angle), np.cos(angle)], axis=-1)
