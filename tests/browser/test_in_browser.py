@@ -61,6 +61,23 @@ def test_figures_have_alternative_text_on_the_page(lab):
     assert texts and all(len(text) > 40 for text in texts)
 
 
+def test_the_widget_redraws_when_a_slider_is_dragged(lab):
+    from playwright.sync_api import expect
+
+    cell = lab.cell("demos.impulse()")
+    image = cell.locator("img").first      # found anew at each look: a redraw puts another element in its place
+    before = image.get_attribute("alt")
+    handle = cell.locator(".noUi-handle").nth(2)
+    handle.scroll_into_view_if_needed()
+    box = handle.bounding_box()
+    lab.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    lab.page.mouse.down()
+    lab.page.mouse.move(box["x"] + 60, box["y"] + box["height"] / 2, steps=4)
+    lab.page.mouse.up()
+    expect(image).not_to_have_attribute("alt", before, timeout=60_000)
+    assert "4 N s" in before and "an impulse of 4 N s" not in image.get_attribute("alt")
+
+
 def test_saving_writes_to_work_and_leaves_the_lesson(lab):
     handed_out = (lab.root / "lessons" / "10-impulse.ipynb").read_bytes()
     lab.write_and_run("def impulse_central", RIGHT)
