@@ -86,9 +86,10 @@ def check_outcome(before, contacts, after, e):
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("spin", [False, True])
 @pytest.mark.parametrize("decades", [1, 6])
-def test_promises_on_random_clusters(law, spin, decades):
+@pytest.mark.parametrize("trials", [18, pytest.param(120, marks=pytest.mark.slow)])
+def test_promises_on_random_clusters(law, spin, decades, trials):
     rng = np.random.default_rng(41)
-    for trial in range(120):
+    for trial in range(trials):
         bodies, contacts = cluster(rng, decades=decades, fixed=0.0 if trial % 3 else 0.3, spin=spin)
         e = (0.0, 1.0, rng.random())[trial % 3 if trial % 2 else (trial // 2) % 3]
         after = resolve_collisions(bodies, contacts, e, law=law)

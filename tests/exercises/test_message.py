@@ -32,8 +32,9 @@ def pair_exercise(mistake, shape="(..., 3)"):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
-@pytest.mark.parametrize("seed", (None, pytest.param(20_261, marks=pytest.mark.slow)))
+@pytest.mark.parametrize("seed", (None, 20_261))
 def test_every_counterexample_can_be_pasted_and_gives_what_it_says(exercise, seed):
     cases = exercise.draw(seed)
     for mistake in exercise.mistakes:
