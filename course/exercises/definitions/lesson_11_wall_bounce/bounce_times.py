@@ -1,0 +1,112 @@
+"""The exercise ``bounce_times``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from course.dynamics import bounce_times
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
+from course.exercises.definitions.lesson_11_wall_bounce.wall_bounce import RESTITUTION
+
+GRAVITY = Value("gravity", "(...)", "m/s^2", "g, positive")
+
+
+COUNT = Value("count", "scalar", "", "how many impacts, at least 1", dtype="int")
+
+
+def _drops(rng: np.random.Generator) -> Sequence[Case]:
+    def drop(shape: tuple[int, ...], count: int) -> dict[str, Any]:
+        height, e, g = (rng.uniform(a, b, shape).round(3) if shape else round(rng.uniform(a, b), 3)
+                        for a, b in ((0.5, 3), (0.3, 0.8), (1.6, 12)))  # fmt: skip
+        return {"height": height, "restitution": e, "count": count, "gravity": g}
+
+    text = {"height": 1.0, "restitution": 0.5, "count": 5, "gravity": 9.81}
+    return [
+        Case("the ball of the text", text),
+        Case("another ball on another planet", drop((), 4)),
+        Case("only the first impact", drop((), 1), "edge"),
+        Case("it stays down, e = 0", {**text, "restitution": 0.0}, "edge"),
+        Case("it bounces for ever, e = 1", {**text, "restitution": 1.0}, "edge"),
+        Case("three balls, three impacts", drop((3,), 3), "batch"),
+        Case("four balls", drop((4,), 3), "batch"),
+        Case("a 2 by 3 batch", drop((2, 3), 6), "batch"),
+    ]
+
+
+def _times(*, double: float = 2.0, first: float = 1.0, power: int = 1, two: float = 2.0, start: int = 1) -> Any:
+    """Impact times with one of the sum's parts changed."""
+
+    def function(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
+        fall = np.sqrt(two * np.asarray(height) / gravity)[..., None]
+        k = np.arange(start, start + count - 1)
+        flights = np.asarray(restitution)[..., None] ** (power * k)
+        zero = np.zeros((*flights.shape[:-1], 1))
+        return fall * (first + double * np.concatenate([zero, np.cumsum(flights, axis=-1)], axis=-1))
+
+    return function
+
+
+def _lengths_only(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
+    times = np.asarray(bounce_times(height, restitution, count, gravity))
+    return np.diff(times, axis=-1, prepend=0.0)
+
+
+BOUNCE_TIMES = Exercise(
+    name="bounce_times",
+    rows=(17, 18),
+    points=2,
+    minutes=10,
+    task="Return the times of the first `count` impacts of a ball dropped from rest, on a new last axis.",
+    arguments=(Value("height", "(...)", "m", "height of the drop"), RESTITUTION, COUNT, GRAVITY),
+    results=(Value("times", "(..., count)", "s", "from the drop"),),
+    reference=bounce_times,
+    cases=_drops,
+    properties=(
+        Property("in order", lambda given, t: np.minimum(np.diff(t, axis=-1), 0.0), "The times are not in order."),
+    ),
+    mistakes=(
+        Mistake(
+            "rises forgotten",
+            _times(double=1.0),
+            "Each later flight counts once in your sum. The ball goes up and comes down: twice.",
+        ),
+        Mistake(
+            "from the first impact",
+            _times(first=0.0),
+            "Your clock starts at the first impact. The first fall, sqrt(2 h/g), comes before it.",
+        ),
+        Mistake(
+            "e squared",
+            _times(power=2),
+            "The flights shrink by e^2 in your answer. That is what the heights do; times go with the speed, by e.",
+        ),
+        Mistake(
+            "first flight not shortened",
+            _times(start=0),
+            "Your first rise lasts as long as the first fall. The ball has already lost speed there: the powers begin "
+            "with e^1.",
+        ),
+        Mistake(
+            "sqrt(h/g)",
+            _times(two=1.0),
+            "The first fall lasts sqrt(2 h/g): from h = g t^2/2.",
+        ),
+        Mistake(
+            "how long instead of when",
+            _lengths_only,
+            "These are the lengths of the flights. Asked are the times of the impacts: add them up (np.cumsum).",
+        ),
+    ),
+    hints=(
+        "The first impact comes after t_0 = sqrt(2 h/g). Each flight after it lasts 2 e t_0, 2 e^2 t_0, and so on.",
+        "Impact k comes at t_0 times one plus two times the sum of the first k powers of e. Make the powers on a new "
+        "last axis and use np.cumsum.",
+        "k = np.arange(1, count)\n"
+        "flights = 2 * np.asarray(restitution)[..., None] ** ____\n"
+        "sums = np.cumsum(flights, axis=-1), with a 0 before the first\n"
+        "return np.sqrt(2 * height / gravity)[..., None] * (____ + sums)",
+    ),
+)

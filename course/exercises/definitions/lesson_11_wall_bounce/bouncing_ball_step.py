@@ -1,0 +1,142 @@
+"""The exercise ``bouncing_ball_step``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Value
+
+
+def _states(rng: np.random.Generator) -> Sequence[Case]:
+    def state(height: Any, velocity: Any, step: float = 0.01, restitution: float = 0.7) -> dict[str, Any]:
+        return {"height": height, "velocity": velocity, "step": step, "restitution": restitution, "gravity": 9.81}
+
+    drawn = [rng.uniform(-most, most, (2, 3)).round(3) for most in (0.1, 3.0)]
+    heights = np.array([0.5, -0.02, -0.01, 0.0, 0.3, -0.03])
+    return [
+        Case("in the air, falling", state(0.5, -1.0)),
+        Case("below the floor, falling", state(-0.02, -3.0)),
+        Case("in the air, rising", state(round(rng.uniform(0.2, 1), 3), round(rng.uniform(1, 2), 3))),
+        Case("below the floor, falling, another step", state(-0.05, round(rng.uniform(-4, -2), 3), 0.04, 0.4)),
+        Case("below the floor, already rising", state(-0.02, 2.0), "edge"),
+        Case("exactly on the floor, falling", state(0.0, -2.0), "edge"),
+        Case("nothing lost", state(-0.02, -3.0, 0.01, 1.0), "edge"),
+        Case("six balls", state(heights, np.array([-1.0, -2.0, 1.5, -0.5, 2.0, -4.0])), "batch"),
+        Case("a 2 by 3 batch", state(drawn[0], drawn[1]), "batch"),
+    ]
+
+
+def _ball_step(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    """The order of the engine with the small error: reflect, or else fall; then move with the new velocity."""
+    hits = (np.asarray(height) < 0) & (np.asarray(velocity) < 0)
+    after = np.where(hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step)
+    return height + step * after, after
+
+
+def _gravity_first(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    after = np.asarray(velocity) - gravity * step
+    after = np.where((np.asarray(height) < 0) & (after < 0), -restitution * after, after)
+    return height + step * after, after
+
+
+def _move_first(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    _, after = _ball_step(height, velocity, step, restitution, gravity)
+    return height + step * np.asarray(velocity), after
+
+
+def _no_rising_guard(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    after = np.where(np.asarray(height) < 0, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step)
+    return height + step * after, after
+
+
+def _always_gravity(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    hits = (np.asarray(height) < 0) & (np.asarray(velocity) < 0)
+    after = np.where(hits, -restitution * np.asarray(velocity), velocity) - gravity * step
+    return height + step * after, after
+
+
+def _no_restitution(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    return _ball_step(height, velocity, step, 1.0, gravity)
+
+
+def _clamped(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    moved, after = _ball_step(height, velocity, step, restitution, gravity)
+    return np.maximum(moved, 0.0), after
+
+
+def _touch_counts(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+    hits = (np.asarray(height) <= 0) & (np.asarray(velocity) < 0)
+    after = np.where(hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step)
+    return height + step * after, after
+
+
+BOUNCING_BALL_STEP = Exercise(
+    name="bouncing_ball_step",
+    rows=(18,),
+    points=3,
+    minutes=10,
+    task="Reflect a ball that is below the floor and falling, else let gravity act; then move with the new velocity.",
+    arguments=(
+        Value("height", "(...)", "m", "of the ball's lowest point; below 0 it is in the floor"),
+        Value("velocity", "(...)", "m/s", "upward"),
+        Value("step", "scalar", "s", "length of the step"),
+        Value("restitution", "scalar", "", "e, from 0 to 1"),
+        Value("gravity", "scalar", "m/s^2", "g, positive"),
+    ),
+    results=(Value("height", "(...)", "m"), Value("velocity", "(...)", "m/s")),
+    reference=_ball_step,
+    cases=_states,
+    mistakes=(
+        Mistake(
+            "gravity first",
+            _gravity_first,
+            "Gravity acts before you reflect. This is the other engine's order, the one with the larger error: ask "
+            "about the wall first, and let gravity act only where nothing hit.",
+        ),
+        Mistake(
+            "gravity as well",
+            _always_gravity,
+            "After reflecting you let gravity act too. In this order a step either reflects or falls.",
+        ),
+        Mistake(
+            "moved with the old velocity",
+            _move_first,
+            "You move with the velocity from before. Change the velocity first, then move with the new one "
+            "(symplectic Euler).",
+        ),
+        Mistake(
+            "reflects a rising ball",
+            _no_rising_guard,
+            "You reflect every ball below the floor. One that already rises is sent down again and sticks in the "
+            "floor: ask for velocity < 0 as well.",
+        ),
+        Mistake(
+            "no restitution",
+            _no_restitution,
+            "Your ball leaves as fast as it came: multiply by e when it is reflected.",
+        ),
+        Mistake(
+            "height clamped",
+            _clamped,
+            "You lift the ball to the floor. That gives it energy for nothing; in this step the height is only moved "
+            "by step * velocity.",
+        ),
+        Mistake(
+            "touching counts as below",
+            _touch_counts,
+            "A ball exactly at height 0 is not below the floor: reflect where height < 0.",
+        ),
+    ),
+    hints=(
+        "Three things happen in this order: ask whether it hits, change the velocity, move. np.where chooses which "
+        "change.",
+        "It hits where height < 0 and velocity < 0, both. There the velocity becomes -e times itself, elsewhere it "
+        "loses g times the step. The height then gains step times the new velocity.",
+        "hits = (height < 0) & (____ < 0)\n"
+        "after = np.where(hits, ____, velocity - gravity * step)\n"
+        "return height + step * ____, after",
+    ),
+)  # fmt: skip

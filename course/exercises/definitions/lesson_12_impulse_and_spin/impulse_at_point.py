@@ -1,0 +1,177 @@
+"""The exercise ``impulse_at_point``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
+    NORMAL,
+    drawn_number,
+    drawn_vector,
+    scaled,
+    unit_vector,
+)
+from course.exercises.definitions.vectors import dot
+
+RESTITUTION = Value("restitution", "(...)", "", "e, from 0 to 1")
+
+
+def _point_impulse(*, closing: Any = None, factor: Any = None, felt: Any = None, guard: Any = None) -> Any:
+    """The impulse with one of its parts changed."""
+    closing = closing or (lambda one, two, n: -dot(np.asarray(one) - two, n))
+    factor = factor or (lambda e: 1 + np.asarray(e))
+    felt = felt or (lambda mass: mass)
+    guard = guard or (lambda u, value: np.where(u < 0, value, 0.0))
+
+    def function(
+        point_velocity_1: Any, point_velocity_2: Any, normal: Any, mass_felt: Any, restitution: Any
+    ) -> Any:
+        u = dot(np.asarray(point_velocity_1) - point_velocity_2, normal)
+        return guard(u, factor(restitution) * closing(point_velocity_1, point_velocity_2, normal) * felt(mass_felt))
+
+    return function
+
+
+def _hits(rng: np.random.Generator) -> Sequence[Case]:
+    def drawn(shape: tuple[int, ...] = (), *, closing: Any = None, **fixed: Any) -> dict[str, Any]:
+        normal, second = unit_vector(rng, shape), drawn_vector(rng, shape)
+        closing = drawn_number(rng, shape, 0.5, 3.0) if closing is None else closing
+        slide = np.cross(normal, drawn_vector(rng, shape))
+        hit = {
+            "point_velocity_1": np.round(second - scaled(closing, normal) + slide, 3),
+            "point_velocity_2": second,
+            "normal": normal,
+            "mass_felt": drawn_number(rng, shape, 0.3, 0.9),
+            "restitution": drawn_number(rng, shape, 0.3, 0.8),
+        }
+        return hit | fixed
+
+    together = {**drawn(), "point_velocity_1": np.array([1.0, 2.0, 0.5]), "point_velocity_2": np.array([1.0, 2.0, 0.5])}
+    mixed = np.round(rng.uniform(-2.0, 2.0, 6), 2)
+    mixed[:2] = 1.0, -1.0
+    level = {
+        "point_velocity_1": np.array([0.0, 0.0, -1.0]),
+        "point_velocity_2": np.zeros(3),
+        "normal": np.array([0.0, 0.0, 1.0]),
+        "mass_felt": 0.25,
+        "restitution": 1.0,
+    }
+    return [
+        Case("the level rod on its end", level),
+        Case("off the axes", drawn()),
+        Case("off the axes again", drawn()),
+        Case("the points already part", drawn(closing=-1.5), "edge"),
+        Case("the points move together", together, "edge"),
+        Case("nothing comes back, e = 0", drawn(restitution=0.0), "edge"),
+        Case("three contacts, as many as a vector has components", drawn((3,)), "batch"),
+        Case("six contacts", drawn((6,)), "batch"),
+        Case("a 2 by 4 batch", drawn((2, 4)), "batch"),
+        Case("some approach, some part", drawn((6,), closing=mixed), "batch"),
+    ]
+
+
+IMPULSE_AT_POINT = Exercise(
+    name="impulse_at_point",
+    rows=(17, 22),
+    points=2,
+    minutes=6,
+    task="Return p_hat at a contact point, from the velocities of the two points and the mass felt there.",
+    arguments=(
+        Value("point_velocity_1", "(..., 3)", "m/s", "velocity of body 1's point at the contact"),
+        Value("point_velocity_2", "(..., 3)", "m/s", "velocity of body 2's point at the contact"),
+        NORMAL,
+        Value("mass_felt", "(...)", "kg", "effective mass"),
+        RESTITUTION,
+    ),
+    results=(Value("p_hat", "(...)", "N s", "impulse along n, never below 0"),),
+    reference=_point_impulse(),
+    cases=_hits,
+    properties=(
+        Property(
+            "pushes",
+            lambda given, answer: np.minimum(answer, 0.0),
+            "A negative impulse pulls the bodies together. A collision can only push.",
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "no guard",
+            _point_impulse(guard=lambda u, value: value),
+            "Right while they approach. Points that already part get a negative impulse from you: it pulls them back. "
+            "Where u >= 0 the impulse is 0.",
+        ),
+        Mistake(
+            "the size for all",
+            _point_impulse(guard=lambda u, value: np.abs(value)),
+            "Right while they approach. With the absolute value you also push points that already part: there the "
+            "impulse is 0.",
+        ),
+        Mistake(
+            "guard the wrong way round",
+            _point_impulse(guard=lambda u, value: np.where(u > 0, value, 0.0)),
+            "Your condition picks the points that part. They approach where u = (v1 - v2).n < 0.",
+        ),
+        Mistake(
+            "sign",
+            _point_impulse(closing=lambda one, two, n: dot(np.asarray(one) - two, n)),
+            "The sign is turned round: u is negative while they approach, and the impulse is -(1 + e) u mu, positive.",
+        ),
+        Mistake(
+            "only e",
+            _point_impulse(factor=lambda e: np.asarray(e)),
+            "The factor is e where it must be 1 + e: the 1 stops the approach, the e sends the points back.",
+        ),
+        Mistake(
+            "1 - e",
+            _point_impulse(factor=lambda e: 1 - np.asarray(e)),
+            "The factor is 1 - e. After the impact u' = -e u, so the change is -(1 + e) u: at e = 1 there is twice the "
+            "impulse of e = 0, not none.",
+        ),
+        Mistake(
+            "no e",
+            _point_impulse(factor=lambda e: 1.0 + 0 * np.asarray(e)),
+            "e is missing: you stop the approach and no more.",
+        ),
+        Mistake(
+            "1 + e u",
+            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: np.where(
+                dot(np.asarray(point_velocity_1) - point_velocity_2, normal) < 0,
+                (1 - restitution * dot(np.asarray(point_velocity_1) - point_velocity_2, normal)) * mass_felt, 0.0),
+            "Brackets: 1 + e is one factor. You computed 1 and e times the closing speed, added.",
+        ),
+        Mistake(
+            "divided by the mass",
+            _point_impulse(felt=lambda mass: 1 / np.asarray(mass)),
+            "You divide by the mass felt. An impulse is a mass times a change of velocity: multiply.",
+        ),
+        Mistake(
+            "whole speed",
+            _point_impulse(closing=lambda one, two, n: np.linalg.norm(np.asarray(one) - two, axis=-1)),
+            "You take the length of the relative velocity. Without friction only its part along n matters: the dot "
+            "product with n.",
+        ),
+        Mistake(
+            "point 1 only",
+            _point_impulse(closing=lambda one, two, n: -dot(one, n)),
+            "The velocity of body 2's point is missing: what counts is the relative velocity of the two points.",
+        ),
+        Mistake(
+            "a vector",
+            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: scaled(
+                _point_impulse()(point_velocity_1, point_velocity_2, normal, mass_felt, restitution), normal),
+            "You return the vector p_hat n. Return the number p_hat, one for each contact.",
+        ),
+    ),  # fmt: skip
+    hints=(
+        "It is impulse_central of lesson 10, with two things exchanged: which velocities approach, and which "
+        "mass is felt.",
+        "u = (v1 - v2).n with the velocities of the points. Where u < 0 the impulse is -(1 + e) u times the mass felt; "
+        "elsewhere it is 0.",
+        "u = np.sum((point_velocity_1 - point_velocity_2) * normal, axis=-1)\n"
+        "return np.where(u < 0, -(1 + restitution) * ____ * ____, 0.0)",
+    ),
+)

@@ -1,0 +1,173 @@
+"""The exercise ``simultaneous_impulses``: not unique where contacts are redundant, so judged by what is true of every
+right answer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import at_once, drawn_number
+
+
+def _left(given: Any, impulse: Any) -> Any:
+    """w = u' + e u = A p + (1 + e) u."""
+    return given["matrix"] @ impulse + (1 + given["restitution"]) * given["normal_velocity"]
+
+
+def _corners(across: float, along: float) -> np.ndarray:
+    """A of a box of 1 kg on its four corners: 1 + x_i x_j/k_y^2 + y_i y_j/k_x^2, rank 3."""
+    x, y = np.array([-1.0, -1.0, 1.0, 1.0]), np.array([-1.0, 1.0, -1.0, 1.0])
+    return 1 + across * np.outer(x, x) + along * np.outer(y, y)
+
+
+def _many(rng: np.random.Generator) -> Sequence[Case]:
+    def case(matrix: Any, normal_velocity: Any, restitution: float) -> dict[str, Any]:
+        given = {"matrix": np.array(matrix), "normal_velocity": np.array(normal_velocity), "restitution": restitution}
+        return given
+
+    def drawn(count: int) -> dict[str, Any]:
+        root = rng.normal(size=(count + 2, count))
+        approach = np.round(-rng.uniform(0.3, 2.0, count), 2)
+        return case(np.round(root.T @ root, 2), approach, drawn_number(rng, (), 0.3, 0.8))
+
+    tilt = np.round(rng.uniform(0.1, 0.4, 2), 2)
+    rocking = -1.0 + tilt[0] * np.array([-1.0, -1.0, 1.0, 1.0]) + tilt[1] * np.array([-1.0, 1.0, -1.0, 1.0])
+    strong = drawn_number(rng, (), 1.4, 1.8)
+    return [
+        Case("a ball onto two that touch", case([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 0.0], 1.0)),
+        Case("one contact", case([[4.0]], [-1.0], 0.5)),
+        Case("the second needs no push of its own", case([[2.0, strong], [strong, 2.0]], [-1.0, -0.2], 0.5)),
+        Case("three contacts", drawn(3)),
+        Case("four contacts", drawn(4)),
+        Case("a box flat on its four corners", case(_corners(2.0, 1.5), [-1.0] * 4, 0.5), "edge"),
+        Case("a box that rocks onto its four corners", case(_corners(2.0, 1.5), rocking, 0.75), "edge"),
+        Case("one approaches, one parts", case([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 0.1], 0.5), "edge"),
+        Case("nothing comes back, e = 0", {**drawn(3), "restitution": 0.0}, "edge"),
+    ]
+
+
+def _instead(target: Any) -> Any:
+    """The right solver on another right-hand side: w = A p + target(u, e)."""
+
+    def function(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
+        return at_once(matrix, target(np.asarray(normal_velocity), restitution), 0.0)
+
+    return function
+
+
+def _alone(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
+    return np.maximum(-(1 + restitution) * np.asarray(normal_velocity) / np.diagonal(matrix), 0.0)
+
+
+def _solved(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
+    return np.linalg.lstsq(matrix, -(1 + restitution) * np.asarray(normal_velocity), rcond=1e-9)[0]
+
+
+def _in_turn(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
+    from course.study.impact_laws import impulses_in_turn
+
+    return impulses_in_turn(matrix, normal_velocity, restitution, passes=200)[0]
+
+
+def _one_sweep(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
+    from course.study.impact_laws import impulses_at_once
+
+    return impulses_at_once(matrix, normal_velocity, restitution, sweeps=1)[0]
+
+
+SIMULTANEOUS_IMPULSES = Exercise(
+    name="simultaneous_impulses",
+    rows=(15, 17, 21),
+    points=3,
+    minutes=20,
+    level="stretch",
+    task="Return impulses p for all contacts at once: p >= 0, w = A p + (1 + e) u >= 0, and p_i w_i = 0 for each i.",
+    arguments=(
+        Value("matrix", "(c, c)", "1/kg", "A: a_ij is the change of u_i for 1 N s at contact j"),
+        Value("normal_velocity", "(c,)", "m/s", "u of each contact before"),
+        Value("restitution", "scalar", "", "e, from 0 to 1"),
+    ),
+    results=(Value("impulse", "(c,)", "N s", "p, none below 0"),),
+    reference=at_once,
+    cases=_many,
+    judged_by="properties",
+    properties=(
+        Property(
+            "pushes",
+            lambda given, answer: np.minimum(answer, 0.0),
+            "Some impulse is negative: a contact that pulls. Where an equation asks for that, the contact takes 0.",
+            tolerance=1e-6,
+        ),
+        Property(
+            "parts fast enough",
+            lambda given, answer: np.minimum(_left(given, answer), 0.0),
+            "Some w = A p + (1 + e) u is below 0: that contact parts slower than e times its closing speed.",
+            tolerance=1e-6,
+        ),
+        Property(
+            "no push too many",
+            lambda given, answer: answer * _left(given, answer),
+            "Some contact has p > 0 and w > 0: it is pushed although it parts faster than it must.",
+            tolerance=1e-6,
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "each as if alone",
+            _alone,
+            "Each contact gets the impulse it would get alone. But an impulse at one changes the velocity at the "
+            "others: that is what the entries off the diagonal say.",
+        ),
+        Mistake(
+            "one sweep",
+            _one_sweep,
+            "You went through the contacts once. A later impulse disturbs those before it: go round again until "
+            "nothing changes any more (a few hundred times will do here).",
+        ),
+        Mistake(
+            "equations only",
+            _solved,
+            "You solved A p = -(1 + e) u. Where that makes an impulse negative the contact would pull: it must get 0, "
+            "and may part faster.",
+        ),
+        Mistake(
+            "clipped at the end",
+            lambda *given: np.maximum(_solved(*given), 0.0),
+            "You solved the equations and then set negative impulses to 0. The others were computed with them: they "
+            "must be found anew. Clip inside the loop, not after it.",
+        ),
+        Mistake(
+            "one after the other",
+            _in_turn,
+            "This is the sequential law: each contact as if it were alone, with e for each single hit. Here e holds "
+            "between before and after all impulses: w_i = (A p)_i + (1 + e) u_i with the u from before.",
+        ),
+        Mistake(
+            "no e",
+            _instead(lambda u, e: u),
+            "e is missing: your contacts only stop approaching. w holds (1 + e) u.",
+        ),
+        Mistake(
+            "only e",
+            _instead(lambda u, e: e * u),
+            "The factor is e where it must be 1 + e: after the impact u' = u + A p, and it must reach -e u.",
+        ),
+        Mistake(
+            "sign",
+            _instead(lambda u, e: -(1 + e) * u),
+            "The sign of u is turned round: u < 0 approaches, and w = A p + (1 + e) u must be lifted up to 0.",
+        ),
+    ),
+    hints=(
+        "One contact: p = -(1 + e) u / a, if that is positive. With several, an impulse at one changes w at all "
+        "others.",
+        "Start with p = 0 and go through the contacts again and again. For each, compute w_i with the p you have, and "
+        "change p_i by what brings w_i to 0, but never below p_i = 0.",
+        "p = np.zeros(len(normal_velocity))\nfor _ in range(500):\n    for i in range(len(p)):\n"
+        "        w = matrix[i] @ p + (1 + restitution) * normal_velocity[i]\n"
+        "        p[i] = max(0.0, p[i] - ____ / ____)\nreturn p",
+    ),
+)

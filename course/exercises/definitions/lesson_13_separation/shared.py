@@ -1,0 +1,35 @@
+"""What the exercises of this lesson share: values, draws, small algebra."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from course.dynamics import point_velocity
+from course.exercises.definition import Value
+from course.exercises.definitions.vectors import dot
+
+POINT_A = Value("p_a", "(..., 3)", "m", "the point on body A")
+POINT_B = Value("p_b", "(..., 3)", "m", "the point on body B")
+NORMAL = Value("n", "(..., 3)", "", "unit vector out of body B toward body A")
+OMEGA_A = Value("omega_a", "(..., 3)", "rad/s", "angular velocity of A")
+OMEGA_B = Value("omega_b", "(..., 3)", "rad/s", "angular velocity of B")
+
+
+def draw(rng: np.random.Generator, shape: tuple[int, ...] = (), size: float = 2.0) -> np.ndarray:
+    """Vectors of two decimals: they are shown to students."""
+    return np.asarray(np.round(rng.uniform(-size, size, (*shape, 3)), 2))
+
+
+UP = np.array([0.0, 0.0, 1.0])
+ZERO = np.zeros(3)
+
+
+def velocity(body: Any, arm: Any) -> Any:
+    return point_velocity(body[1], body[2], arm)
+
+
+def gap_rate(p_a: Any, p_b: Any, body_a: Any, body_b: Any, n: Any, n_dot: Any) -> Any:
+    relative = velocity(body_a, p_a - body_a[0]) - velocity(body_b, p_b - body_b[0])
+    return dot(relative, n) + dot(p_a - p_b, n_dot)

@@ -1,0 +1,108 @@
+"""The exercise ``angular_acceleration_free``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definitions.lesson_14_separation_acceleration.shared import ZERO, apply, draw, spin_rate
+
+
+def _spins(rng: np.random.Generator) -> Sequence[Case]:
+    def spin(shape: tuple[int, ...] = ()) -> dict[str, Any]:
+        axes = np.linalg.qr(rng.normal(size=(*shape, 3, 3)))[0]
+        moments = np.round(rng.uniform([0.5, 1.5, 3.0], [1.0, 2.5, 4.0], (*shape, 3)), 2)
+        inverse = np.round((axes / moments[..., None, :]) @ np.swapaxes(axes, -1, -2), 3)
+        inverse = 0.5 * (inverse + np.swapaxes(inverse, -1, -2))
+        momentum = draw(rng, shape)
+        return {"inverse_inertia": inverse, "angular_momentum": momentum,
+                "angular_velocity": apply(inverse, momentum), "torque": draw(rng, shape)}  # fmt: skip
+
+    plain = {
+        "inverse_inertia": np.diag([1.0, 0.5, 0.25]), "angular_momentum": np.array([1.0, 2.0, 4.0]),
+        "angular_velocity": np.array([1.0, 1.0, 1.0]), "torque": np.array([0.0, 3.0, 0.0]),
+    }  # fmt: skip
+    ball = {**spin(), "inverse_inertia": 0.5 * np.eye(3)}
+    return [
+        Case("moments 1, 2 and 4, axes along x, y and z", plain),
+        Case("axes turned", spin()),
+        Case("axes turned again", spin()),
+        Case("no torque", {**spin(), "torque": ZERO}, "edge"),
+        Case("a ball: L along omega", {**ball, "angular_velocity": 0.5 * ball["angular_momentum"]}, "edge"),
+        Case("three bodies, as many as a vector has components", spin((3,)), "batch"),
+        Case("a 2 by 4 batch", spin((2, 4)), "batch"),
+    ]
+
+
+ANGULAR_ACCELERATION_FREE = Exercise(
+    name="angular_acceleration_free",
+    rows=(23,),
+    points=2,
+    minutes=7,
+    task="Return omega_dot without contact forces, I^-1 (tau + L x omega), for one body and for a batch.",
+    arguments=(
+        Value("inverse_inertia", "(..., 3, 3)", "1/(kg m^2)", "I^-1 in world axes"),
+        Value("angular_momentum", "(..., 3)", "kg m^2/s", "L about the centre of mass, world axes"),
+        Value("angular_velocity", "(..., 3)", "rad/s", "omega = I^-1 L"),
+        Value("torque", "(..., 3)", "N m", "external torque about the centre of mass"),
+    ),
+    results=(Value("omega_dot", "(..., 3)", "rad/s^2", "angular acceleration"),),
+    reference=spin_rate,
+    cases=_spins,
+    mistakes=(
+        Mistake(
+            "L x omega forgotten",
+            lambda i, l_, w, tau: spin_rate(i, l_, w, tau, gyroscopic=0.0),
+            "L x omega is missing. Without a torque L stays, but the body turns under it, so its inertia in world axes "
+            "changes and omega with it.",
+        ),
+        Mistake(
+            "omega x L",
+            lambda i, l_, w, tau: spin_rate(i, l_, w, tau, gyroscopic=-1.0),
+            "The cross product is turned round: it is L x omega, as it comes to the side of the torque with a minus.",
+        ),
+        Mistake(
+            "as printed",
+            lambda i, l_, w, tau: apply(i, np.asarray(tau) + l_),
+            "You have I^-1 L where I^-1 (L x omega) belongs. I^-1 L is omega itself, in rad/s, not an acceleration.",
+        ),
+        Mistake(
+            "not through the inverse inertia",
+            lambda i, l_, w, tau: apply(i, tau) + np.cross(l_, w),
+            "L x omega is a torque like tau, in N m: it must go through I^-1 as well.",
+        ),
+        Mistake(
+            "torque forgotten",
+            lambda i, l_, w, tau: apply(i, np.cross(l_, w)) + 0.0 * np.asarray(tau),
+            "The external torque is missing: it acts without any contact, so it belongs to b.",
+        ),
+        Mistake(
+            "inertia for its inverse",
+            lambda i, l_, w, tau: np.linalg.solve(i, (np.asarray(tau) + np.cross(l_, w))[..., None])[..., 0],
+            "You divide by I^-1, which multiplies by I. What is given is the inverse already: multiply by it.",
+        ),
+        Mistake(
+            "matrix product with @",
+            lambda i, l_, w, tau: np.asarray(i) @ (np.asarray(tau) + np.cross(l_, w)),
+            "Right for one body. In a batch, @ takes the last two axes of both sides for matrices, and your vectors "
+            'have one: np.einsum("...ij,...j->...i", matrix, vector) does it for any batch.',
+        ),
+        Mistake(
+            "diagonal alone",
+            lambda i, l_, w, tau: (
+                np.einsum("...ii->...i", np.asarray(i)) * (np.asarray(tau) + np.cross(l_, w))
+            ),
+            "You use the diagonal of I^-1 alone. That is right only while the body's axes lie along those of the "
+            "world: multiply by the whole matrix.",
+        ),
+    ),
+    hints=(
+        "See Derive, step 3. The torque and the gyroscopic term are added first and go through I^-1 together.",
+        "Add tau and L x omega, then multiply the matrix I^-1 by the sum. For a batch np.einsum names the axes: "
+        '"...ij,...j->...i" is matrix times vector.',
+        'twist = torque + np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, twist)',
+    ),
+)

@@ -1,0 +1,197 @@
+"""The exercise ``contact_bias``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definitions.lesson_14_separation_acceleration.shared import ZERO, draw
+from course.exercises.definitions.vectors import dot, unit_vector
+
+UP = np.array([0.0, 0.0, 1.0])
+
+
+def _bias_with(
+    *,
+    factor: float = 2.0,
+    sign_b: float = -1.0,
+    face: Any = None,
+    arm_a: Any = None,
+    arm_b: Any = None,
+    swing: float = 1.0,
+    inward: float = 1.0,
+    turning: float = 1.0,
+    whole: float = 1.0,
+) -> Any:
+    """b with one of its parts changed; ``face(word, omega_a, omega_b)`` gives the omega that turns N."""
+
+    def function(p: Any, n: Any, word: str, body_a: Any, body_b: Any) -> Any:
+        def motion(body: Any, arm: Any) -> tuple[Any, Any]:
+            x, v, omega, v_dot, omega_dot = body
+            r = arm(p, body_a[0], body_b[0]) if arm else p - x
+            p_dot = v + turning * np.cross(omega, r)
+            return p_dot, v_dot + swing * np.cross(omega_dot, r) + inward * np.cross(
+                omega, np.cross(omega, r)
+            )
+
+        (v_a, a_a), (v_b, a_b) = motion(body_a, arm_a), motion(body_b, arm_b)
+        of_face = face(word, body_a[2], body_b[2]) if face else body_b[2] if word == "face_b" else body_a[2]
+        n_dot = np.cross(of_face, n)
+        return whole * (dot(a_a + sign_b * a_b, n) + factor * dot(v_a + sign_b * v_b, n_dot))
+
+    return function
+
+
+def _touching(rng: np.random.Generator) -> Sequence[Case]:
+    def body(shape: tuple[int, ...] = ()) -> tuple[np.ndarray, ...]:
+        return tuple(draw(rng, shape) for _ in range(5))
+
+    def touch(word: str, shape: tuple[int, ...] = (), **fixed: Any) -> dict[str, Any]:
+        drawn = {
+            "p": draw(rng, shape),
+            "n": unit_vector(rng, shape),
+            "face": word,
+            "body_a": body(shape),
+            "body_b": body(shape),
+        }
+        return drawn | fixed
+
+    ground: dict[str, Any] = {"p": ZERO, "n": UP, "face": "face_b"}
+    floor = (np.array([0.0, 0.0, -1.0]), ZERO, ZERO, ZERO, ZERO)
+    corner = (
+        np.array([0.0, -0.5, 0.3]),
+        np.array([0.0, -0.6, -1.0]),
+        np.array([2.0, 0.0, 0.0]),
+        -9.81 * UP,
+        ZERO,
+    )
+    turntable = (np.array([0.0, -1.0, -0.2]), ZERO, np.array([0.5, 0.0, 0.0]), ZERO, ZERO)
+    puck = (np.array([0.0, 0.5, 0.1]), np.array([0.0, 1.0, 0.75]), ZERO, -9.81 * UP, ZERO)
+    return [
+        Case("a corner of a box on the floor", {**ground, "body_a": corner, "body_b": floor}),
+        Case("a puck slides on a seesaw", {"p": np.array([0.0, 0.5, 0.0]), "n": UP, "face": "face_b", "body_a": puck,
+                                           "body_b": turntable}),
+        Case("off the axes, face of B", touch("face_b")),
+        Case("off the axes, face of A", touch("face_a")),
+        Case("all at rest, only gravity", {**ground, "body_a": (0.5 * UP, ZERO, ZERO, -9.81 * UP, ZERO),
+                                           "body_b": floor}, "edge"),
+        Case("three contacts, faces of B", touch("face_b", (3,)), "batch"),
+        Case("a 2 by 4 batch, faces of A", touch("face_a", (2, 4)), "batch"),
+        Case("four feet of one table", touch("face_b", p=draw(rng, (4,)), n=UP, body_b=floor), "batch"),
+    ]  # fmt: skip
+
+
+MOTION = "(x, v, omega, v_dot, omega_dot), the last two without contact forces"
+CONTACT_BIAS = Exercise(
+    name="contact_bias",
+    rows=(20, 23, 24),
+    points=3,
+    minutes=14,
+    task="Return b = (p_A_ddot - p_B_ddot).N + 2 (p_A_dot - p_B_dot).N_dot for a contact of a face, p_A = p_B = p.",
+    arguments=(
+        Value("p", "(..., 3)", "m", "the point where they touch"),
+        Value("n", "(..., 3)", "", "unit vector out of body B toward body A"),
+        Value("face", "word", "", '"face_b" or "face_a": whose face carries N', dtype="str"),
+        Value("body_a", "five of (..., 3)", "", MOTION),
+        Value("body_b", "five of (..., 3)", "", MOTION),
+    ),
+    results=(Value("b", "(...)", "m/s^2", "second rate of the gap without contact forces"),),
+    reference=_bias_with(),
+    cases=_touching,
+    mistakes=(
+        Mistake(
+            "factor 2 missing",
+            _bias_with(factor=1.0),
+            "The factor 2 is missing. The product rule, used twice, gives the mixed term twice: once each time.",
+        ),
+        Mistake(
+            "N_dot lost",
+            _bias_with(factor=0.0),
+            "The term with N_dot is missing. It is zero only if the normal stands still or the points move as one.",
+        ),
+        Mistake(
+            "sign of N_dot",
+            _bias_with(factor=-2.0),
+            "The term with N_dot has the wrong sign: is it omega x N, in this order?",
+        ),
+        Mistake(
+            "sign of body B",
+            _bias_with(sign_b=1.0),
+            "Body B's motion is added. What counts is how p_A moves as seen from p_B: subtract, in both terms.",
+        ),
+        Mistake(
+            "only A",
+            _bias_with(sign_b=0.0),
+            "Body B is missing. It may move, turn and fall as well.",
+        ),
+        Mistake(
+            "omega of the wrong body in N_dot",
+            _bias_with(face=lambda word, a, b: a if word == "face_b" else b),
+            "N turns with the other body: for a face of B it is omega_B x N, for a face of A omega_A x N.",
+        ),
+        Mistake(
+            "always a face of B",
+            _bias_with(face=lambda word, a, b: b),
+            'Right for a face of B. Where face is "face_a" the normal turns with A.',
+        ),
+        Mistake(
+            "relative spin in N_dot",
+            _bias_with(face=lambda word, a, b: a - b),
+            "You turn N with the spin of A against B. It belongs to a face, and turns with that face's body alone.",
+        ),
+        Mistake(
+            "one arm for both bodies",
+            _bias_with(arm_b=lambda p, x_a, x_b: p - x_a),
+            "Both bodies have the arm of A. They touch in one point, but their centres are different: r_B = p - x_B.",
+        ),
+        Mistake(
+            "arm from the origin",
+            _bias_with(arm_a=lambda p, x_a, x_b: p, arm_b=lambda p, x_a, x_b: p),
+            "Your arm is the place of the point. It is measured from the centre of mass: r = p - x.",
+        ),
+        Mistake(
+            "arms turned round",
+            _bias_with(arm_a=lambda p, x_a, x_b: x_a - p, arm_b=lambda p, x_a, x_b: x_b - p),
+            "The arms run from the point to the centre. It is r = p - x.",
+        ),
+        Mistake(
+            "no omega_dot",
+            _bias_with(swing=0.0),
+            "omega_dot x r is missing in the accelerations of the points.",
+        ),
+        Mistake(
+            "no centripetal term",
+            _bias_with(inward=0.0),
+            "omega x (omega x r) is missing in the accelerations of the points.",
+        ),
+        Mistake(
+            "centres in the velocity",
+            _bias_with(turning=0.0),
+            "In the term with N_dot you use the velocities of the centres. It wants the points': v + omega x r.",
+        ),
+        Mistake(
+            "centres alone",
+            _bias_with(turning=0.0, swing=0.0, inward=0.0),
+            "You use velocity and acceleration of the centres throughout. The points that touch are elsewhere.",
+        ),
+        Mistake(
+            "turned round",
+            _bias_with(whole=-1.0),
+            "The whole has the wrong sign. Take A minus B: gravity on A over a floor must give b below 0.",
+        ),
+    ),
+    hints=(
+        "Three parts: velocity and acceleration of the point on each body (your functions do the second), N_dot of the "
+        "face, then the two terms.",
+        "For each body r = p - x; the point's velocity is v + omega x r and its acceleration is exercise 2. Subtract B "
+        "from A; dot the acceleration with N and twice the velocity with N_dot.",
+        "x_a, v_a, omega_a, v_a_dot, omega_a_dot = body_a\nr_a = p - ____\n"
+        "p_a_ddot = free_point_acceleration(v_a_dot, omega_a_dot, omega_a, r_a)\n"
+        "# ... the same for B ...\n"
+        'n_dot = np.cross(omega_b if face == "face_b" else ____, n)\n'
+        "return np.sum((p_a_ddot - p_b_ddot) * n, axis=-1) + ____ * np.sum((p_a_dot - p_b_dot) * n_dot, axis=-1)",
+    ),
+)
