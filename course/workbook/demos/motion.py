@@ -16,11 +16,12 @@ from course.study.tumbling import (
     free_tumble,
     handle_mass_properties,
     spinning_handle,
+    turnover_times,
 )
 from course.workbook import viewer
 from course.workbook.demos.panel import log_slider, slider
 from course.workbook.plots import motion
-from course.workbook.plots.figure import figure_html
+from course.workbook.plots.figure import describe, figure_html
 
 SECONDS, MOMENTS = 10.0, 251
 
@@ -66,7 +67,8 @@ class TumblingDemo(ipywidgets.VBox):
         self.viewer = viewer.show(self._scene(), still=1.56, height=480)
         self._chart = ipywidgets.HTML()
         self._draw()
-        for control in (self.axis, self.tilt, self.spin):
+        self._controls = {"tilt": self.tilt, "spin": self.spin, "axis": self.axis}
+        for control in self._controls.values():
             control.observe(self._start_again, names="value")
         self.viewer.layout.width, self._chart.layout.width = "56%", "43%"
         controls = ipywidgets.HBox([self.axis, self.tilt, self.spin], layout={"flex_flow": "row wrap"})
@@ -79,6 +81,11 @@ class TumblingDemo(ipywidgets.VBox):
             axis=self.axis.value, tilt=np.radians(self.tilt.value), spin=self.spin.value
         )
         return free_tumble(start, np.linspace(0.0, SECONDS, MOMENTS))
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """The controls' values by name."""
+        return {name: control.value for name, control in self._controls.items()}
 
     @property
     def picture(self) -> str:
@@ -98,6 +105,8 @@ class TumblingDemo(ipywidgets.VBox):
         with motion.style():
             figure, ax = plt.subplots(figsize=(5.4, 4.2))
             motion.energies(tumble.times, parts, title="energy of turning", ax=ax)
+            over = ", ".join(f"{when:.2f}" for when in turnover_times(tumble, self.axis.value))
+            describe(ax, f"It lies across its axis of spin at {over} s." if over else "It never turns over.")
             ax.set_ylim(0.0, 1.12 * float(tumble.turning_energy[0].sum()))
             ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
         # As wide as its column also where a page's style makes pictures as large as the screen.

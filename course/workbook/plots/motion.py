@@ -48,11 +48,11 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
         ax.set(xlabel="time [s]", ylabel="part of L along the axis / |L|", ylim=(-1.1, 1.1))
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     when = ", ".join(f"{m:.2f}" for m in moments)
+    crosses = f"crosses zero at {when} s" if when else "does not cross zero"
     describe(
         ax,
-        "The parts of the angular momentum along the crossbar, the stem and the third axis, over time. The "
-        "stem's part stays near 1, drops quickly to -1, stays there, and comes back; it crosses zero at "
-        f"{when or 'no time'} s.",
+        f"The parts of the angular momentum along three axes of the body over {tumble.times[0]:g} to "
+        f"{tumble.times[-1]:g} s: {_ranges(share)}. The part along the stem {crosses}.",
     )
     return ax
 
@@ -89,10 +89,16 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
         three[-1],
         "A sphere seen along the crossbar, the stem and the third axis, with lines of equal energy. Seen along "
         "the crossbar and along the third axis the lines are closed rings around the middle; seen along the stem they "
-        "are branches that come near the middle and lead away from it. The handle's own line starts close to the "
-        "stem's axis, runs away along such a branch to the opposite side, and comes back.",
+        "are branches that come near the middle and lead away from it. The handle's own line follows them: "
+        f"{_ranges(path)}.",
     )
     return three[-1]
+
+
+def _ranges(parts: np.ndarray) -> str:
+    """From where to where each part of l/|l| runs, in words."""
+    told = zip(AXIS_NAMES, parts.min(axis=0), parts.max(axis=0), strict=True)
+    return ", ".join(f"{name} {low + 0.0:.2f} to {high + 0.0:.2f}" for name, low, high in told)
 
 
 def _path(ax: Axes, path: np.ndarray, toward: int, right: int, up: int) -> None:

@@ -128,8 +128,8 @@ class Scene:
         """Colour and words for each kind of arrow, its scale included."""
         return [(a.color, f"{a.name}: {_scale_in_words(a)}") for a in self.arrows]
 
-    def description(self, index: int = 0) -> str:
-        """Alternative text for the picture of a moment."""
+    def description(self, index: int | None = 0) -> str:
+        """Alternative text for the picture of a moment; None: of no moment in particular."""
         counted = Counter(s.what for s in self.solids)
         bodies = (
             " and ".join(f"{n} {what}" if n > 1 else f"a {what}" for what, n in counted.items())
@@ -137,12 +137,12 @@ class Scene:
         )
         when = (
             f" at {self.times[index]:.3g} s of {self.times[0]:.3g} to {self.times[-1]:.3g} s"
-            if self.moves
+            if self.moves and index is not None
             else ""
         )
         ground = " above the ground plane" if self.ground is not None else ""
-        told = "".join(f" {words[0].upper()}{words[1:]}." for _, words in self.legend())
-        shown = f" Arrows.{told}" if self.arrows else ""
+        told = "; ".join(words for _, words in self.legend())
+        shown = f" Arrows: {told}." if self.arrows else ""
         caption = f"{self.caption.rstrip('.')}. " if self.caption else ""
         return f"{caption}Three-dimensional picture of {bodies}{ground}{when}.{shown}"
 
@@ -239,7 +239,10 @@ def _nice_scale(vector: Array, scene: Scene) -> float:
 def _scale_in_words(arrows: PlacedArrows) -> str:
     if not arrows.unit:
         return f"unit vectors, drawn {arrows.scale:.3g} m long"
-    return f"{arrows.scale:.3g} m drawn for 1 {arrows.unit}"
+    # For one unit, or for a tenth, a hundredth ... where all arrows are far less than one.
+    longest = float(np.linalg.norm(arrows.length, axis=-1).max(initial=0.0)) / arrows.scale
+    amount = 1.0 if longest == 0.0 or longest >= 0.5 else 10.0 ** np.floor(np.log10(longest))
+    return f"{amount * arrows.scale:.3g} m drawn for {amount:g} {arrows.unit}"
 
 
 def _bounds(scene: Scene) -> tuple[Array, Array]:

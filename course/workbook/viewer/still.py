@@ -55,7 +55,7 @@ def film(scene: Scene, times: Sequence[float], *, columns: int = 4) -> Any:
             ax.set_box_aspect((1, 1, 1), zoom=1.35)
         _legend(figure, scene, None)
     shown = ", ".join(f"{scene.times[scene.index_at(time)]:.2f}" for time in times)
-    describe(ax, f"{scene.description()} Shown side by side at {shown} s.")
+    describe(ax, f"{scene.description(None)} Shown side by side at {shown} s.")
     return figure
 
 
