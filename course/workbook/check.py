@@ -101,7 +101,8 @@ def predict(name: str, answer: Any = None) -> None:
     """Commit to an answer, then see the outcome. Nothing is shown before an answer is given.
 
     Where the lesson answers a question only later, the answer is noted, and ``predict(name)`` shows the outcome
-    there. Raises ``ValueError`` for an unknown name and for an answer that is neither a number nor a choice.
+    there. An answer that is neither a number nor a choice is sent back with what is expected. Raises ``ValueError``
+    for an unknown name.
     """
     _, prediction = find_prediction(name)
     if answer is Ellipsis or (answer is None and progress.predicted(name) is None):
@@ -111,7 +112,11 @@ def predict(name: str, answer: Any = None) -> None:
         ask = Part("answer", way if answer is Ellipsis else first)
         display_message(Message("not attempted", f"Your prediction: {prediction.question}", (*choices, ask)))
         return
-    given = progress.predicted(name) if answer is None else _given(prediction, answer)
+    try:
+        given = progress.predicted(name) if answer is None else _given(prediction, answer)
+    except ValueError as error:
+        display_message(Message("not attempted", f"Not an answer yet: {error}", ()))
+        return
     if answer is not None:
         progress.record("predict", name, answer=given)
         if prediction.later:
@@ -148,14 +153,14 @@ def _wanted(prediction: Prediction) -> str:
 def _given(prediction: Prediction, answer: Any) -> Any:
     if prediction.choices:
         if not isinstance(answer, str) or answer not in prediction.choices:
-            raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}")
+            raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}")
         return answer
     try:
         number = float(answer)
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}") from None
-    if not np.isfinite(number):
-        raise ValueError(f"answer: expected {_wanted(prediction)}; got {answer!r}")
+        raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}") from None
+    if np.isnan(number):        # infinity is an answer: never, for ever
+        raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}")
     return number
 
 

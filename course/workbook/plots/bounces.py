@@ -32,9 +32,10 @@ def reflection(
         _arrow(ax, -before, np.zeros(3), "blue", "v before", at_start=True)
         _arrow(ax, np.zeros(3), after, "vermillion", "v after")
         _arrow(ax, np.zeros(3), 0.55 * normal, "black", "n", lw=1.4)
-        part = np.sum(after * normal) * normal
-        for tip in (part, after - part):
-            ax.plot([0, tip[0]], [0, tip[1]], color=PALETTE["vermillion"], lw=1.4, ls=":", marker="")
+        for tail, tip, colour in ((-before, np.zeros(3), "blue"), (np.zeros(3), after, "vermillion")):
+            corner = tail + np.sum((tip - tail) * along) * along     # first along the wall, then along n
+            path = np.array([tail, corner, tip])[:, :2] + 0.02 * normal[:2]
+            ax.plot(*path.T, color=PALETTE[colour], lw=1.8, ls=":", marker="")
         ax.set(xlim=(-1.45, 1.45), ylim=(-1.2, 1.2), aspect="equal", xlabel="x [m/s]", ylabel="y [m/s]")
         come, leave = float(np.sum(before * normal)), float(np.sum(after * normal))
         ax.set_title(f"along n: {come:+.2f} m/s before, {leave:+.2f} m/s after")
@@ -93,8 +94,11 @@ def bouncing_errors(errors: BouncingErrors, *, ax: Axes | None = None) -> Axes:
             (published.raisim_error, "^", "green", "RaiSim (error reduction on), published"),
         ):
             ax.loglog(published.step, values, ls="none", marker=marker, mfc="none", color=PALETTE[colour], label=name)
-        ax.loglog(errors.step, errors.event_driven, "-.", color=PALETTE["black"], marker="v", ms=5,
-                  label=f"event-driven ({errors.events} events)")  # fmt: skip
+        low = 1e-3 * float(min(errors.ode))     # the event-driven ball, 20 powers of ten lower, would squeeze the rest
+        told = f"event-driven, {errors.events} events:\nat {errors.event_driven.max():.0e}, below the picture"
+        ax.plot(errors.step, np.full(errors.step.shape, 2 * low), ls="none", marker="v", ms=5, color=PALETTE["black"],
+                label=told)  # fmt: skip
+        ax.set_ylim(low, None)
         ax.set(xlabel="step [s]", ylabel="mean squared energy error [J²]", title="49 balls, 20 s, nothing lost")
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     describe(

@@ -48,7 +48,7 @@ STAGES = (
     ("Do these two touch,\nwhere, and when?", "04 05 06", "green"),
     ("They collide:\nwhat is the impulse?", "10 11 12", "orange"),
     ("They rest: what forces\nkeep them apart?", "13 14 15 16", "vermillion"),
-    ("Move every body\none step", "09 17", "purple"),
+    ("Where is each body\none step later?", "09 17", "purple"),
 )
 
 

@@ -14,7 +14,7 @@ LESSON = Lesson(
     name="wall-bounce",
     title="The wall bounce",
     question="One line moved: why 400 times the energy error?",
-    minutes=70,
+    minutes=75,
     exercises=(REST_TIME, WALL_BOUNCE, BOUNCE_TIMES, BOUNCING_BALL_STEP),
     predictions=PREDICTIONS,
 )

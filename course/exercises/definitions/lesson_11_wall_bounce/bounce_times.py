@@ -54,12 +54,22 @@ def _lengths_only(height: Any, restitution: Any, count: int, gravity: Any) -> An
     return np.diff(times, axis=-1, prepend=0.0)
 
 
+def _closed_sum(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
+    fall, e = np.sqrt(2 * np.asarray(height) / gravity)[..., None], np.asarray(restitution)[..., None]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return fall * (1 + 2 * e * (1 - e ** np.arange(count)) / (1 - e))
+
+
+def _first_axis(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
+    return np.moveaxis(np.asarray(bounce_times(height, restitution, count, gravity)), -1, 0)
+
+
 BOUNCE_TIMES = Exercise(
     name="bounce_times",
     rows=(17, 18),
     points=2,
     minutes=10,
-    task="Return the times of the first `count` impacts of a ball dropped from rest, on a new last axis.",
+    task="Return the times of the first `count` impacts of a ball dropped from rest, on a new last axis; e may be 1.",
     arguments=(Value("height", "(...)", "m", "height of the drop"), RESTITUTION, COUNT, GRAVITY),
     results=(Value("times", "(..., count)", "s", "from the drop"),),
     reference=bounce_times,
@@ -90,6 +100,28 @@ BOUNCE_TIMES = Exercise(
             "with e^1.",
         ),
         Mistake(
+            "one flight on",
+            lambda height, restitution, count, gravity: np.asarray(
+                bounce_times(height, restitution, count + 1, gravity)
+            )[..., 1:],
+            "Your times begin with the second impact. The first is the end of the first fall, at t_0.",
+        ),
+        Mistake(
+            "the first fall counted as a flight",
+            _times(first=2.0),
+            "You count 2 t_0 for the first fall. The ball starts at the top: only the way down is there.",
+        ),
+        Mistake(
+            "closed sum",
+            _closed_sum,
+            "Right for e < 1. At e = 1 your sum divides 0 by 0: add the flights up instead of dividing by 1 - e.",
+        ),
+        Mistake(
+            "on the first axis",
+            _first_axis,
+            "Right for one ball. For a batch the impacts must stand on a new *last* axis, and yours stand on the first.",
+        ),
+        Mistake(
             "sqrt(h/g)",
             _times(two=1.0),
             "The first fall lasts sqrt(2 h/g): from h = g t^2/2.",
@@ -102,11 +134,10 @@ BOUNCE_TIMES = Exercise(
     ),
     hints=(
         "The first impact comes after t_0 = sqrt(2 h/g). Each flight after it lasts 2 e t_0, 2 e^2 t_0, and so on.",
-        "Impact k comes at t_0 times one plus two times the sum of the first k powers of e. Make the powers on a new "
-        "last axis and use np.cumsum.",
-        "k = np.arange(1, count)\n"
-        "flights = 2 * np.asarray(restitution)[..., None] ** ____\n"
-        "sums = np.cumsum(flights, axis=-1), with a 0 before the first\n"
-        "return np.sqrt(2 * height / gravity)[..., None] * (____ + sums)",
+        "The first impact comes at t_0, each later one 2 e^k t_0 after the one before, k = 1, 2, ... Put these waits side "
+        "by side on a new last axis, t_0 first, and add them up with np.cumsum. No division, so e = 1 is served too.",
+        "fall = np.sqrt(2 * np.asarray(height) / gravity)[..., None]\n"
+        "flights = 2 * fall * np.asarray(restitution)[..., None] ** np.arange(1, ____)\n"
+        "return np.cumsum(np.concatenate([____, flights], axis=-1), axis=-1)",
     ),
 )

@@ -104,8 +104,7 @@ BOUNCING_BALL_STEP = Exercise(
         Mistake(
             "moved with the old velocity",
             _move_first,
-            "You move with the velocity from before. Change the velocity first, then move with the new one "
-            "(symplectic Euler).",
+            "You move with the velocity from before. Change the velocity first, then move with the new one.",
         ),
         Mistake(
             "reflects a rising ball",
@@ -117,6 +116,21 @@ BOUNCING_BALL_STEP = Exercise(
             "no restitution",
             _no_restitution,
             "Your ball leaves as fast as it came: multiply by e when it is reflected.",
+        ),
+        Mistake(
+            "gravity upward",
+            lambda height, velocity, step, restitution, gravity: _ball_step(height, velocity, step, restitution, -gravity),
+            "Gravity pulls your ball up. The velocity counts upward, so it loses g times the step.",
+        ),
+        Mistake(
+            "not turned round",
+            lambda height, velocity, step, restitution, gravity: _ball_step(height, velocity, step, -restitution, gravity),
+            "Your ball slows down at the floor and goes on into it: the new velocity is *minus* e times the old one.",
+        ),
+        Mistake(
+            "velocity first",
+            lambda *given: _ball_step(*given)[::-1],
+            "The two results have changed places: return the height, then the velocity.",
         ),
         Mistake(
             "height clamped",

@@ -13,31 +13,38 @@ def _long_normal() -> float:
     return float(np.linalg.norm(down - 2 * np.sum(down * twice) * twice))
 
 
-def _order_choice() -> str:
+def _longer_choice() -> str:
     from course.study.bouncing_ball import energy_error
 
-    ratio = energy_error("bullet", 1e-4) / energy_error("ode", 1e-4)
-    return "alike" if ratio < 2 else "few" if ratio < 50 else "hundreds"
+    ratios = [energy_error("bullet", 1e-3, duration=t) / energy_error("ode", 1e-3, duration=t) for t in (20.0, 40.0)]
+    return {1: "same", 2: "twice", 4: "four"}[round(ratios[1] / ratios[0])]
 
 
 PREDICTIONS = (
     Prediction(
-        "order",
-        "49 balls bounce for 20 s, nothing lost, a step of 1e-4 s. One program reflects and then lets gravity act, the "
-        "other lets gravity act and then reflects. How do their energy errors (mean square) compare?",
-        _order_choice,
-        "The published figures at this step are 1.85 and 752 J^2.",
+        "longer",
+        "In 20 s the mean squared energy error of one program is 400 times that of the other. Both run on to 40 s. What "
+        "becomes of the 400?",
+        _longer_choice,
+        "The energy of the one rises with every bounce, that of the other only wavers. Twice the time is twice the rise, "
+        "and its mean square is four times as large: 1608 for 407.",
         later="Speed against accuracy",
-        choices={"alike": "about alike", "few": "a few times", "hundreds": "hundreds of times"},
-        wrong={"alike": "The two lines differ by one g dt, once a bounce; but a bounce repeats, and errors add up."},
+        choices={"same": "it stays about 400", "twice": "about 800", "four": "about 1600"},
+        wrong={
+            "same": "That holds if both errors grow alike. One of them does not grow at all.",
+            "twice": "The error itself doubles. The measure is its square.",
+        },
     ),
     Prediction(
         "rest",
         "A ball dropped from 1 m, e = 1/2, g = 9.81 m/s^2. After how many seconds is it at rest?",
         lambda: float(bounce_rest_time(1.0, 0.5, 9.81)),
-        "sqrt(2 h/g) (1 + e)/(1 - e): infinitely many bounces, all done in a finite time.",
+        "Infinitely many bounces, and all of them done after three times the first fall. Your step gives the formula.",
         unit="s",
-        wrong={0.4515: "That is the first impact alone."},
+        wrong={
+            0.4515: "That is the first impact alone.",
+            0.9031: "A rise lasts as long as the fall after it: each later flight counts twice.",
+        },
     ),
     Prediction(
         "long_normal",
@@ -45,11 +52,11 @@ PREDICTIONS = (
         "fast does it leave?",
         _long_normal,
         "v.n is twice too large, and it multiplies an n twice too long: 2 (v.n) n is four times what it should be, "
-        "1 - 8 = -7. The energy grows 49-fold at every bounce.",
+        "-1 + 8 = 7. The energy grows 49-fold at every bounce.",
         unit="m/s",
         wrong={
             2: "n stands twice in the formula, so its length counts squared.",
-            4: "Four times the change, not four times the speed: 1 - 2*4.",
+            4: "Four times the change, not four times the speed: -1 + 4*2.",
         },
     ),
 )  # fmt: skip

@@ -54,6 +54,16 @@ REST_TIME = Exercise(
             "The first fall, t_0 = sqrt(2 h/g), is missing from the sum.",
         ),
         Mistake(
+            "rises and first fall forgotten",
+            lambda h, e, g: (2 * h / g) ** 0.5 * e / (1 - e),
+            "Two things are missing: the first fall, t_0, and that each later flight goes up and down, twice e^k t_0.",
+        ),
+        Mistake(
+            "upside down",
+            lambda h, e, g: (2 * h / g) ** 0.5 * (1 - e) / (1 + e),
+            "Your time shrinks as e grows. A ball that loses less bounces longer.",
+        ),
+        Mistake(
             "e squared",
             lambda h, e, g: (2 * h / g) ** 0.5 * (1 + e**2) / (1 - e**2),
             "You sum powers of e^2. The *height* shrinks by e^2 at each bounce; the speed, and so the time of a "

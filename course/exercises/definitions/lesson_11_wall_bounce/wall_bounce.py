@@ -66,6 +66,11 @@ def _only_along(velocity: Any, normal: Any, restitution: Any) -> Any:
     return np.where(along < 0, -np.asarray(restitution)[..., None] * along * normal, velocity)
 
 
+def _turned_guard(velocity: Any, normal: Any, restitution: Any) -> Any:
+    along = np.maximum(np.sum(velocity * normal, axis=-1), 0.0)[..., None]
+    return velocity - (1 + np.asarray(restitution)[..., None]) * along * normal
+
+
 def _axis_short(velocity: Any, normal: Any, restitution: Any) -> Any:
     along = np.sum(velocity * normal, axis=-1)
     after = velocity - (1 + restitution) * along * normal
@@ -142,6 +147,11 @@ WALL_BOUNCE = Exercise(
             _bounce(lambda e: 1 + e, guard=False),
             "Right for balls that come in. One that already leaves you throw back into the wall: where v.n >= 0 "
             "return v as it is.",
+        ),
+        Mistake(
+            "the test turned round",
+            _turned_guard,
+            "You change the balls that leave and let those through that come in: v.n < 0 means that a ball comes in.",
         ),
         Mistake(
             "whole velocity",
