@@ -59,6 +59,35 @@ def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
     return frozenset(bound), frozenset(used)
 
 
+def modules_used(preamble: Sequence[str], answers: Sequence[str], among: frozenset[str]) -> tuple[str, ...]:
+    """Which of these packages the answers' cells use: they import one, or take a name that an import cell bound.
+
+    What merely stands in an import cell does not count.
+    """
+    bound = {name: package for source in (*preamble, *answers) for name, package in _packages(source)}
+    used = {package for source in answers for _, package in _packages(source)}
+    for source in answers:
+        used |= {bound[name] for name in names_of(source)[1] if name in bound}
+    return tuple(sorted(used & among))
+
+
+def _packages(source: str) -> list[tuple[str, str]]:
+    """(name bound, package it is from) of all imports in a cell."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            nodes = list(ast.walk(ast.parse(source)))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
+    pairs = []
+    for node in nodes:
+        if isinstance(node, ast.Import):
+            pairs += [(a.asname or a.name.split(".")[0], a.name.split(".")[0]) for a in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            pairs += [(a.asname or a.name, node.module.split(".")[0]) for a in node.names]
+    return pairs
+
+
 def _imports_everything(node: ast.AST) -> bool:
     return isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
 
