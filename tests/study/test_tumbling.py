@@ -18,7 +18,7 @@ from course.dynamics import (
     symplectic_euler,
     torque_free_motion,
 )
-from course.exercises.definitions.turning import plain_step
+from course.exercises.definitions.lesson_09_energy_and_motion.symplectic_euler_step import plain_step
 from course.study.stability import measured_order
 from course.study.tumbling import (
     HANDLE_CENTERS,

@@ -1,0 +1,115 @@
+"""The exercise ``angular_acceleration``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definitions.lesson_09_energy_and_motion.shared import ANGULAR_MOMENTUM
+from course.exercises.definitions.turning import (
+    drawn_vectors,
+    inertias,
+    rotation_matrices,
+    solved,
+    times,
+    turned_inertia,
+)
+
+
+def _spinning(rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any) -> dict[str, Any]:
+    drawn = {
+        "I": turned_inertia(rotation_matrices(rng, shape), inertias(rng, shape)).round(3),
+        "L": drawn_vectors(rng, shape, 2.0),
+        "torque": drawn_vectors(rng, shape),
+    }
+    return {**drawn, **fixed}
+
+
+def _angular_acceleration(I: Any, L: Any, torque: Any) -> np.ndarray:  # noqa: E741
+    return solved(I, np.asarray(torque) + np.cross(L, solved(I, L)))
+
+
+ANGULAR_ACCELERATION = Exercise(
+    name="angular_acceleration",
+    rows=(14, 23),
+    points=2,
+    minutes=10,
+    task="Return omega_dot = I^-1 (torque + L x omega), with omega = I^-1 L.",
+    arguments=(
+        Value("I", "(..., 3, 3)", "kg m²", "inertia, world axes"),
+        ANGULAR_MOMENTUM,
+        Value("torque", "(..., 3)", "N m", "torque about the centre of mass, world axes"),
+    ),
+    results=(Value("omega_dot", "(..., 3)", "rad/s²"),),
+    reference=_angular_acceleration,
+    cases=lambda rng: [
+        Case("the case by hand, no torque", {"I": np.diag([1.0, 2.0, 3.0]), "L": np.array([1.0, 4.0, 0.0]),
+                                             "torque": np.zeros(3)}),
+        Case("turned, with a torque", _spinning(rng, ())),
+        Case("turned, no torque", _spinning(rng, (), torque=np.zeros(3))),
+        Case("about a principal axis, no torque", {"I": np.diag([1.0, 2.0, 3.0]), "L": np.array([0.0, 4.0, 0.0]),
+                                                   "torque": np.zeros(3)}, "edge"),
+        Case("at rest, with a torque", _spinning(rng, (), L=np.zeros(3)), "edge"),
+        Case("five bodies", _spinning(rng, (5,)), "batch"),
+        Case("three bodies, as many as a vector has components", _spinning(rng, (3,)), "batch"),
+        Case("a 2 by 4 batch", _spinning(rng, (2, 4)), "batch"),
+    ],  # fmt: skip
+    mistakes=(
+        Mistake(
+            "I alpha",
+            lambda I, L, torque: solved(I, torque),  # noqa: E741
+            "This is N = I alpha as the slide prints it. I turns with the body, so torque = d(I omega)/dt holds one "
+            "term more: without torque omega would never change, and the handle would never turn over.",
+        ),
+        Mistake(
+            "omega x L",
+            lambda I, L, torque: solved(I, np.asarray(torque) - np.cross(L, solved(I, L))),  # noqa: E741
+            "The cross product is the wrong way round: torque = I omega_dot + omega x L, and brought to the other "
+            "side it is L x omega.",
+        ),
+        Mistake(
+            "L in place of L x omega",
+            lambda I, L, torque: solved(I, np.asarray(torque) + L),  # noqa: E741
+            "This is I^-1 (torque + L), as a slide prints it. L is no torque (look at the units): it is L x omega.",
+        ),
+        Mistake(
+            "inverse on the torque only",
+            lambda I, L, torque: solved(I, torque) + np.cross(L, solved(I, L)),  # noqa: E741
+            "I^-1 acts on the torque only. It belongs before the bracket: I^-1 (torque + L x omega).",
+        ),
+        Mistake(
+            "torque forgotten",
+            lambda I, L, torque: solved(I, np.cross(L, solved(I, L))),  # noqa: E741
+            "The torque is missing: add it to L x omega before you apply I^-1.",
+        ),
+        Mistake(
+            "I in place of its inverse",
+            lambda I, L, torque: times(I, np.asarray(torque) + np.cross(L, solved(I, L))),  # noqa: E741
+            "You multiply by I at the end where you must divide: I omega_dot is the bracket, and np.linalg.solve(I, "
+            "...) gives omega_dot.",
+        ),
+        Mistake(
+            "diagonal only",
+            lambda I, L, torque: (  # noqa: E741
+                np.asarray(torque) + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1))
+            ) / np.diagonal(I, axis1=-2, axis2=-1),
+            "You divide by the diagonal of I. In world axes I has entries off its diagonal, and dividing by a matrix "
+            "is np.linalg.solve.",
+        ),
+        Mistake(
+            "solve without a column",
+            lambda I, L, torque: np.linalg.solve(I, np.asarray(torque) + np.cross(L, np.linalg.solve(I, L))),  # noqa: E741
+            "Right for one body, not for a batch: np.linalg.solve takes a batch of vectors for one matrix. Make each "
+            "a column and take it back: np.linalg.solve(I, x[..., None])[..., 0].",
+        ),
+    ),
+    hints=(
+        "First omega from L, then the cross product, then the bracket, then I^-1 once more.",
+        "np.linalg.solve(I, x[..., None])[..., 0] is I^-1 x for one body and for a batch. np.cross(a, b) works on "
+        "the last axis.",
+        "omega = np.linalg.solve(I, L[..., None])[..., 0]\n"
+        "return np.linalg.solve(I, (____ + np.cross(____, ____))[..., None])[..., 0]",
+    ),
+)

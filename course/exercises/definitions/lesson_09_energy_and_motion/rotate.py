@@ -1,0 +1,133 @@
+"""The exercise ``rotate``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
+from course.exercises.definitions.turning import drawn_vectors, exponential, times
+
+
+def rodrigues(*, sign: float = 1.0, across: float = 1.0, half: float = 1.0, unit: bool = True) -> Callable[..., Any]:
+    """Rodrigues' formula with slips: the turn's sense, the last term, half the angle, an axis not of unit length."""
+
+    def function(v: Any, theta: Any) -> np.ndarray:
+        v, theta = np.asarray(v, dtype=float), np.asarray(theta, dtype=float)
+        angle = np.linalg.norm(theta, axis=-1, keepdims=True)
+        axis = theta / np.where(angle > 0, angle, 1.0) if unit else theta
+        angle = half * angle
+        turned = np.cos(angle) * v + sign * np.sin(angle) * np.cross(axis, v)
+        return turned + across * (1 - np.cos(angle)) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+
+    return function
+
+
+def divided_by_zero(v: Any, theta: Any) -> np.ndarray:
+    angle = np.linalg.norm(theta, axis=-1, keepdims=True)
+    axis = np.asarray(theta) / angle
+    turned = np.cos(angle) * v + np.sin(angle) * np.cross(axis, v)
+    return turned + (1 - np.cos(angle)) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+
+
+def stretched(v: Any, theta: Any) -> np.ndarray:
+    longer = np.asarray(v) + np.cross(theta, v)
+    return longer
+
+
+def brought_back(v: Any, theta: Any) -> np.ndarray:
+    longer = stretched(v, theta)
+    return longer * np.linalg.norm(v, axis=-1, keepdims=True) / np.linalg.norm(longer, axis=-1, keepdims=True)
+
+
+def _rotate(v: Any, theta: Any) -> np.ndarray:
+    return times(exponential(theta), v)
+
+
+def _turning(rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any) -> dict[str, Any]:
+    return {"v": drawn_vectors(rng, shape), "theta": drawn_vectors(rng, shape), **fixed}
+
+
+ROTATE = Exercise(
+    name="rotate",
+    rows=(14,),
+    points=2,
+    minutes=12,
+    level="stretch",
+    task="Return v turned by the angle |theta| about the axis theta/|theta| (the exponential map).",
+    arguments=(
+        Value("v", "(..., 3)", "", "vectors"),
+        Value("theta", "(..., 3)", "rad", "rotation vectors: axis times angle"),
+    ),
+    results=(Value("turned", "(..., 3)", ""),),
+    reference=_rotate,
+    cases=lambda rng: [
+        Case("a quarter turn about z", {"v": np.array([1.0, 0.0, 2.0]), "theta": np.array([0.0, 0.0, np.pi / 2])}),
+        Case("about a slanted axis", _turning(rng, ())),
+        Case("no turn", _turning(rng, (), theta=np.zeros(3)), "edge"),
+        Case("a tiny turn", _turning(rng, (), theta=np.array([3e-9, 0.0, 4e-9])), "edge"),
+        Case("more than a whole turn", _turning(rng, (), theta=np.array([0.0, 6.0, 4.0])), "edge"),
+        Case("five vectors", _turning(rng, (5,)), "batch"),
+        Case("three vectors, one of them not turned",
+             _turning(rng, (3,), theta=np.array([[0.5, 0.2, -1.0], [0.0, 0.0, 0.0], [2.0, 0.3, 0.4]])), "batch"),
+        Case("a 2 by 4 batch", _turning(rng, (2, 4)), "batch"),
+    ],  # fmt: skip
+    properties=(
+        Property(
+            "length",
+            lambda given, answer: np.linalg.norm(answer, axis=-1) - np.linalg.norm(given["v"], axis=-1),
+            "The length of v changes. A turn keeps it.",
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "zero angle",
+            divided_by_zero,
+            "NaN where nothing turns: theta/|theta| is 0/0 there. Divide by np.where(angle > 0, angle, 1.0).",
+        ),
+        Mistake(
+            "the other way",
+            rodrigues(sign=-1.0),
+            "It turns the other way. By the right hand, a vector moves along theta x v, not v x theta.",
+        ),
+        Mistake(
+            "last term forgotten",
+            rodrigues(across=0.0),
+            "The part of v along the axis shrinks by the cosine. It must stay: the term (1 - cos) (u.v) u gives it "
+            "back.",
+        ),
+        Mistake(
+            "half the angle",
+            rodrigues(half=0.5),
+            "It turns by half the angle. That half belongs to quaternions, which act twice; here the whole angle "
+            "counts.",
+        ),
+        Mistake(
+            "axis not of unit length",
+            rodrigues(unit=False),
+            "You use theta itself as the axis. The axis is u = theta/|theta|, of unit length; the angle is |theta|.",
+        ),
+        Mistake(
+            "first order",
+            stretched,
+            "v + theta x v is explicit Euler: right for tiny angles only, and longer than v at every step.",
+        ),
+        Mistake(
+            "first order, brought back",
+            brought_back,
+            "v + theta x v, brought back to its length, turns by arctan|theta| at most, not by |theta|, and what "
+            "lies along the axis is lost from step to step.",
+        ),
+    ),
+    hints=(
+        "Split v into a part along the axis, which stays, and a part across it, which turns in its plane.",
+        "With u the unit axis: cos times v, plus sin times u x v, plus (1 - cos) times (u.v) u. Keep the last axis "
+        "of the angle: keepdims=True.",
+        "angle = np.linalg.norm(theta, axis=-1, keepdims=True)\n"
+        "u = theta / np.where(angle > 0, angle, 1.0)\n"
+        "along = np.sum(u * v, axis=-1, keepdims=True) * u\n"
+        "return np.cos(angle) * v + np.sin(angle) * np.cross(____, ____) + (1 - np.cos(angle)) * ____",
+    ),
+)

@@ -1,0 +1,93 @@
+"""The exercise ``sigma``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Value
+
+
+def _sigma(I_1: Any, I_2: Any, I_3: Any, Omega: Any) -> Any:
+    # Not np.sqrt: a notebook also runs it on SymPy symbols.
+    return Omega * ((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3)) ** 0.5
+
+
+def _moments_drawn(rng: np.random.Generator) -> Sequence[Case]:
+    least = rng.uniform(1.0, 1.5, 8)
+    middle = least + rng.uniform(0.4, 1.0, 8)
+    draws = {"I_1": least, "I_2": middle, "I_3": middle + rng.uniform(0.3, 0.9, 8), "Omega": rng.uniform(2.0, 5.0, 8)}
+    by_hand = {"I_1": 1.0, "I_2": 2.0, "I_3": 3.0, "Omega": 6.0}
+    return [Case("moments 1, 2, 3 and 6 rad/s", by_hand), Case("eight drawn points", draws, "batch")]
+
+
+SIGMA = Exercise(
+    name="sigma",
+    kind="expression",
+    rows=(14,),
+    points=2,
+    minutes=8,
+    task="Give the growth rate sigma > 0 in the symbols I_1 < I_2 < I_3 and Omega.",
+    arguments=(
+        Value("I_1", "scalar", "kg m²", "least moment"),
+        Value("I_2", "scalar", "kg m²", "middle moment"),
+        Value("I_3", "scalar", "kg m²", "largest moment"),
+        Value("Omega", "scalar", "rad/s", "spin about the middle axis"),
+    ),
+    results=(Value("sigma", "(...)", "1/s"),),
+    reference=_sigma,
+    cases=_moments_drawn,
+    mistakes=(
+        Mistake(
+            "square",
+            lambda I_1, I_2, I_3, Omega: _sigma(I_1, I_2, I_3, Omega) ** 2,
+            "This is sigma^2: the second rate of exp(sigma t) is sigma^2 exp(sigma t). Take the root.",
+        ),
+        Mistake(
+            "negative root",
+            lambda I_1, I_2, I_3, Omega: -_sigma(I_1, I_2, I_3, Omega),
+            "This is the root that dies away. Both solve the equation; the one that grows is the positive one.",
+        ),
+        Mistake(
+            "imaginary",
+            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_3) * (I_2 - I_1) / (I_1 * I_3)),
+            "What stands under your root is negative. The product of the two brackets is (I_2 - I_3)(I_1 - I_2): "
+            "turn both round, and it is positive for the middle axis.",
+        ),
+        Mistake(
+            "no spin",
+            lambda I_1, I_2, I_3, Omega: _sigma(I_1, I_2, I_3, 1.0) + 0 * Omega,
+            "Omega is missing: each of the two equations has it once, so sigma^2 has it twice.",
+        ),
+        Mistake(
+            "spin under the root",
+            lambda I_1, I_2, I_3, Omega: _sigma(I_1, I_2, I_3, 1.0) * np.sqrt(Omega),
+            "Omega stands under your root once. Each of the two equations has it once, so their product has Omega^2.",
+        ),
+        Mistake(
+            "not divided",
+            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2)),
+            "The moments on the left are missing: divide the first equation by I_1, the second by I_3, before you "
+            "put one into the other.",
+        ),
+        Mistake(
+            "divided by one moment",
+            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2)) / I_2,
+            "You divide by I_2. Nothing on the left has I_2: the moments there are I_1 and I_3.",
+        ),
+        Mistake(
+            "one bracket",
+            lambda I_1, I_2, I_3, Omega: Omega * (I_3 - I_1) / np.sqrt(I_1 * I_3),
+            "The difference I_3 - I_1 belongs to the equation of the middle axis itself. The two that you need have "
+            "I_2 - I_3 and I_1 - I_2.",
+        ),
+    ),
+    hints=(
+        "Two equations, each a rate: put the second into the rate of the first, and only omega_1 is left.",
+        "omega_1'' = (a number) omega_1 grows as exp(sigma t), and sigma^2 is that number. It holds both brackets "
+        "and Omega twice.",
+        "sigma = Omega * sp.sqrt((____ - ____) * (____ - ____) / (I_1 * ____))",
+    ),
+)

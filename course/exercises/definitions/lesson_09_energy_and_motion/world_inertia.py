@@ -1,0 +1,89 @@
+"""The exercise ``world_inertia``: its inputs, its comparison, and the slips it knows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
+from course.exercises.definitions.lesson_09_energy_and_motion.shared import I_BODY
+from course.exercises.definitions.turning import inertias, rotation_matrices, transposed, turned_inertia
+
+
+def _oriented(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, Any]:
+    return {"R": rotation_matrices(rng, shape), "I_body": inertias(rng, shape)}
+
+
+QUARTER_TURN = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+
+WORLD_INERTIA = Exercise(
+    name="world_inertia",
+    rows=(14, 22),
+    points=1,
+    minutes=7,
+    task="Return the inertia in world axes, R I_body R'.",
+    arguments=(Value("R", "(..., 3, 3)", "", "rotation, columns the body's axes in the world"), I_BODY),
+    results=(Value("I", "(..., 3, 3)", "kg m²", "inertia in world axes"),),
+    reference=turned_inertia,
+    cases=lambda rng: [
+        Case("a quarter turn about z", {"R": QUARTER_TURN, "I_body": np.diag([1.0, 2.0, 3.0])}),
+        Case("turned about a slanted axis", _oriented(rng, ())),
+        Case("not turned", {"R": np.eye(3), "I_body": inertias(rng, ())}, "edge"),
+        Case("four bodies", _oriented(rng, (4,)), "batch"),
+        Case("three bodies, as many as a vector has components", _oriented(rng, (3,)), "batch"),
+        Case("a 2 by 3 batch", _oriented(rng, (2, 3)), "batch"),
+    ],
+    properties=(
+        Property(
+            "symmetric",
+            lambda given, answer: answer - transposed(answer),
+            "Your matrix is not symmetric. An inertia is, in whatever axes.",
+        ),
+        Property(
+            "same moments",
+            lambda given, answer: np.trace(answer, axis1=-2, axis2=-1) - np.trace(given["I_body"], axis1=-2, axis2=-1),
+            "The sum of the diagonal changes. Turning a body changes no principal moment, so it keeps their sum.",
+        ),
+    ),
+    mistakes=(
+        Mistake(
+            "body axes",
+            lambda R, I_body: np.asarray(I_body) * np.ones(np.shape(R)),
+            "This is the inertia in body axes: R is not used. It is right only while the body is not turned.",
+        ),
+        Mistake(
+            "the other way round",
+            lambda R, I_body: transposed(R) @ I_body @ R,
+            "R' I R turns the other way. Read from right to left: R' takes a world vector to body axes, I acts "
+            "there, R brings it back.",
+        ),
+        Mistake(
+            "one side only",
+            lambda R, I_body: np.asarray(R) @ I_body,
+            "Only one rotation. A matrix is turned on both sides: its input comes in world axes (R' first) and its "
+            "output must go back to them (R last).",
+        ),
+        Mistake(
+            "not transposed",
+            lambda R, I_body: np.asarray(R) @ I_body @ R,
+            "The right-hand R must be transposed: R' takes a world vector to body axes.",
+        ),
+        Mistake(
+            ".T of a batch",
+            lambda R, I_body: np.asarray(R) @ I_body @ np.asarray(R).T,
+            "Right for one body, not for a batch: .T turns *all* axes round. np.swapaxes(R, -1, -2) swaps the last "
+            "two.",
+        ),
+        Mistake(
+            "products of entries",
+            lambda R, I_body: np.asarray(R) * I_body * transposed(R),
+            "* multiplies entry by entry. The product of matrices is @.",
+        ),
+    ),
+    hints=(
+        "Take a world vector omega through it: I omega must be R (I_body (R' omega)).",
+        "Three matrices multiplied with @. The transpose over a batch is np.swapaxes(R, -1, -2).",
+        "return R @ ____ @ np.swapaxes(____, -1, -2)",
+    ),
+)
