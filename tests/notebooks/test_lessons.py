@@ -128,10 +128,10 @@ def test_style_that_can_be_counted(path):
             if prose.startswith("**Read next"):
                 continue
             sentences = len(re.findall(r"[.!?:](?=\s|$|\*)", prose.replace("...", "").replace(":", "")))
-            assert sentences <= 5, f"a long paragraph ({sentences} sentences): {paragraph[:80]!r}"
+            assert sentences <= 4, f"a long paragraph ({sentences} sentences): {paragraph[:80]!r}"
     for cell in code_cells(path):
         if cell.metadata.get("course", {}).get("exercise") is None:
-            assert len(cell.source.splitlines()) <= 18, f"a long cell: {cell.source[:60]!r}"
+            assert len(cell.source.splitlines()) <= 16, f"a long cell: {cell.source[:60]!r}"
 
 
 @each
