@@ -1,7 +1,11 @@
-"""One page of feedback a submission: points, what was found, what to try next. Nothing is loaded from outside."""
+"""A page of feedback a submission: points, what was found, what to try next; and one a student who handed in several.
+
+Nothing is loaded from outside.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -36,11 +40,22 @@ def page(submission: Submission, *, seed: int) -> str:
         for row in submission.rows
     ]
     return str(
-        _template().render(
+        _template(_PAGE).render(
             title=f"Lesson {lesson.number}: {lesson.title}" if lesson else "This file could not be marked",
             submission=submission, sections=sections, following=_following(submission), seed=seed,
         )
     )  # fmt: skip
+
+
+def write_overview(path: Path, student: str, handed_in: Sequence[tuple[str, Mapping[str, str]]], *, seed: int) -> None:
+    """Write a student's own page: every submission with its points, each with the name of its page and its row."""
+    rows = [
+        {"page": page, "file": row["file"], "lesson": row["lesson"] or row["reason"], "state": row["state"],
+         "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
+        for page, row in handed_in
+    ]  # fmt: skip
+    text = str(_template(_OVERVIEW).render(title=f"Handed in by {student}", student=student, rows=rows, seed=seed))
+    write_whole(path, lambda file: file.write(text))
 
 
 def _points(row: Row) -> str:
@@ -72,21 +87,21 @@ def _following(submission: Submission) -> str:
 
 
 @cache
-def _template() -> Any:
+def _template(page: str) -> Any:
     import jinja2
 
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    return environment.from_string(_PAGE)
+    return environment.from_string(_HEAD + page + _FOOT)
 
 
-_PAGE = """\
+_HEAD = """\
 <!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
-<title>{{ title }}{% if submission.student %} - {{ submission.student }}{% endif %}</title>
+<title>{{ title }}{% if submission and submission.student %} - {{ submission.student }}{% endif %}</title>
 <style>
 :root { color-scheme: light dark; }
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem; }
@@ -100,6 +115,9 @@ footer { margin-top: 2rem; font-size: 0.9rem; }
 </style>
 </head>
 <body>
+"""
+
+_PAGE = """\
 <header>
 <h1>{{ title }}</h1>
 <p>{% if submission.student %}{{ submission.student }}, {% endif %}{{ submission.file }}</p>
@@ -134,6 +152,27 @@ footer { margin-top: 2rem; font-size: 0.9rem; }
 {% endfor %}
 {% endif %}
 </main>
+"""
+
+_OVERVIEW = """\
+<header>
+<h1>{{ title }}</h1>
+</header>
+<main>
+<table class="points">
+<caption>Points by lesson</caption>
+<thead><tr><th scope="col">lesson</th><th scope="col">state</th><th scope="col">points</th></tr></thead>
+<tbody>
+{% for row in rows %}
+<tr><th scope="row"><a href="{{ row.page }}">{{ row.lesson }}</a><br><small>{{ row.file }}</small></th>\
+<td>{{ row.state }}</td><td>{{ row.points }}</td></tr>
+{% endfor %}
+</tbody>
+</table>
+</main>
+"""
+
+_FOOT = """\
 <footer>Marked by program with the seed {{ seed }}; the same seed gives the same inputs again.</footer>
 </body>
 </html>

@@ -14,12 +14,12 @@ from pathlib import Path
 from course.exercises.definition import Lesson, all_lessons
 from course.exercises.message import SYMBOLS, WORDS, verdict_message
 from course.exercises.notebook_file import read_notebook
-from course.grading.feedback import write_page
+from course.grading.feedback import write_overview, write_page
 from course.grading.judge import Judge, Row
 from course.grading.limits import Limits
 from course.grading.report import Submission, Table, cells_of, key_of, read_table, safe_cell
 from course.grading.sandbox import Cancelled, SandboxFailure, isolation
-from course.grading.submissions import Task, find_tasks
+from course.grading.submissions import Task, find_tasks, page_name
 
 #: Called with how many submissions are done, how many there are, and the file just done ("" at the start).
 Progress = Callable[[int, int, str], None]
@@ -109,6 +109,8 @@ def grade_folder(
 ) -> Summary:  # fmt: skip
     """Mark every file in a folder and below it: a table (CSV) at ``out`` and a page (HTML) a submission.
 
+    A student who handed in several gets a page of their own as well, with all of them.
+
     ``seed`` draws the inputs; without one, a table that is there gives its own, so that a batch cut off goes on, and
     else it is random. ``time_limit`` [s] and ``memory_mb`` hold for each exercise; ``feedback`` is the folder of the
     pages (default: beside the table). Rows whose submission, seed and limits are as they were are kept. On
@@ -140,6 +142,7 @@ def grade_folder(
     finally:
         table.close()
     ours = [row for row in table.rows if row["key"] in keys]
+    _overviews(feedback, keys, {row["key"]: row for row in ours}, seed)
     states = [row["state"] for row in ours]
     return Summary(
         out, feedback, seed, len(tasks), len(tasks) - len(todo), states.count("marked"),
@@ -198,6 +201,18 @@ class _Batch:
 def _stands(task: Task | None) -> bool:
     """Whether a row found in the table is still right: its submission is there as it was, and so is its page."""
     return task is not None and task.page.exists()
+
+
+def _overviews(feedback: Path, tasks: Mapping[str, Task], rows: Mapping[str, Mapping[str, str]], seed: int) -> None:
+    """A page for every student with more than one submission; told apart by name, as their pages are."""
+    by_student: dict[str, list[tuple[str, Mapping[str, str]]]] = {}
+    for key, task in tasks.items():
+        if task.student and key in rows:
+            by_student.setdefault(task.student, []).append((task.page.name, rows[key]))
+    for student, handed_in in by_student.items():
+        if len(handed_in) > 1:
+            handed_in.sort(key=lambda one: one[1]["file"])
+            write_overview(feedback / f"{page_name(student)}.html", student, handed_in, seed=seed)
 
 
 def _quietly(done: int, total: int, file: str) -> None:

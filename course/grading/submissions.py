@@ -82,7 +82,7 @@ def _task(folder: Path, path: Path, lessons: Sequence[Lesson], feedback: Path) -
     lesson = notebook.lesson if notebook else None
     student = student_of(path.relative_to(folder), lessons)
     ending = f"{lesson.number}-{lesson.name}" if lesson else "unusable"
-    page = feedback / f"{_slug(student or path.stem)}--{ending}.html"
+    page = feedback / f"{page_name(student or path.stem)}--{ending}.html"
     return Task(file, student, digest_of(content, file, notebook), page, notebook, reason)
 
 
@@ -105,5 +105,6 @@ def _is_lesson(name: str, lesson: Lesson) -> bool:
     return words in ([lesson.number], ["lesson", lesson.number], named, ["lesson", *named])
 
 
-def _slug(name: str) -> str:
+def page_name(name: str) -> str:
+    """A student's name as a part of a file's."""
     return re.sub(r"[^\w.-]+", "_", name).strip("._")[:50] or "unnamed"

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -63,6 +64,15 @@ def batch(tmp_path_factory):
         folder, out, seed=11, time_limit=1.5, lessons=LESSONS, on_progress=lambda *t: told.append(t)
     )
     return SimpleNamespace(folder=folder, out=out, summary=summary, rows=rows_in(out), told=told)
+
+
+def test_who_handed_in_several_has_a_page_with_all_of_them(batch):
+    pages = batch.summary.feedback
+    own = (pages / "Ben.html").read_text()
+    links = re.findall(r'<a href="([^"]+)">', own)
+    assert len(links) == len(set(links)) == 3 and all((pages / link).is_file() for link in links)
+    assert "Handed in by Ben" in own and "91-other-toy" in own and "2 of" in own
+    assert not (pages / "Ann_Lee.html").exists(), "one submission is its student's page"
 
 
 STATES = {
@@ -127,8 +137,9 @@ def test_progress_is_told(batch):
 
 @pytest.mark.slow
 def test_every_submission_has_a_page_of_its_own(batch):
+    """And Ben, who handed in three, one with all of them."""
     pages = {p.name: p.read_text() for p in batch.summary.feedback.iterdir()}
-    assert len(pages) == 18 and all(p.startswith("<!DOCTYPE html>") for p in pages.values())
+    assert len(pages) == 18 + 1 and all(p.startswith("<!DOCTYPE html>") for p in pages.values())
     assert "Ann_Lee--90-toy.html" in pages and "The sign is turned round" in pages["Ann_Lee--90-toy.html"]
     assert "Ben--91-other-toy.html" in pages
     assert len([name for name in pages if name.startswith("Ben--90-toy-")]) == 2  # two files of one name
