@@ -63,7 +63,7 @@ class Judge:
         """``endless`` holds the cells that ended a run before, and what became of it: none is waited for twice."""
         cell = notebook.cells[index]
         source = python_only(cell.source)
-        if is_blank(source, exercise.name) or (cell.fault and _has_blank(source)):
+        if is_blank(source, exercise.name) or (cell.fault and _is_left_blank(source)):
             return Verdict(exercise.name, "not attempted"), 0.0
         if cell.fault and not cell.nearest:
             state: State = "needs a person" if cell.needs_person else "error"
@@ -187,13 +187,16 @@ def _renamed(cell: ExerciseCell, verdict: Verdict) -> Verdict:
     return Verdict(cell.name, "needs a person", reason=(f"{cell.fault}, and under that name it is {tried}",))
 
 
-def _has_blank(source: str) -> bool:
-    """Whether a bare ... stands anywhere in a cell: the lesson's blank, left as it was."""
+def _is_left_blank(source: str) -> bool:
+    """Whether a cell without the name it should have is the lesson's blank: nothing but ..., or under another name."""
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return False
-    return any(
-        isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and node.value.value is Ellipsis
-        for node in ast.walk(tree)
-    )
+    names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    for node in tree.body:
+        if isinstance(node, ast.Assign):
+            names |= {target.id for target in node.targets if isinstance(target, ast.Name)}
+        elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and node.value.value is Ellipsis:
+            return True
+    return any(is_blank(source, name) for name in names)

@@ -59,7 +59,12 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
         function = as_function(answer, exercise.kind, exercise.name, [a.name for a in exercise.arguments])
     except (TypeError, ValueError) as error:
         return Verdict(exercise.name, "error", reason=(str(error),))
-    outcomes = call_all(function, [c.arguments for c in cases], len(exercise.results))
+    try:
+        outcomes = call_all(function, [c.arguments for c in cases], len(exercise.results))
+    except KeyboardInterrupt:
+        told = "Stopped by hand: it ran on. Look for a loop whose end is never reached."
+        display_message(Message("error", f"{exercise.name}: {told}", ()))
+        raise
     return judge(exercise, cases, outcomes)
 
 

@@ -52,6 +52,15 @@ def test_blanks_are_not_attempted_and_start_no_process(rows_of, monkeypatch):
     assert rows["area"].state == "not attempted"
 
 
+def test_a_renamed_answer_with_a_hole_left_beside_it_is_for_a_person(rows_of):
+    """Renamed, it is no blank although a ``...`` stands in it; renamed and blank, it is one."""
+    answered = "def splitted(x):\n    ...\n    return x[..., 0], x[..., 1:]"
+    rows = rows_of(notebook(split=answered))
+    assert rows["split"].state == "needs a person"
+    rows = rows_of(notebook(split="def splitted(x):\n    ..."))
+    assert rows["split"].state == "not attempted"
+
+
 @pytest.mark.slow
 def test_wrong_answers_are_told_what_is_wrong(rows_of):
     rows = rows_of(notebook(twice="def twice(x):\n    return -2 * x", split="def split(x):\n    return x[..., 0], x",

@@ -288,6 +288,15 @@ def test_wrong_answers_that_match_nothing_are_kept_here(work, capsys):
     assert "17.0" in kept[0]["source"]
 
 
+def test_an_answer_stopped_by_hand_is_told_so_and_stops_the_run(capsys):
+    def loops(*arguments):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        check(named(loops))
+    assert "Stopped by hand" in said(capsys)
+
+
 def test_predictions_show_the_outcome_only_after_an_answer(capsys):
     predict("parting", ...)
     asked = said(capsys)
