@@ -39,6 +39,7 @@ from course.study.ladder import (
     sliding_ladder_forces,
     standing_ladder_forces,
 )
+from course.study.loaded_plank import loaded_plank
 from course.study.moving_contacts import (
     DifferenceErrors,
     MovingContact,
@@ -48,6 +49,7 @@ from course.study.moving_contacts import (
     flying_corners,
     moving_contact,
 )
+from course.study.solver_growth import SolverGrowth, solver_growth
 from course.study.spinning_impacts import (
     BoxLandings,
     OrderOutcomes,
@@ -102,6 +104,7 @@ __all__ = [
     "OrderOutcomes",
     "Problem",
     "PublishedBouncing",
+    "SolverGrowth",
     "SpringCradle",
     "Stencil",
     "Tumble",
@@ -140,6 +143,7 @@ __all__ = [
     "ladder",
     "ladder_gaps",
     "leaving_angle",
+    "loaded_plank",
     "method_of",
     "moving_contact",
     "normal_response",
@@ -152,6 +156,7 @@ __all__ = [
     "rod_on_two_pegs",
     "roll",
     "slide_off",
+    "solver_growth",
     "sliding_ladder_forces",
     "spinning_handle",
     "standing_ladder_forces",

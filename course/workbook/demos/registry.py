@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import ipywidgets
 
-from course.workbook.demos import impacts, motion, separation, spin
+from course.workbook.demos import contact_forces, impacts, motion, separation, spin
 from course.workbook.syllabus import read_syllabus
 
 
@@ -71,6 +71,14 @@ DEMOS = (
         (20, 24),
         5,
         "Look ahead from 42 degrees: it sinks in, and yet the old point falls behind. Past 48 degrees it lets go.",
+    ),
+    Demo(
+        "plank",
+        contact_forces.plank,
+        "A plank on two feet, and the plane of the two forces",
+        (20, 25),
+        5,
+        "Drag the load outward: the ellipses' middle leaves the quadrant at 0.75 m, and a foot lifts. What pulls?",
     ),
 )
 

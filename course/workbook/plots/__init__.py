@@ -6,6 +6,13 @@ what it drew, and returns the Axes, so that a student can go on drawing.
 
 from course.workbook.plots.bounces import bouncing_errors, energy_over_time, heights, reflection
 from course.workbook.plots.charts import stability_sweep, work_precision
+from course.workbook.plots.contact_forces import (
+    force_plane,
+    ladder_forces,
+    leg_forces,
+    plank_and_forces,
+    solver_growth,
+)
 from course.workbook.plots.course_map import course_map, falling_boxes
 from course.workbook.plots.figure import PALETTE, axes, describe, figure_html, show, side_by_side, style
 from course.workbook.plots.impacts import (
@@ -56,12 +63,16 @@ __all__ = [
     "energy_over_time",
     "falling_boxes",
     "figure_html",
+    "force_plane",
     "heights",
     "impact",
+    "ladder_forces",
     "ladder_picture",
+    "leg_forces",
     "mass_over_face",
     "old_point",
     "passing_a_corner",
+    "plank_and_forces",
     "reflection",
     "rod_impact",
     "rod_impulses",
@@ -69,6 +80,7 @@ __all__ = [
     "seen_from_body",
     "show",
     "side_by_side",
+    "solver_growth",
     "spin_by_pegs",
     "spins_by_order",
     "stability_sweep",

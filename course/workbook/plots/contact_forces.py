@@ -1,0 +1,181 @@
+"""Pictures of contact forces: what solvers answer, the plane of two forces, a ladder's slide, and what solvers cost."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
+
+from course.arrays import ArrayLike
+from course.contact import solve
+from course.study.loaded_plank import loaded_plank
+from course.study.solver_growth import SolverGrowth
+from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
+
+COLOURS = ("blue", "vermillion", "green", "purple", "orange", "sky")
+HATCHES = ("", "//", "..", "xx", "\\\\", "--")
+MARKERS = "os^DvP"
+LINES = ("-", "--", "-.", ":", "-", "--")
+
+
+def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Axes:
+    """The forces at each leg side by side, as several solvers answer them; ``forces`` are (c,) each, [N]."""
+    values = {name: np.asarray(f, dtype=float) for name, f in forces.items()}
+    count = len(next(iter(values.values())))
+    with style():
+        ax = axes(ax, size=(8.4, 3.4))
+        width = 0.8 / len(values)
+        for k, ((name, f), colour, hatch) in enumerate(zip(values.items(), COLOURS, HATCHES, strict=False)):
+            place = np.arange(count) + (k - 0.5 * (len(values) - 1)) * width
+            ax.bar(place, f, width, color=PALETTE[colour], hatch=hatch, ec="white", label=name)
+        ax.set_xticks(range(count), [f"leg {i + 1}" for i in range(count)])
+        ax.set(ylabel="force [N]")
+        ax.grid(axis="x", visible=False)
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    spoken = [f"{name}: {', '.join(f'{x:.2f}' for x in f + 0.0)}" for name, f in values.items()]
+    describe(ax, f"Forces at {count} legs in newtons, one bar a solver and leg. {'; '.join(spoken)}.")
+    return ax
+
+
+def force_plane(a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2"), ax: Axes | None = None) -> Axes:
+    """Two contacts: the level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0 and the solution."""
+    matrix, bias = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    forced, f = np.linalg.solve(matrix, -bias), _solved(matrix, bias)
+    reach = 1.25 * max(float(np.abs(forced).max()), float(f.max()))
+    low, high = min(-0.25 * reach, 1.25 * float(forced.min())), reach
+    grid = np.linspace(low, high, 160)
+    f_1, f_2 = np.meshgrid(grid, grid)
+    off = np.stack([f_1, f_2], axis=-1) - forced
+    level = np.sqrt(np.einsum("...i,ij,...j->...", off, matrix, off))
+    with style():
+        ax = axes(ax, size=(5.6, 4.6))
+        ax.contour(f_1, f_2, level, levels=12, colors="0.65", linewidths=0.8)
+        for corner, wide, tall in (((low, low), -low, high - low), ((0.0, low), high, -low)):
+            ax.add_patch(Rectangle(corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2))
+        for i, (colour, line) in enumerate((("blue", "-"), ("green", "--"))):
+            row = matrix[i]
+            along = np.array([low, high])
+            points = (along, -(bias[i] + row[0] * along) / row[1]) if abs(row[1]) > abs(row[0]) else (
+                -(bias[i] + row[1] * along) / row[0], along)  # fmt: skip
+            ax.plot(*points, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
+                    label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
+        ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["vermillion"], zorder=5, label="both forced to 0")
+        ax.plot(*f, ls="none", marker="o", ms=11, mfc="none", mew=2.4, color=PALETTE["black"], zorder=6,
+                label="least with f ≥ 0")  # fmt: skip
+        w = matrix @ f + bias
+        if np.abs(w).max() > 1e-9 * np.abs(bias).max():
+            tip = f + 0.22 * reach * w / np.linalg.norm(w)
+            look = {"arrowstyle": "-|>", "lw": 2.0, "shrinkA": 6, "shrinkB": 0}
+            ax.annotate("", tuple(tip), tuple(f), arrowprops=look, zorder=6)
+        ax.axhline(0, color="0.3", lw=1.0, zorder=2)
+        ax.axvline(0, color="0.3", lw=1.0, zorder=2)
+        ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
+        ax.set(xlabel=f"$f_1$, {names[0]} [N]", ylabel=f"$f_2$, {names[1]} [N]")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    describe(
+        ax,
+        f"The plane of two contact forces in newtons, with ellipses around ({forced[0]:.0f}, {forced[1]:.0f}), where both "
+        f"d_ddot are 0, and the allowed quadrant. The least value in it is at ({f[0] + 0:.0f}, {f[1] + 0:.0f}), where d_ddot is "
+        f"({_plain(w[0])}, {_plain(w[1])}) m/s².",
+    )
+    return ax
+
+
+def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
+    """A plank on two feet with its load at ``load_at`` [m], and beside it the plane of the two forces."""
+    scene = loaded_plank(load_at)
+    system = scene.system()
+    matrix, bias = system.A.toarray(), system.b
+    f = _solved(matrix, bias)
+    w, feet, centre = matrix @ f + bias, scene.contacts.point[:, 1], scene.bodies.position[0, 1]
+    lifted = [name for name, x in zip(("left", "right"), w, strict=True) if x > 1e-9]
+    word = f"the {lifted[0]} foot lifts" if lifted else "both feet stay"
+    if ax is None:
+        _, (ax, plane) = side_by_side(2, size=(11.4, 4.4))
+        force_plane(matrix, bias, names=("left foot", "right foot"), ax=plane)
+    with style():
+        ax.add_patch(Rectangle((-1.5, 0), 3.0, 0.08, fc="0.8", ec="0.3"))
+        ax.add_patch(Rectangle((load_at - 0.15, 0.08), 0.3, 0.3, fc=PALETTE["orange"], ec="0.3", hatch="//"))
+        ax.axhline(-0.12, color="0.3", lw=1.0)
+        ax.plot([centre], [0.04], ls="none", marker="P", ms=10, color=PALETTE["black"], label="centre of mass")
+        for y, force, colour in zip(feet, f, ("blue", "green"), strict=True):
+            ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
+            if force > 1e-9:
+                look = {"arrowstyle": "-|>", "lw": 2.4, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0}
+                ax.annotate("", (y, -0.15), (y, -0.15 - force / 400), arrowprops=look)
+            ax.text(y, -0.15 - max(force, 0) / 400 - 0.03, f"{force + 0:.0f} N", ha="center", va="top", color=PALETTE[colour])
+        ax.set(xlim=(-1.7, 1.7), ylim=(-1.15, 0.75), xlabel="y [m]", yticks=[], title=f"load at {load_at:+.2f} m: {word}")
+        ax.grid(visible=False)
+        ax.legend(loc="upper left")
+    describe(
+        ax,
+        f"A plank on feet at -0.5 m and 0.5 m with a load at {load_at:.2f} m: the left foot carries {f[0] + 0:.0f} N, the "
+        f"right one {f[1] + 0:.0f} N; {word}.",
+    )
+    return ax
+
+
+def ladder_forces(
+    angles: ArrayLike, forces: ArrayLike, closed: ArrayLike, *, leaving: float, ax: Axes | None = None
+) -> Axes:
+    """Forces of floor and wall over a ladder's angle: the closed form as lines, what was solved for as marks.
+
+    Args:
+        angles: (k,) [rad].
+        forces, closed: (k, 2) [N], floor and wall.
+        leaving: the angle at which it leaves the wall [rad].
+    """
+    degrees, f, line = np.degrees(angles), np.asarray(forces), np.asarray(closed)
+    with style():
+        ax = axes(ax, size=(8.0, 4.0))
+        for k, (name, colour, mark, dash) in enumerate((("floor", "blue", "o", "-"), ("wall", "vermillion", "s", "--"))):
+            ax.plot(degrees, line[:, k], color=PALETTE[colour], ls=dash, marker="", label=f"{name}, closed form")
+            ax.plot(degrees, f[:, k], color=PALETTE[colour], ls="none", marker=mark, label=f"{name}, solved")
+        ax.axvline(np.degrees(leaving), color="0.3", ls=":", label=f"leaves the wall: {np.degrees(leaving):.1f}°")
+        ax.axhline(0, color="0.3", lw=0.8)
+        ax.invert_xaxis()
+        ax.set(xlabel="angle to the floor [degrees], falling", ylabel="force [N]")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    last = int(np.argmin(degrees))
+    describe(
+        ax,
+        "Forces of floor and wall on a ladder that slides down, over its angle. Marks lie on the lines of the closed "
+        f"form until it leaves the wall at {np.degrees(leaving):.1f} degrees. After that the closed form of the wall "
+        f"falls to {line[last, 1]:.0f} N and the solved one stays at {f[last, 1] + 0:.0f} N.",
+    )
+    return ax
+
+
+def solver_growth(result: SolverGrowth, *, ax: Axes | None = None) -> Axes:
+    """Time and counted steps of contact solvers over the number of contacts, both logarithmic."""
+    panels: list[tuple[Axes, Any, str]] = []
+    if ax is None:
+        _, (ax, right) = side_by_side(2, size=(11.4, 4.0))
+        panels.append((right, result.steps, "sweeps, pivots or Newton systems"))
+    panels.insert(0, (ax, result.seconds, "time [s]"))
+    with style():
+        for panel, rows, label in panels:
+            for k, name in enumerate(result.method):
+                panel.loglog(result.contacts, rows[k], marker=MARKERS[k], ls=LINES[k], color=PALETTE[COLOURS[k]],
+                             label=name)  # fmt: skip
+            panel.set(xlabel="contacts", ylabel=label)
+        panels[-1][0].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    describe(
+        ax,
+        f"Time and counted steps of {', '.join(result.method)} over {result.contacts[0]:.0f} to "
+        f"{result.contacts[-1]:.0f} contacts, both axes logarithmic.",
+    )
+    return ax
+
+
+def _solved(matrix: np.ndarray, bias: np.ndarray) -> np.ndarray:
+    from course.contact import ContactSystem
+
+    return solve(ContactSystem(matrix, bias)).force
+
+
+def _plain(value: float) -> str:
+    return f"{value if abs(value) > 1e-9 else 0.0:.2f}"
