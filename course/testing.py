@@ -68,7 +68,7 @@ def stages(tier: Tier) -> list[Stage]:
     everything = [
         Stage("lint", ("-m", "ruff", "check", "."), "quick"),
         Stage("unit tests", (*pytest, *workers, "-m", unit, "tests"), "quick"),
-        Stage("doctests", (*pytest, "--doctest-modules", "course"), may_be_empty=True),
+        Stage("doctests", (*pytest, "--doctest-modules", "course")),
         Stage("types", ("-m", "mypy"), "standard"),
         Stage("lessons as built", ("-m", "course", "build", "--check")),
         Stage("solutions, strict", (*notebooks, "--nbval", "solutions"), needs="solutions/*.ipynb"),

@@ -45,6 +45,9 @@ def separation(point_a: ArrayLike, point_b: ArrayLike, normal: ArrayLike) -> Arr
         d, (...) [m].
     Raises:
         ValueError: a wrong shape, NaN or infinity, a normal that is not of unit length.
+    Example:
+        >>> float(separation([0.0, 0.0, 1.5], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]))
+        0.5
     """
     p_a, p_b = vectors("point_a", point_a), vectors("point_b", point_b)
     n = unit_vectors("normal", normal)

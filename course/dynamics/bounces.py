@@ -33,6 +33,9 @@ def wall_bounce(velocity: ArrayLike, normal: ArrayLike, restitution: ArrayLike) 
         v', (..., 3) [m/s].
     Raises:
         ValueError: a wrong shape, restitution outside 0..1, a normal that is not of unit length.
+    Example:
+        >>> wall_bounce([1.0, 0.0, -2.0], [0.0, 0.0, 1.0], 0.5)
+        array([1., 0., 1.])
     """
     v, n = vectors("velocity", velocity), unit_vectors("normal", normal)
     e = in_range("restitution", restitution, 0, 1)
@@ -57,6 +60,9 @@ def bounce_times(height: ArrayLike, restitution: ArrayLike, count: int, gravity:
         Times from the drop, (..., count) [s].
     Raises:
         ValueError: a negative height, restitution outside 0..1, gravity <= 0, count < 1.
+    Example:
+        >>> bounce_times(1.0, 0.5, 3).round(4)
+        array([0.4515, 0.903 , 1.1288])
     """
     count = whole_number("count", count, minimum=1)
     fall, e = _fall(height, restitution, gravity)
@@ -75,6 +81,9 @@ def bounce_rest_time(height: ArrayLike, restitution: ArrayLike, gravity: ArrayLi
         height, restitution, gravity: as in ``bounce_times``.
     Returns:
         Time from the drop, (...) [s].
+    Example:
+        >>> round(float(bounce_rest_time(1.0, 0.5)), 6)
+        1.354571
     """
     fall, e = _fall(height, restitution, gravity)
     return _limit(fall, 1 + e, 1 - e)

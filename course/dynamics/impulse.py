@@ -59,6 +59,9 @@ def momentum_after(
         p1' and p2', (..., 3) [kg m/s].
     Raises:
         ValueError: a wrong shape, NaN or infinity, a normal that is not of unit length.
+    Example:
+        >>> momentum_after([-3.0, 0, 0], [1.0, 0, 0], 4.0, [1.0, 0, 0])
+        (array([1., 0., 0.]), array([-3.,  0.,  0.]))
     """
     p_1, p_2 = vectors("momentum_1", momentum_1), vectors("momentum_2", momentum_2)
     p_hat, n = scalars("impulse", impulse), unit_vectors("normal", normal)
@@ -148,6 +151,12 @@ def impulse_central(
         p_hat >= 0, (...) [N s].
     Raises:
         ValueError: a wrong shape, mass <= 0, restitution outside 0..1, a normal that is not of unit length.
+    Example:
+        A ball of 2 kg meets one of 1 kg at 4 m/s, nothing lost; and the same pair already parting.
+
+        >>> v = np.array([[-3.0, 0, 0], [3.0, 0, 0]])
+        >>> impulse_central(2.0, 1.0, v, [1.0, 0, 0], [1.0, 0, 0], 1.0).round(4)
+        array([5.3333, 0.    ])
     """
     reduced_mass, closing, e = _impact(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
     return (1 + e) * closing * reduced_mass
@@ -176,6 +185,9 @@ def kinetic_energy_lost(
         T_lost >= 0, (...) [J].
     Raises:
         ValueError: as ``impulse_central``.
+    Example:
+        >>> float(kinetic_energy_lost(2.0, 2.0, [-3.0, 0, 0], [1.0, 0, 0], [1.0, 0, 0], 0.5))
+        6.0
     """
     reduced_mass, closing, e = _impact(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
     return 0.5 * reduced_mass * (1 - e) * (1 + e) * closing**2

@@ -43,7 +43,7 @@ PREDICTIONS = (
         unit="s",
         wrong={
             0.4515: "That is the first impact alone.",
-            0.9031: "A rise lasts as long as the fall after it: each later flight counts twice.",
+            0.9030: "A rise lasts as long as the fall after it: each later flight counts twice.",
         },
     ),
     Prediction(
