@@ -1,6 +1,7 @@
 """Widgets to play with: in a lesson ``demos.impulse()``, in front of a room ``course demo impulse``."""
 
 from course.workbook.demos.contact_forces import plank
+from course.workbook.demos.contact_matrix import pushed_table
 from course.workbook.demos.impacts import impulse, wall
 from course.workbook.demos.motion import tumbling, tumbling_scene
 from course.workbook.demos.panel import Panel
@@ -9,6 +10,6 @@ from course.workbook.demos.separation import dome, gap_rate
 from course.workbook.demos.spin import rod
 
 __all__ = [
-    "DEMOS", "Demo", "Panel", "dome", "find_demo", "gap_rate", "impulse", "plank", "rod", "serve",
+    "DEMOS", "Demo", "Panel", "dome", "find_demo", "gap_rate", "impulse", "plank", "pushed_table", "rod", "serve",
     "table", "tumbling", "tumbling_scene", "wall",
 ]  # fmt: skip

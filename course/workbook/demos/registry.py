@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import ipywidgets
 
-from course.workbook.demos import contact_forces, impacts, motion, separation, spin
+from course.workbook.demos import contact_forces, contact_matrix, impacts, motion, separation, spin
 from course.workbook.syllabus import read_syllabus
 
 
@@ -79,6 +79,14 @@ DEMOS = (
         (20, 25),
         5,
         "Drag the load outward: the ellipses' middle leaves the quadrant at 0.75 m, and a foot lifts. What pulls?",
+    ),
+    Demo(
+        "pushed_table",
+        contact_matrix.pushed_table,
+        "Push a table from below: which of its feet feel it?",
+        (21, 22, 24),
+        5,
+        "Push foot 1: the foot across is driven down. Move the push inward until the dashed line meets that foot.",
     ),
 )
 

@@ -6,6 +6,7 @@ what it drew, and returns the Axes, so that a student can go on drawing.
 
 from course.workbook.plots.bounces import bouncing_errors, energy_over_time, heights, reflection
 from course.workbook.plots.charts import stability_sweep, work_precision
+from course.workbook.plots.contact_matrix import matrix_costs, matrix_pattern, pushed_table
 from course.workbook.plots.contact_forces import (
     force_plane,
     ladder_forces,
@@ -70,9 +71,12 @@ __all__ = [
     "ladder_picture",
     "leg_forces",
     "mass_over_face",
+    "matrix_costs",
+    "matrix_pattern",
     "old_point",
     "passing_a_corner",
     "plank_and_forces",
+    "pushed_table",
     "reflection",
     "rod_impact",
     "rod_impulses",

@@ -1,0 +1,66 @@
+"""Pictures of the contact matrix: what is drawn, and that the alternative text says the numbers."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+from course.study.resting_scenes import table, wall
+from course.workbook import demos, plots
+from course.workbook.plots.figure import alternative_text
+
+
+@pytest.fixture(autouse=True)
+def closed_figures():
+    yield
+    plt.close("all")
+
+
+def text(ax):
+    return alternative_text(ax.get_figure(root=True))
+
+
+def test_a_push_at_a_foot_shows_its_column_of_a():
+    ax = plots.pushed_table(-0.5, -0.3)  # foot 3
+    column = table().system().A.toarray()[:, 2]
+    assert ", ".join(f"{v:+.2f}" for v in column) in text(ax)
+    bars = [bar.get_height() for bar in ax.get_figure().axes[1].patches]
+    np.testing.assert_allclose(bars, column, atol=1e-12)
+
+
+def test_without_the_answer_it_says_nothing():
+    ax = plots.pushed_table(answer=False)
+    assert "accelerated" not in text(ax) and len(ax.get_figure().axes) == 1
+
+
+def test_the_still_line_parts_rising_from_sinking():
+    """Feet on the far side of the dashed line go down, and a push at the centre of mass has no such line."""
+    ax = plots.pushed_table(0.5, 0.3)
+    line = next(line for line in ax.lines if line.get_linestyle() == "--")
+    (x_0, x_1), (y_0, y_1) = line.get_data()
+    side = [(x_1 - x_0) * (y - y_0) - (y_1 - y_0) * (x - x_0) for x, y, _ in table().contacts.point]
+    response = table().system().A.toarray()[:, 0]
+    assert np.array_equal(np.sign(side) == np.sign(side[0]), response > 0)
+    even = plots.pushed_table(0.1, 0.05)
+    assert not [line for line in even.lines if line.get_linestyle() == "--"]
+    assert "+1.00, +1.00, +1.00, +1.00" in text(even)
+
+
+def test_pattern_counts_what_is_not_zero():
+    scene = wall(2, 2)
+    ax = plots.matrix_pattern(scene)
+    drawn = sum(len(line.get_xdata()) for line in ax.lines)
+    assert drawn == np.count_nonzero(scene.system().A.toarray())
+    assert "percent of A is not 0" in text(ax)
+
+
+def test_costs_show_the_exponent():
+    n = [10.0, 100.0, 1000.0]
+    ax = plots.matrix_costs({"full": n}, {"full": np.square(n)}, {"full": np.power(n, 3)})
+    assert "full time [s] n^2.0" in text(ax) and "full multiplications n^3.0" in text(ax)
+
+
+def test_the_widget_redraws():
+    panel = demos.pushed_table()
+    before = panel.picture
+    panel.children[0].children[0].value = 0.1
+    assert panel.picture != before
