@@ -122,7 +122,10 @@ def blocks_and_wall(*, ax: Axes | None = None) -> Axes:
 
 
 def _arrow(ax: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str, width: float) -> None:
-    look = {"arrowstyle": "-|>", "lw": width, "color": PALETTE[colour]}
+    """An arrow as long as it says: its head shrinks with it, or all short ones would look alike."""
+    length = float(np.hypot(tip[0] - start[0], tip[1] - start[1]))
+    look = {"arrowstyle": "-|>", "lw": width, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0,
+            "mutation_scale": float(np.clip(24 * length, 3, 12))}  # fmt: skip
     ax.annotate("", tip, start, arrowprops=look)
 
 
