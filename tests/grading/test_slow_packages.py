@@ -44,7 +44,8 @@ def test_what_an_answer_uses_is_loaded_before_its_clock_starts(word):
 def test_a_programme_is_solved_within_the_limits():
     answer = (
         "def f(b):\n    x = cp.Variable(2)\n"
-        "    cp.Problem(cp.Minimize(cp.sum_squares(x) / 2 + b @ x), [x >= 0]).solve(solver=cp.CLARABEL)\n    return x.value"
+        "    cp.Problem(cp.Minimize(cp.sum_squares(x) / 2 + b @ x), [x >= 0]).solve(solver=cp.CLARABEL)\n"
+        "    return x.value"
     )
     job = Job(((IMPORTS, True), (answer, False)), "f", "function", ("b",), 1, ({"b": np.array([-1.0, 2.0])},))
     run = run_job(job, Limits())

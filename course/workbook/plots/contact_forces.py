@@ -40,7 +40,9 @@ def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Ax
     return ax
 
 
-def force_plane(a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2"), ax: Axes | None = None) -> Axes:
+def force_plane(
+    a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2"), ax: Axes | None = None
+) -> Axes:
     """Two contacts: the level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0 and the solution."""
     matrix, bias = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     forced, f = np.linalg.solve(matrix, -bias), _solved(matrix, bias)
@@ -53,6 +55,9 @@ def force_plane(a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2
     with style():
         ax = axes(ax, size=(5.6, 4.6))
         ax.contour(f_1, f_2, level, levels=12, colors="0.65", linewidths=0.8)
+        touching = float(np.sqrt((f - forced) @ matrix @ (f - forced)))
+        if touching > 1e-6:
+            ax.contour(f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6)
         for corner, wide, tall in (((low, low), -low, high - low), ((0.0, low), high, -low)):
             ax.add_patch(Rectangle(corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2))
         for i, (colour, line) in enumerate((("blue", "-"), ("green", "--"))):
@@ -62,7 +67,15 @@ def force_plane(a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2
                 -(bias[i] + row[1] * along) / row[0], along)  # fmt: skip
             ax.plot(*points, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
                     label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
-        ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["vermillion"], zorder=5, label="both forced to 0")
+        ax.plot(
+            *forced,
+            ls="none",
+            marker="X",
+            ms=9,
+            color=PALETTE["vermillion"],
+            zorder=5,
+            label="both forced to 0",
+        )
         ax.plot(*f, ls="none", marker="o", ms=11, mfc="none", mew=2.4, color=PALETTE["black"], zorder=6,
                 label="least with f ≥ 0")  # fmt: skip
         w = matrix @ f + bias
@@ -77,8 +90,9 @@ def force_plane(a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     describe(
         ax,
-        f"The plane of two contact forces in newtons, with ellipses around ({forced[0]:.0f}, {forced[1]:.0f}), where both "
-        f"d_ddot are 0, and the allowed quadrant. The least value in it is at ({f[0] + 0:.0f}, {f[1] + 0:.0f}), where d_ddot is "
+        f"The plane of two contact forces in newtons, with ellipses around ({forced[0]:.0f}, {forced[1]:.0f}), where "
+        f"both d_ddot are 0, and the allowed quadrant. The least value in it is at ({f[0] + 0:.0f}, {f[1] + 0:.0f}), "
+        "where d_ddot is "
         f"({_plain(w[0])}, {_plain(w[1])}) m/s².",
     )
     return ax
@@ -100,20 +114,35 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
         ax.add_patch(Rectangle((-1.5, 0), 3.0, 0.08, fc="0.8", ec="0.3"))
         ax.add_patch(Rectangle((load_at - 0.15, 0.08), 0.3, 0.3, fc=PALETTE["orange"], ec="0.3", hatch="//"))
         ax.axhline(-0.12, color="0.3", lw=1.0)
-        ax.plot([centre], [0.04], ls="none", marker="P", ms=10, color=PALETTE["black"], label="centre of mass")
+        ax.plot(
+            [centre], [0.04], ls="none", marker="P", ms=10, color=PALETTE["black"], label="centre of mass"
+        )
         for y, force, colour in zip(feet, f, ("blue", "green"), strict=True):
             ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
             if force > 1e-9:
                 look = {"arrowstyle": "-|>", "lw": 2.4, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0}
                 ax.annotate("", (y, -0.15), (y, -0.15 - force / 400), arrowprops=look)
-            ax.text(y, -0.15 - max(force, 0) / 400 - 0.03, f"{force + 0:.0f} N", ha="center", va="top", color=PALETTE[colour])
-        ax.set(xlim=(-1.7, 1.7), ylim=(-1.15, 0.75), xlabel="y [m]", yticks=[], title=f"load at {load_at:+.2f} m: {word}")
+            ax.text(
+                y,
+                -0.15 - max(force, 0) / 400 - 0.03,
+                f"{force + 0:.0f} N",
+                ha="center",
+                va="top",
+                color=PALETTE[colour],
+            )
+        ax.set(
+            xlim=(-1.7, 1.7),
+            ylim=(-1.15, 0.75),
+            xlabel="y [m]",
+            yticks=[],
+            title=f"load at {load_at:+.2f} m: {word}",
+        )
         ax.grid(visible=False)
         ax.legend(loc="upper left")
     describe(
         ax,
-        f"A plank on feet at -0.5 m and 0.5 m with a load at {load_at:.2f} m: the left foot carries {f[0] + 0:.0f} N, the "
-        f"right one {f[1] + 0:.0f} N; {word}.",
+        f"A plank on feet at -0.5 m and 0.5 m with a load at {load_at:.2f} m: the left foot carries {f[0] + 0:.0f} N, "
+        f"the right one {f[1] + 0:.0f} N; {word}.",
     )
     return ax
 
@@ -131,10 +160,16 @@ def ladder_forces(
     degrees, f, line = np.degrees(angles), np.asarray(forces), np.asarray(closed)
     with style():
         ax = axes(ax, size=(8.0, 4.0))
-        for k, (name, colour, mark, dash) in enumerate((("floor", "blue", "o", "-"), ("wall", "vermillion", "s", "--"))):
-            ax.plot(degrees, line[:, k], color=PALETTE[colour], ls=dash, marker="", label=f"{name}, closed form")
+        for k, (name, colour, mark, dash) in enumerate(
+            (("floor", "blue", "o", "-"), ("wall", "vermillion", "s", "--"))
+        ):
+            ax.plot(
+                degrees, line[:, k], color=PALETTE[colour], ls=dash, marker="", label=f"{name}, closed form"
+            )
             ax.plot(degrees, f[:, k], color=PALETTE[colour], ls="none", marker=mark, label=f"{name}, solved")
-        ax.axvline(np.degrees(leaving), color="0.3", ls=":", label=f"leaves the wall: {np.degrees(leaving):.1f}°")
+        ax.axvline(
+            np.degrees(leaving), color="0.3", ls=":", label=f"leaves the wall: {np.degrees(leaving):.1f}°"
+        )
         ax.axhline(0, color="0.3", lw=0.8)
         ax.invert_xaxis()
         ax.set(xlabel="angle to the floor [degrees], falling", ylabel="force [N]")

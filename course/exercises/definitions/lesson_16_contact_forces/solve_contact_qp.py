@@ -1,0 +1,123 @@
+"""Lesson 16: the quadratic programme of the slide, in cvxpy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
+from course.exercises.definitions.lesson_16_contact_forces.shared import (
+    LEVER,
+    PAIR,
+    ROW,
+    TWICE,
+    A,
+    B,
+    drawn_system,
+)
+
+
+def _solution(a: Any, b: Any) -> np.ndarray:
+    """The least forces that solve; the shift makes them unique without being seen."""
+    from course.contact.solvers.pivot import solve_pivot
+
+    return solve_pivot(np.asarray(a) + 1e-11 * np.trace(a) * np.eye(len(b)), b).force
+
+
+def _unlimited(a: Any, b: Any) -> np.ndarray:
+    return np.linalg.lstsq(a, -np.asarray(b), rcond=1e-12)[0]
+
+
+def _least_squares(a: Any, b: Any) -> np.ndarray:
+    return _solution(np.asarray(a) @ a, np.asarray(a) @ b)
+
+
+def _limited_by_contacts(a: Any, b: Any) -> np.ndarray:
+    """The least q with A f <= b: f = f_unlimited - y, where y solves the three conditions for A and 2 b."""
+    return _unlimited(a, b) - _solution(a, 2.0 * np.asarray(b))
+
+
+def _quadratic_programmes(rng: np.random.Generator) -> Sequence[Case]:
+    drawn = drawn_system(rng, 3)[0]
+    down = -np.round(rng.uniform(2, 9, 3), 1)
+    down[0] = -20.0  # much more than the others, of which one may lift
+    return [
+        Case("a book of 1.5 kg", {"a": np.array([[1 / 1.5]]), "b": np.array([-9.81])}),
+        Case("two contacts", {"a": PAIR, "b": np.array([-1.0, -1.0])}),
+        Case("one foot lifts", {"a": LEVER, "b": np.array([-1.0, -2.0])}),
+        Case("three contacts in a row", {"a": ROW, "b": np.array([-9.0, -1.0, -2.0])}),
+        Case("three drawn contacts", {"a": drawn, "b": down}),
+        Case("nothing pushes", {"a": PAIR, "b": np.array([0.5, 0.2])}, "edge"),
+        Case("one contact given twice", {"a": TWICE, "b": np.array([-9.81, -9.81])}, "edge"),
+    ]
+
+
+def _rows(given: Mapping[str, Any], f: Any) -> tuple[Any, Any]:
+    """D f and w, over max |b|."""
+    a, b = given["a"], given["b"]
+    if np.shape(f) != np.shape(b):
+        raise ValueError("another shape")
+    return np.diagonal(a) * f / np.abs(b).max(), (a @ f + b) / np.abs(b).max()
+
+
+#: Clarabel comes within 2e-7 of max |b| with f >= 0 alone, and within 7e-5 where a student also writes d_ddot >= 0 as
+#: a limit, which is right but repeats what comes out anyway. Every planted mistake is off by a hundredth or more.
+NEAR = 2e-4
+
+CONDITIONS = (
+    Property("f >= 0", lambda given, f: np.minimum(_rows(given, f)[0], 0),
+             "A force is below 0: a contact that pulls.", NEAR),
+    Property("d_ddot >= 0", lambda given, f: np.minimum(_rows(given, f)[1], 0),
+             "d_ddot = A f + b is below 0: bodies sink into each other.", NEAR),
+    Property("f d_ddot = 0", lambda given, f: np.maximum(np.minimum(*_rows(given, f)), 0),
+             "A contact pushes, f > 0, where the bodies part, d_ddot > 0.", NEAR),
+)  # fmt: skip
+
+SOLVE_CONTACT_QP = Exercise(
+    name="solve_contact_qp",
+    rows=(25,),
+    points=3,
+    minutes=10,
+    task="Return the f that minimises f'A f/2 + b'f subject to f >= 0, by cvxpy with the solver CLARABEL.",
+    arguments=(A, B),
+    results=(Value("f", "(c,)", "N", "contact forces", relative=5e-4, absolute=5e-4),),
+    reference=_solution,  # it shows the shape; what is right is judged by the three conditions
+    judged_by="properties",
+    properties=CONDITIONS,
+    cases=_quadratic_programmes,
+    mistakes=(
+        Mistake("not limited", _unlimited,
+                "f is not limited to f >= 0: this is the force that makes every d_ddot = 0, and some contacts pull."),
+        Mistake("clamped after solving", lambda a, b: np.maximum(_unlimited(a, b), 0.0),
+                "Solved without the limit, and what pulled set to 0 afterwards. The other forces were found for "
+                "a contact that pulls, and do not fit once it is gone. The limit belongs into the programme."),
+        Mistake("half forgotten", lambda a, b: 0.5 * _solution(a, b),
+                "All forces are half of what they should be: the 1/2 before f'A f is missing, so its slope is 2 A f."),
+        Mistake("sign of b", lambda a, b: _solution(a, -np.asarray(b)),
+                "The sign of b is turned round: the objective has + b'f."),
+        Mistake("f <= 0", lambda a, b: -_solution(a, -np.asarray(b)),
+                "The limit is turned round: f <= 0. On the slide's form A x <= b it is -f <= 0."),
+        Mistake("A and b of the contacts in the limit", _limited_by_contacts,
+                "The limit is A f <= b with the A and b of the contacts. The slide's letters mean two things: the "
+                "limit on the forces is -f <= 0."),
+        Mistake("as printed", lambda a, b: np.zeros(len(b)),
+                "f = 0 everywhere: it satisfies f >= 0 and f d_ddot = 0, and all that lies on something falls through. "
+                "An objective that is f d_ddot alone, or a constraint f <= 0, ends here too."),
+        Mistake("least squares of d_ddot", _least_squares,
+                "You minimise |A f + b|^2, which makes the d_ddot small. It is f'A f/2 + b'f whose slope is d_ddot; "
+                "where a foot lifts, d_ddot is to be above 0, not small."),
+        Mistake("A left out", lambda a, b: np.maximum(-np.asarray(b), 0.0),
+                "The quadratic part is f.f/2, without A: every contact is treated as a body of 1 kg by itself."),
+        Mistake("each contact alone", lambda a, b: np.maximum(-np.asarray(b) / np.diagonal(a), 0.0),
+                "Only the diagonal of A is used: each contact is solved as if there were no other."),
+    ),
+    hints=(
+        "Four steps: a variable, an objective, one constraint, solve. Your function returns f.value.",
+        "f = cp.Variable(len(b)). The objective is cp.Minimize(...) of half cp.quad_form(f, cp.psd_wrap(a)) plus "
+        "b @ f. The list of constraints holds f >= 0.",
+        "f = cp.Variable(len(b))\nobjective = cp.Minimize(____ * cp.quad_form(f, cp.psd_wrap(a)) + b @ f)\n"
+        "cp.Problem(objective, [____]).solve(solver=cp.CLARABEL)\nreturn f.value",
+    ),
+)  # fmt: skip
