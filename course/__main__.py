@@ -18,7 +18,7 @@ def main(arguments=None):
 
         arguments = list(sys.argv[1:] if arguments is None else arguments)
         try:
-            environment.ensure(arguments)
+            environment.ensure(arguments, _make)
             from course import cli
 
             return cli.run(arguments)
@@ -27,6 +27,12 @@ def main(arguments=None):
             return 2
     except KeyboardInterrupt:
         return 130
+
+
+def _make(root, extras):
+    from course import installation      # newer Python than this file needs
+
+    installation.make(root, extras)
 
 
 if __name__ == "__main__":

@@ -180,8 +180,10 @@ def demo(
     if listing or name is None:
         typer.echo(demos.table())
         return
+    from course.workbook.demos import full_screen
+
     with plainly():
-        code = demos.serve(name, port=port, browser=browser)
+        code = full_screen.serve(name, port=port, browser=browser)
     raise typer.Exit(code)
 
 

@@ -5,7 +5,7 @@ Standard library only, nothing of the house. ``ensure`` decides, in this order:
 1. a complete ``.venv`` that this project made wins: the program goes on in it;
 2. where every requirement of ``pyproject.toml`` is met already (conda, Colab,
    an environment of one's own), the running interpreter is used as it is;
-3. otherwise ``installation.make`` makes, completes or renews ``.venv`` first.
+3. otherwise ``.venv`` is made, completed or renewed first, by the ``make`` it is given.
 
 Written so that Python 3.6 can read it: a ``.venv`` made by a newer Python
 serves even where ``python3`` is an old one, and where there is none the old one
@@ -32,11 +32,12 @@ class SetupError(Exception):
     """What is wrong and how it is cured, in one sentence for the person at the keyboard."""
 
 
-def ensure(arguments, root=None):
+def ensure(arguments, make, root=None):
     """Return when the running interpreter can serve; otherwise go on in ``.venv`` and do not return.
 
     ``arguments`` are the command line's; ``test --all`` also needs the optional
-    packages. ``root`` is the checkout (found from this file). Raises SetupError.
+    packages. ``make(root, extras)`` makes a complete ``.venv`` (``installation.make``).
+    ``root`` is the checkout (found from this file). Raises SetupError.
     """
     root = root or project_root()
     if root is None:                     # installed as a library: pip has seen to the requirements
@@ -53,9 +54,7 @@ def ensure(arguments, root=None):
         if not renew_inside and is_new_enough() and not unmet_requirements(root, extras):
             return
         require_python()
-        from course import installation
-
-        installation.make(root, extras)
+        make(root, extras)
     elif inside:
         activate(venv)
         return

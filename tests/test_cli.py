@@ -211,7 +211,7 @@ def test_without_a_checkout_it_is_said(monkeypatch, capsys):
 
 
 def test_main_ends_with_the_code_of_the_command(monkeypatch):
-    monkeypatch.setattr(environment, "ensure", lambda arguments: None)
+    monkeypatch.setattr(environment, "ensure", lambda arguments, make: None)
     monkeypatch.setattr(cli, "run", lambda arguments: 3)
     assert main(["anything"]) == 3
 

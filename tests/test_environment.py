@@ -241,7 +241,7 @@ def test_a_foreign_environment_is_never_touched(project, kind, monkeypatch):
     before = snapshot(project)
     monkeypatch.setattr(environment, "unmet_requirements", lambda *arguments: ["tiny"])
     with pytest.raises(SetupError, match="was not made by this project and is left alone. Rename or delete it"):
-        environment.ensure([], root=str(project))
+        environment.ensure([], installation.make, root=str(project))
     assert environment.state(str(project)) == "foreign"
     assert snapshot(project) == before and os.path.lexists(venv)
 
@@ -266,28 +266,28 @@ def decided(monkeypatch):
 
 def test_a_complete_environment_of_ours_wins(project, decided):
     venv = pretend_complete(project)
-    environment.ensure([], root=str(project))
+    environment.ensure([], installation.make, root=str(project))
     assert decided == [("enter", str(venv))]
 
 
 def test_where_all_is_met_the_running_interpreter_is_used(project, decided):
-    environment.ensure([], root=str(project))
+    environment.ensure([], installation.make, root=str(project))
     assert decided == []
     make_foreign(project, "folder")
-    environment.ensure([], root=str(project))
+    environment.ensure([], installation.make, root=str(project))
     assert decided == []
 
 
 def test_otherwise_it_is_made_and_entered(project, decided, monkeypatch):
     monkeypatch.setattr(environment, "unmet_requirements", lambda root, extras: ["tiny"])
-    environment.ensure(["test", "--all"], root=str(project))
+    environment.ensure(["test", "--all"], installation.make, root=str(project))
     assert decided == [("make", True), ("enter", str(project / ".venv"))]
 
 
 def test_inside_a_complete_one_the_program_just_goes_on(project, decided, monkeypatch):
     venv = pretend_complete(project)
     monkeypatch.setattr(sys, "prefix", str(venv))
-    environment.ensure([], root=str(project))
+    environment.ensure([], installation.make, root=str(project))
     assert decided == [] and os.environ["VIRTUAL_ENV"] == str(venv)
     assert os.environ["PATH"].startswith(str(Path(environment.venv_python(str(venv))).parent))
 
@@ -295,7 +295,7 @@ def test_inside_a_complete_one_the_program_just_goes_on(project, decided, monkey
 def test_inside_a_stale_one_it_is_renewed(project, decided, monkeypatch):
     venv = pretend_complete(project, lock="0")
     monkeypatch.setattr(sys, "prefix", str(venv))
-    environment.ensure([], root=str(project))
+    environment.ensure([], installation.make, root=str(project))
     assert decided == [("make", False), ("enter", str(venv))]
 
 
@@ -303,7 +303,7 @@ def test_an_environment_whose_python_is_another_s_does_not_loop(project, decided
     venv = pretend_complete(project)
     monkeypatch.setenv(environment.ENTERED, str(venv))
     with pytest.raises(SetupError, match="starts a Python that does not belong to it. Delete that folder"):
-        environment.ensure([], root=str(project))
+        environment.ensure([], installation.make, root=str(project))
     assert environment.ENTERED not in os.environ
 
 
@@ -651,6 +651,6 @@ def test_installed_without_a_checkout_there_is_nothing_to_do(tmp_path):
     (tmp_path / "course").mkdir()
     for name in ("__init__.py", "environment.py"):
         shutil.copy(ROOT / "course" / name, tmp_path / "course" / name)
-    code = "from course import environment as e; print(e.project_root(), e.ensure([]))"
+    code = "from course import environment as e; print(e.project_root(), e.ensure([], None))"
     assert subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True,
                           text=True, check=True).stdout == "None None\n"  # fmt: skip

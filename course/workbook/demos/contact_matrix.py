@@ -11,8 +11,8 @@ def pushed_table() -> Panel:
     return Panel(
         contact_matrix.pushed_table,
         {
-            "x": slider("push at x", 0.5, -0.55, 0.55, 0.05, "m"),
-            "y": slider("push at y", 0.3, -0.35, 0.35, 0.05, "m"),
+            "x": slider("push at x", 0.5, -0.55, 0.55, 0.01, "m"),
+            "y": slider("push at y", 0.3, -0.35, 0.35, 0.01, "m"),
             "offset_x": slider("centre of mass, x", 0.1, -0.3, 0.3, 0.05, "m"),
             "offset_y": slider("centre of mass, y", 0.05, -0.2, 0.2, 0.05, "m"),
         },

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import nbformat
 
-from course.workbook.demos.registry import Demo
+from course.workbook.demos.registry import Demo, find_demo
 
 SHARE = Path(__file__).with_name("share")  # the page template, which fetches nothing from outside
 
@@ -23,8 +23,9 @@ def notebook_of(demo: Demo) -> nbformat.NotebookNode:
     return nbformat.v4.new_notebook(cells=[heading, code], metadata=metadata)
 
 
-def serve_demo(demo: Demo, *, browser: bool = True, port: int | None = None) -> int:
-    """Serve until interrupted; returns Voila's exit code. A taken port gets the next one."""
+def serve(name: str, *, browser: bool = True, port: int | None = None) -> int:
+    """Serve the demo of this name until interrupted; returns Voila's exit code. A taken port gets the next one."""
+    demo = find_demo(name)
     with tempfile.TemporaryDirectory(prefix="course-demo-") as folder:
         path = Path(folder) / f"{demo.name}.ipynb"
         nbformat.write(notebook_of(demo), path)

@@ -104,7 +104,7 @@ class TumblingDemo(ipywidgets.VBox):
         parts = dict(zip((f"about {name}" for name in motion.AXIS_NAMES), tumble.turning_energy.T, strict=True))
         with motion.style():
             figure, ax = plt.subplots(figsize=(5.4, 4.2))
-            motion.energies(tumble.times, parts, title="energy of turning", ax=ax)
+            motion.energies(tumble.times, parts, title="Energy of turning", ax=ax)
             over = ", ".join(f"{when:.2f}" for when in turnover_times(tumble, self.axis.value))
             describe(ax, f"It lies across its axis of spin at {over} s." if over else "It never turns over.")
             ax.set_ylim(0.0, 1.12 * float(tumble.turning_energy[0].sum()))

@@ -102,16 +102,9 @@ def find_demo(name: str) -> Demo:
 def table() -> str:
     """The demos, a line each, with the slides they go with and the minutes they take."""
     slides = {row.number: row.slide for row in read_syllabus()}
-    lines = [f"{'name':10} {'slides':10} {'minutes':8} what it shows"]
+    lines = [f"{'name':12} {'slides':10} {'minutes':8} what it shows"]
     for demo in DEMOS:
         shown = sorted({slides[row] for row in demo.rows})
         numbers = f"{shown[0]}-{shown[-1]}" if len(shown) > 1 else f"{shown[0]}"
-        lines.append(f"{demo.name:10} {numbers:10} {demo.minutes:<8} {demo.title}")
+        lines.append(f"{demo.name:12} {numbers:10} {demo.minutes:<8} {demo.title}")
     return "\n".join(lines)
-
-
-def serve(name: str, *, port: int | None = None, browser: bool = True) -> int:
-    """Serve a demo full screen until interrupted."""
-    from course.workbook.demos.full_screen import serve_demo
-
-    return serve_demo(find_demo(name), port=port, browser=browser)
