@@ -215,13 +215,13 @@ def test_main_ends_with_the_code_of_the_command(monkeypatch):
     monkeypatch.setattr(cli, "run", lambda arguments: 3)
     assert main(["anything"]) == 3
 
-    def fail(arguments):
+    def fail(arguments, make):
         raise environment.SetupError("no network")
 
     monkeypatch.setattr(environment, "ensure", fail)
     assert main([]) == 2
 
-    def interrupted(arguments):
+    def interrupted(arguments, make):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(environment, "ensure", interrupted)
