@@ -64,3 +64,10 @@ def test_the_widget_redraws():
     before = panel.picture
     panel.children[0].children[0].value = 0.1
     assert panel.picture != before
+
+
+def test_a_foot_on_the_still_line_feels_nothing():
+    """1 - 1.75 p_y - 2 p_x = 0 for foot 3 with the push at (0.46, 0.21) m: the lesson names this place."""
+    ax = plots.pushed_table(0.46, 0.21)
+    heights = [bar.get_height() for bar in ax.get_figure().axes[1].patches]
+    assert heights[2] == pytest.approx(0, abs=1e-12) and min(heights[0], heights[1], heights[3]) > 0.3

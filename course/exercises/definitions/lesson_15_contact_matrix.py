@@ -35,7 +35,8 @@ def _ladder(*, factor: float = -3.0, power: float = 1.0, form: str = "both", ext
 
             return -3 * sympy.sin(theta) * sympy.cos(theta) / mass
         sin, cos = np.sin(theta), np.cos(theta)
-        shape = {"both": sin * cos, "cos": cos * cos, "sin": sin * sin, "arm": sin * cos * ell, "none": 0.0 * sin}[form]
+        shape = {"both": sin * cos, "cos": cos * cos, "sin": sin * sin, "arm": sin * cos / ell,
+                 "unit": sin * cos / ell**2, "none": 0.0 * sin}[form]
         return factor * shape / mass**power + extra / mass + 0.0 * ell
 
     return function
@@ -87,6 +88,8 @@ LADDER_ENTRY = Exercise(
         Mistake("mass forgotten", _ladder(power=0.0), "The mass is missing: it stands in I = m l^2/12."),
         Mistake("one arm left out", _ladder(factor=-6.0, form="arm"), "A length is left over, as if one of the "
                 "two arms were missing: the torque brings one, the way from the turn to the foot the other."),
+        Mistake("directions for arms", _ladder(factor=-12.0, form="unit"), "Your arms have length 1. Each is half the "
+                "ladder long, and then the length cancels."),
         Mistake("inertia for its inverse", _with_inertia, "You multiply by the inertia. The angular acceleration is "
                 "torque divided by I."),
     ),
@@ -161,6 +164,8 @@ POINT_RESPONSE = Exercise(
                 "turns the body as well."),
         Mistake("only turning", response(moving=0.0), "The push also accelerates the body as a whole, by F/m."),
         Mistake("mass forgotten", response(divided=False), "The force is added as it is, in N: divide it by the mass."),
+        Mistake("mass without an axis", response(axis=False), "Right for one mass. A batch of masses needs one more "
+                "axis before it divides vectors: np.asarray(mass)[..., None]."),
         Mistake("inertia not used", response(apply=lambda m, v: v + 0.0 * m[..., 0]), "The torque is used as if it "
                 "were omega_dot: it has to go through I^-1."),
         Mistake("inertia for its inverse", response(apply=lambda m, v: times(np.linalg.pinv(m), v)),
@@ -261,6 +266,10 @@ CONTACT_MATRIX_ENTRY = Exercise(
                 "that answers. The torque is made where the body is pushed: r_j = p_j - x."),
         Mistake("pushed along N_i", entry(normals=lambda n_i, n_j: (n_i, n_i)), "You push along the normal of the "
                 "contact that answers. The force at j acts along N_j."),
+        Mistake("not along N_i", entry(normals=lambda n_i, n_j: (np.eye(3), n_j)), "Your answer is the acceleration of "
+                "the point, a vector. The gap feels its part along the normal: dot it with N_i."),
+        Mistake("inertia for its inverse", entry(apply=lambda m, v: times(np.linalg.pinv(m), v)), "You invert the "
+                "inertia once more: what is given is the inverse already. Only its axes have to be turned."),
         Mistake("normals left out", entry(dotted=False), "The first part is 1/m, as if both pushes had one "
                 "direction. It is N_i.N_j/m."),
         Mistake("asked along N_j", entry(normals=lambda n_i, n_j: (n_j, n_j)), "You take the part of the answer along "

@@ -54,6 +54,7 @@ def response(
     moving: float = 1.0,
     crossed: bool = True,
     divided: bool = True,
+    axis: bool = True,
     apply: Callable[[Any, Any], Any] = lambda matrix, vector: np.einsum("...ij,...j->...i", matrix, vector),
 ) -> Callable[..., Any]:
     """The acceleration of a point of a pushed body, with the slips that the options say."""
@@ -61,7 +62,9 @@ def response(
     def function(mass: Any, inverse_inertia: Any, arm: Any, push_arm: Any, push: Any) -> Any:
         answering, pushed = arms(np.asarray(arm), np.asarray(push_arm))
         spin = apply(np.asarray(inverse_inertia), np.cross(pushed, push))
-        linear = np.asarray(push) / np.asarray(mass)[..., None] if divided else np.asarray(push)
+        linear = np.asarray(push)
+        if divided:
+            linear = linear / (np.asarray(mass)[..., None] if axis else mass)
         return moving * linear + turning * (np.cross(spin, answering) if crossed else spin)
 
     return function
