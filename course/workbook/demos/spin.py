@@ -11,7 +11,7 @@ def rod() -> Panel:
     return Panel(
         spin.rod_impact,
         {
-            "place": slider("hit at (0 middle, 1 lower end)", 1.0, -1.0, 1.0, 0.05),
+            "place": slider("hit at (0 middle, 1 end)", 1.0, -1.0, 1.0, 0.05),
             "angle": slider("angle of the rod", 0.0, 0.0, 90.0, 1.0, "°"),
             "restitution": slider("restitution e", 1.0, 0.0, 1.0, 0.05),
         },

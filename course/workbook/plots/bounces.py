@@ -26,9 +26,9 @@ def reflection(
     after = wall_bounce(before, normal, restitution)
     with style():
         ax = axes(ax, size=(5.6, 4.6))
-        ends = np.outer([-1.5, 1.5], along)
+        ends = np.outer([-3.0, 3.0], along)     # beyond the frame at every angle
         ax.plot(ends[:, 0], ends[:, 1], color="0.25", lw=3, ls="-", marker="")
-        ax.fill(*np.vstack([ends, ends[::-1] - 0.25 * normal])[:, :2].T, color="0.88", lw=0)
+        ax.fill(*np.vstack([ends, ends[::-1] - 0.25 * normal])[:, :2].T, color="0.88", lw=0, zorder=0)
         _arrow(ax, -before, np.zeros(3), "blue", "v before", at_start=True)
         _arrow(ax, np.zeros(3), after, "vermillion", "v after")
         _arrow(ax, np.zeros(3), 0.55 * normal, "black", "n", lw=1.4)
@@ -36,9 +36,10 @@ def reflection(
             corner = tail + np.sum((tip - tail) * along) * along     # first along the wall, then along n
             path = np.array([tail, corner, tip])[:, :2] + 0.02 * normal[:2]
             ax.plot(*path.T, color=PALETTE[colour], lw=1.8, ls=":", marker="")
-        ax.set(xlim=(-1.45, 1.45), ylim=(-1.2, 1.2), aspect="equal", xlabel="x [m/s]", ylabel="y [m/s]")
-        come, leave = float(np.sum(before * normal)), float(np.sum(after * normal))
-        ax.set_title(f"along n: {come:+.2f} m/s before, {leave:+.2f} m/s after")
+        ax.set(xlim=(-1.57, 1.57), ylim=(-1.3, 1.3), aspect="equal", xlabel="x [m/s]", ylabel="y [m/s]")
+        come, leave = (round(float(np.sum(v * normal)), 2) + 0.0 for v in (before, after))  # no -0.00
+        told = f"{come:+.2f} m/s before, {leave:+.2f} m/s after" if come < 0 else f"{leave:+.2f} m/s, no bounce"
+        ax.set_title(f"Along n: {told}")
     describe(
         ax,
         f"A wall at {wall_angle:.0f} degrees and a ball at 1 m/s going at {incoming_angle:.0f} degrees, e = "
@@ -59,7 +60,8 @@ def _arrow(
     ax.annotate("", (tip[0], tip[1]), (start[0], start[1]), arrowprops=look)
     end, sign = (start, -1.0) if at_start else (tip, 1.0)
     x, y, _ = end + sign * 0.2 * (tip - start) / length
-    ax.text(x, y, label, color=PALETTE[colour], ha="center", va="center")
+    ground = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.8}
+    ax.text(x, y, label, color=PALETTE[colour], ha="center", va="center", bbox=ground)
 
 
 def heights(motions: Mapping[str, BallMotion], *, rest: float | None = None, ax: Axes | None = None) -> Axes:

@@ -27,7 +27,10 @@ def energies(times: ArrayLike, parts: Mapping[str, ArrayLike], *, title: str = "
         ax.plot(t, total, color="black", lw=5, alpha=0.3, ls="-", marker="", zorder=1, label="their sum")
         ax.set(xlabel="time [s]", ylabel="energy [J]", title=title)
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    told = "; ".join(f"{n} runs from {np.min(v):.3g} to {np.max(v):.3g} J" for n, v in parts.items())
+    # What is nothing beside the largest is told as 0.
+    least = 1e-6 * max(float(np.max(np.abs(v))) for v in parts.values())
+    runs = {n: [0.0 if abs(e) < least else e for e in (np.min(v), np.max(v))] for n, v in parts.items()}
+    told = "; ".join(f"{n} runs from {low:.3g} to {high:.3g} J" for n, (low, high) in runs.items())
     what = f"{title or 'Energy'} over {t[0]:g} to {t[-1]:g} s"
     describe(ax, f"{what}: {told}. Their sum changes by {np.ptp(total):.2g} J.")
     return ax

@@ -111,6 +111,16 @@ class Scene:
         return 0.5 * float(np.linalg.norm(self.bounds[1] - self.bounds[0]))
 
     @property
+    def reach(self) -> float:
+        """How far from its centre anything is ever to be seen [m]; less than ``radius`` where a body turns."""
+        far = [a.origin + part * a.length - self.center for a in self.arrows for part in (0.0, 1.0)]
+        farthest = max((float(np.linalg.norm(p, axis=-1).max(initial=0.0)) for p in far), default=0.0)
+        if self.solids:
+            away = np.linalg.norm(self.position - self.center, axis=-1) + [s.reach for s in self.solids]
+            farthest = max(farthest, float(away.max()))
+        return farthest
+
+    @property
     def arrow_width(self) -> float:
         """Radius of an arrow's shaft [m]."""
         return 0.011 * self.radius

@@ -15,6 +15,7 @@ from course.workbook.viewer.scene import CAMERAS, Scene
 from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
 
 _LIGHT = np.array([0.35, -0.5, 0.79])
+_FINE = 1000  # triangles, at least
 
 
 def draw(scene: Scene, *, time: float | None = None, ax: Any = None) -> Any:
@@ -85,10 +86,20 @@ def _triangles(ax: Any, scene: Scene, index: int) -> None:
         corners.append(triangles)
         colors.append(np.broadcast_to(mpl.colors.to_rgb(PALETTE[arrows.color]), (len(triangles), 3)))
     faces, paint = np.concatenate(corners), np.concatenate(colors)
+    while len(faces) < _FINE:
+        faces, paint = _quartered(faces), np.repeat(paint, 4, axis=0)
     shaded = paint * _brightness(faces)[:, None]
     ax.add_collection3d(
         Poly3DCollection(faces, facecolors=shaded, edgecolors=shaded, linewidths=0.3, zorder=1)
     )
+
+
+def _quartered(faces: Array) -> Array:
+    """Each triangle as four: matplotlib sorts whole triangles by depth, and errs less with small ones."""
+    a, b, c = np.moveaxis(faces, 1, 0)
+    ab, bc, ca = 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)
+    four = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+    return np.stack([np.stack(corners, axis=1) for corners in four], axis=1).reshape(-1, 3, 3)
 
 
 def _brightness(faces: Array) -> Array:
@@ -101,7 +112,7 @@ def _brightness(faces: Array) -> Array:
 def ground_lines(scene: Scene, *, lines: int = 9) -> Array:
     """The grid of the ground plane: segments (2 * lines, 2, 3) [m]."""
     assert scene.ground is not None
-    half = 0.72 * max(scene.radius, 1e-9)
+    half = 0.95 * max(scene.reach, 1e-9)
     at = np.linspace(-half, half, lines)
     segments = np.zeros((2 * lines, 2, 3))
     segments[:lines, :, 0], segments[:lines, 0, 1], segments[:lines, 1, 1] = at[:, None], -half, half
@@ -123,7 +134,7 @@ def _frame(ax: Any, scene: Scene) -> None:
     ax.view_init(elev=elevation, azim=azimuth)
     if scene.camera != "corner":
         ax.set_proj_type("ortho")
-    half = 0.66 * max(scene.radius, 1e-9)
+    half = max(scene.reach, 1e-9)
     for set_limits, middle in zip((ax.set_xlim, ax.set_ylim, ax.set_zlim), scene.center, strict=True):
         set_limits(middle - half, middle + half)
     ax.set_box_aspect((1, 1, 1), zoom=1.05)

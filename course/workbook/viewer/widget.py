@@ -18,6 +18,7 @@ from course.workbook.viewer.still import draw, ground_lines
 MOST_FRAMES = 300
 _FRAMES_A_SECOND = 30
 _VIEW_ANGLE = 32.0  # degrees from foot to top of the picture
+_LIGHT = 2.4  # k3d's own is 1.5, which leaves the palette's blue almost black
 
 
 class Viewer(ipywidgets.VBox):
@@ -84,7 +85,7 @@ class Viewer(ipywidgets.VBox):
 def camera_of(scene: Scene, preset: str) -> list[float]:
     """k3d's camera for a preset: where it is, what it looks at, what is up; nine numbers."""
     direction, up = (np.array(v) for v in CAMERAS[preset])
-    distance = 1.08 * max(scene.radius, 1e-6) / np.sin(np.radians(_VIEW_ANGLE / 2))
+    distance = 1.08 * max(scene.reach, 1e-6) / np.sin(np.radians(_VIEW_ANGLE / 2))
     place = scene.center + distance * direction / np.linalg.norm(direction)
     return [float(c) for c in (*place, *scene.center, *up)]
 
@@ -108,7 +109,7 @@ def _plot(scene: Scene, frames: Any, height: int) -> Any:
 
     plot = k3d.plot(
         height=height, camera_auto_fit=False, grid_auto_fit=False, grid_visible=False, menu_visibility=False,
-        camera_fov=_VIEW_ANGLE, axes_helper=0.8, time_interpolation=False, name="scene",
+        camera_fov=_VIEW_ANGLE, lighting=_LIGHT, axes_helper=0.8, time_interpolation=False, name="scene",
     )  # fmt: skip
     low, high = scene.bounds
     plot.grid = [float(v) for v in (*low, *high)]
