@@ -30,7 +30,7 @@ def main(arguments=None):
 
 
 def _make(root, extras):
-    from course import installation      # newer Python than this file needs
+    from course import installation  # newer Python than this file needs
 
     installation.make(root, extras)
 

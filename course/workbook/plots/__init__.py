@@ -6,7 +6,6 @@ what it drew, and returns the Axes, so that a student can go on drawing.
 
 from course.workbook.plots.bounces import bouncing_errors, energy_over_time, heights, reflection
 from course.workbook.plots.charts import stability_sweep, work_precision
-from course.workbook.plots.contact_matrix import matrix_costs, matrix_pattern, pushed_table
 from course.workbook.plots.contact_forces import (
     force_plane,
     ladder_forces,
@@ -14,6 +13,7 @@ from course.workbook.plots.contact_forces import (
     plank_and_forces,
     solver_growth,
 )
+from course.workbook.plots.contact_matrix import matrix_costs, matrix_pattern, pushed_table
 from course.workbook.plots.course_map import course_map, falling_boxes
 from course.workbook.plots.figure import PALETTE, axes, describe, figure_html, show, side_by_side, style
 from course.workbook.plots.impacts import (

@@ -119,12 +119,12 @@ BOUNCING_BALL_STEP = Exercise(
         ),
         Mistake(
             "gravity upward",
-            lambda height, velocity, step, restitution, gravity: _ball_step(height, velocity, step, restitution, -gravity),
+            lambda h, v, step, restitution, gravity: _ball_step(h, v, step, restitution, -gravity),
             "Gravity pulls your ball up. The velocity counts upward, so it loses g times the step.",
         ),
         Mistake(
             "not turned round",
-            lambda height, velocity, step, restitution, gravity: _ball_step(height, velocity, step, -restitution, gravity),
+            lambda h, v, step, restitution, gravity: _ball_step(h, v, step, -restitution, gravity),
             "Your ball slows down at the floor and goes on into it: the new velocity is *minus* e times the old one.",
         ),
         Mistake(

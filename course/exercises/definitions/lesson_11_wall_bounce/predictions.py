@@ -23,11 +23,11 @@ def _longer_choice() -> str:
 PREDICTIONS = (
     Prediction(
         "longer",
-        "In 20 s the mean squared energy error of one program is 400 times that of the other. Both run on to 40 s. What "
-        "becomes of the 400?",
+        "In 20 s the mean squared energy error of one program is 400 times that of the other. Both run on to 40 s. "
+        "What becomes of the 400?",
         _longer_choice,
-        "The energy of the one rises with every bounce, that of the other only wavers. Twice the time is twice the rise, "
-        "and its mean square is four times as large: 1608 for 407.",
+        "The energy of the one rises with every bounce, that of the other only wavers. Twice the time is twice the "
+        "rise, and its mean square is four times as large: 1608 for 407.",
         later="Speed against accuracy",
         choices={"same": "it stays about 400", "twice": "about 800", "four": "about 1600"},
         wrong={
