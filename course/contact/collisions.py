@@ -25,7 +25,8 @@ class CollisionsUnresolved(RuntimeError):
     """Some contact still approached after MAX_ROUNDS rounds; ``bodies`` is the state reached.
 
     A ball pinned between two fixed walls at e = 1 is the plainest case: no
-    outcome keeps its energy and parts from both.
+    outcome keeps its energy and parts from both. "reflection" raises there at
+    any e, because its elastic answer is sought first, for e < 1 as well.
     """
 
     def __init__(self, message: str, bodies: Bodies) -> None:
@@ -61,8 +62,10 @@ def resolve_collisions(
 
     Approaching means u < -1e-12 times the fastest approach before (or below
     rounding, 9e-16 times the largest speed, where that is more). Where the
-    exact sequence is infinite, reaching that is success. Rows of more than
-    about 140 touching balls at small e take "sequential" past its rounds; the
+    exact sequence is infinite, reaching that is success. "reflection" raises on
+    a ball pinned between fixed bodies at any e, the other two at e = 1 only. At
+    e = 0 "sequential" hits the cap of its rounds on rows of more than about 140
+    equal balls (squeezed from both ends; about 155 if hit at one end); the
     other two solve dense systems, seconds for a thousand contacts in one group.
 
     Args:
