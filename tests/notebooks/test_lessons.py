@@ -135,6 +135,22 @@ def test_style_that_can_be_counted(path):
             assert len(cell.source.splitlines()) <= 16, f"a long cell: {cell.source[:60]!r}"
 
 
+COMMANDS = frozenset("""
+    alpha approx arctan begin big bigl bigr boldsymbol boxed cdot circ cos dddot ddot delta Delta dfrac dot dots ell end
+    frac ge hat infty lambda le left leftarrow ln mathbf mathrm mathsf max min mu neq omega Omega overline partial perp
+    pi pm qquad quad rho right sigma sin sqrt sum tau text tfrac theta times to underbrace varepsilon varphi
+""".split())
+
+
+@each
+def test_formulas_are_written_in_commands_that_are_known(path):
+    """A slip like cdotJ prints red letters on the page and fails nowhere else. A new command is added above."""
+    for text in _markdown(path):
+        for formula in re.findall(r"\$\$.*?\$\$|\$[^$]*?\$", text, flags=re.S):
+            unknown = set(re.findall(r"\\([A-Za-z]+)", formula)) - COMMANDS
+            assert not unknown, f"{sorted(unknown)} in {formula}"
+
+
 @each
 def test_student_code_is_called_only_through_use(path):
     """A cell that is no exercise names a student's function only as what use, check or hint is given."""
