@@ -56,7 +56,7 @@ def test_pattern_counts_what_is_not_zero():
 def test_costs_show_the_exponent():
     n = [10.0, 100.0, 1000.0]
     ax = plots.matrix_costs({"full": n}, {"full": np.square(n)}, {"full": np.power(n, 3)})
-    assert "full time [s] n^2.0" in text(ax) and "full multiplications n^3.0" in text(ax)
+    assert "full time [s] c^2.0" in text(ax) and "full multiplications c^3.0" in text(ax)
 
 
 def test_the_widget_redraws():

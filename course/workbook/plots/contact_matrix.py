@@ -121,9 +121,9 @@ def matrix_costs(
             for k, (name, y) in enumerate(values.items()):
                 x = np.asarray(contacts[name], dtype=float)
                 power = np.polyfit(np.log(x[-3:]), np.log(np.asarray(y)[-3:]), 1)[0]
-                ax.loglog(x, y, marker=MARKERS[k], ls=LINES[k % 4], label=f"{name}: n^{power:.1f}")
-                spoken.append(f"{name} {label} n^{power:.1f}")
-            ax.set(xlabel="contacts n", ylabel=label)
+                ax.loglog(x, y, marker=MARKERS[k], ls=LINES[k % 4], label=f"{name}: c^{power:.1f}")
+                spoken.append(f"{name} {label} c^{power:.1f}")
+            ax.set(xlabel="contacts c", ylabel=label)
             ax.legend(loc="upper left", fontsize=8.5)
             low, high = ax.get_ylim()
             ax.set_ylim(low, high * 30)  # room for the legend
