@@ -80,14 +80,17 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
             panel.contour(x, y, energy, levels=levels, colors="0.62", linewidths=0.9, linestyles="-")
             turn = np.linspace(0, 2 * np.pi, 200)
             panel.plot(np.cos(turn), np.sin(turn), color="0.3", lw=1.2, ls="-", marker="")
-            _path(panel, path, toward, right, up)
+            # Near and far side in one line: the orbit is symmetric, and its two sides cover each other.
+            panel.plot(path[:, right], path[:, up], color=PALETTE["vermillion"], ls="-", lw=2, marker="", label="l")
+            if path[0, toward] >= 0:
+                panel.plot(path[0, right], path[0, up], "o", color="black", ms=5, ls="none", label="start")
             panel.set(aspect="equal", xticks=[-1, 0, 1], yticks=[-1, 0, 1], xlim=(-1.08, 1.08), ylim=(-1.08, 1.08))
             panel.set_xlabel(f"along {AXIS_NAMES[right]}")
             panel.set_ylabel(f"along {AXIS_NAMES[up]}")
             panel.set_title(f"seen along: {AXIS_NAMES[toward]}", fontsize=10.5)
             panel.grid(False)
         handles, labels = three[1].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=3)
+        figure.legend(handles, labels, loc="outside lower center", ncols=2)
     describe(
         three[-1],
         "A sphere seen along the crossbar, the stem and the third axis, with lines of equal energy. Seen along "
@@ -102,13 +105,3 @@ def _ranges(parts: np.ndarray) -> str:
     """From where to where each part of l/|l| runs, in words."""
     told = zip(AXIS_NAMES, parts.min(axis=0), parts.max(axis=0), strict=True)
     return ", ".join(f"{name} {low + 0.0:.2f} to {high + 0.0:.2f}" for name, low, high in told)
-
-
-def _path(ax: Axes, path: np.ndarray, toward: int, right: int, up: int) -> None:
-    """The orbit: solid on the side of the reader, dotted behind; where it starts."""
-    near = path[:, toward] >= 0
-    for side, line, name in ((near, "-", "the handle"), (~near, ":", "behind the sphere")):
-        shown = np.where(side[:, None], path, np.nan)
-        ax.plot(shown[:, right], shown[:, up], color=PALETTE["vermillion"], ls=line, lw=2, marker="", label=name)
-    if near[0]:
-        ax.plot(path[0, right], path[0, up], "o", color="black", ms=5, ls="none", label="start")
