@@ -54,6 +54,8 @@ def test_a_box_has_its_corners_speeds():
     assert len(ax.get_figure().axes) == 3
     assert "before: -1.00, -1.00, -1.00, -1.00 m/s" in text(ax) and "reflection: 0.50, 0.50, 0.50, 0.50 m/s" in text(ax)
     assert "-0.00" not in text(ax)
+    written = [t.get_text() for t in ax.get_figure().axes[1].texts]
+    assert written == ["1: +0.50", "2: +0.50", "3: +0.50", "4: +0.50"]
 
 
 def test_spins_are_drawn_one_an_order():
@@ -61,7 +63,14 @@ def test_spins_are_drawn_one_an_order():
     orders = [(0, 1, 2, 3), (3, 2, 1, 0), (0, 2, 1, 3)]
     ax = plots.spins_by_order(outcomes_by_order(box, corners, 1.0, orders), {"at once": np.zeros(3)})
     assert len(ax.lines[0].get_xdata()) == 3 and "3 orders: 3 different outcomes" in text(ax)
-    assert "at once: 0.00 rad/s" in text(ax)
+    assert "at once: 0.00 rad/s" in text(ax) and not ax.texts
+
+
+def test_orders_with_one_outcome_are_counted():
+    box, corners = box_on_corners()
+    same = outcomes_by_order(box, corners, 1.0, [(0, 1, 2, 3), (3, 2, 1, 0), (0, 1, 2, 3)])
+    ax = plots.spins_by_order(same, {})
+    assert [t.get_text() for t in ax.texts] == ["2 orders"] and "2 different outcomes" in text(ax)
 
 
 def test_pegs_mark_the_threshold():

@@ -163,12 +163,14 @@ def box_outcomes(box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies
 
     Args:
         box: before; body 0 is the box, standing with its axes along x, y, z.
-        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-), (+,+) [m].
+        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-), (+,+), which the picture numbers
+            1 to 4 [m].
         outcomes: name -> bodies after.
     """
     states = {"before": box} | dict(outcomes)
     with style():
-        figure, grid = plt.subplots(2, (len(states) + 1) // 2, figsize=(8.6, 5.8))
+        columns = (len(states) + 1) // 2
+        figure, grid = plt.subplots(2, columns, figsize=(min(4.3 * columns, 10.2), 5.8))
         several = list(grid.flat)
         for unused in several[len(states) :]:
             figure.delaxes(unused)
@@ -177,7 +179,7 @@ def box_outcomes(box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies
             spoken.append(_box(ax, corners, 2 * box.position[0, 2], state, name))
     describe(
         several[0],
-        "A box just above the floor and the upward speeds of its four corners. " + " ".join(spoken),
+        "A box just above the floor and the upward speeds of its corners 1 to 4. " + " ".join(spoken),
     )
     first: Axes = several[0]
     return first
@@ -196,12 +198,12 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
         if abs(speed) > 5e-3:
             _arrow(ax, (start[0], start[1]), (start[0], start[1] + ARROW * speed), "vermillion")
         ax.plot(*start, marker="o", ms=4, color="black", ls="none")
-        side = (-0.05, "right") if i < 2 else (0.05, "left")
+        side = (0.05, "left") if i % 2 else (-0.05, "right")  # out of the way of the arrows beside it
         back = {"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85}
         ax.text(
             start[0] + side[0],
             start[1] - 0.04,
-            _speed(speed),
+            f"{i + 1}: {_speed(speed)}",
             ha=side[1],
             va="center",
             fontsize=9.5,
@@ -219,28 +221,32 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
 def spins_by_order(
     outcomes: OrderOutcomes, others: Mapping[str, Sequence[float]], *, ax: Axes | None = None
 ) -> Axes:
-    """The spin that each order of the same contacts gives the same box, as one point an order.
+    """The spin that each order of the same contacts gives the same box, as one point an outcome.
 
     Args:
         outcomes: of ``study.outcomes_by_order``.
         others: name -> spin (3,) of a law that does not ask for the order.
     """
     with style():
-        ax = axes(ax, size=(6.4, 4.2))
+        ax = axes(ax, size=(8.2, 4.0))
         ax.plot(*outcomes.spin[:, :2].T, ls="none", marker="o", ms=6, mfc="none", mec=PALETTE["vermillion"], mew=1.5,
                 label=f"one after the other,\n{len(outcomes.order)} orders")  # fmt: skip
+        different, times = np.unique(np.round(outcomes.spin, 6), axis=0, return_counts=True)
+        for spin, count in zip(different, times, strict=True):
+            if count > 1:
+                ax.annotate(f"{count} orders", spin[:2], (7, 0), textcoords="offset points", va="center", fontsize=9)
         for (name, spin), mark in zip(others.items(), "*D^", strict=False):
             ax.plot(spin[0], spin[1], ls="none", marker=mark, ms=13, color=PALETTE["blue"], label=name)
-        ax.set(xlabel=r"spin about x, $\omega_x$ [rad/s]", ylabel=r"spin about y, $\omega_y$ [rad/s]")
+        ax.set(xlabel=r"spin about x, $\omega_x$ [rad/s]", ylabel=r"spin about y, $\omega_y$ [rad/s]", aspect="equal")
+        ax.margins(x=0.12)
         ax.set_title("One box, one impact")
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     fastest = float(np.linalg.norm(outcomes.spin, axis=1).max())
-    different = len(np.unique(np.round(outcomes.spin, 6), axis=0))
     named = "; ".join(f"{name}: {np.linalg.norm(s):.2f} rad/s" for name, s in others.items())
     describe(
         ax,
         f"Spins of a box after the same flat landing with its four contacts listed in {len(outcomes.order)} orders: "
-        f"{different} different outcomes scattered around zero, up to {fastest:.2f} rad/s. {named}.",
+        f"{len(different)} different outcomes scattered around zero, up to {fastest:.2f} rad/s. {named}.",
     )
     return ax
 
@@ -301,15 +307,16 @@ def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes 
         ax = axes(ax, size=(7.4, 4.2))
         filled = ax.contourf(x, y, ratio, levels=np.linspace(0.0, 1.0, 11), cmap="viridis")
         bar = ax.get_figure(root=True).colorbar(filled, ax=ax)  # type: ignore[union-attr]
-        bar.set_label("mass felt / mass")
+        bar.set_label(r"mass felt / mass, $\mu/m$")
         for error, line in ((1, "-"), (10, "--"), (50, ":")):
             ax.contour(
                 x, y, ratio, levels=[1 / (1 + error / 100)], colors="black", linewidths=1.6, linestyles=line
             )
             ax.plot([], [], color="black", lw=1.6, ls=line, marker="", label=f"{error} % too large")
         ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
-        ax.set_title("Impulse computed without spin")
-        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=3)
+        ax.set_title("Mass felt where the top face is hit")
+        said = "on this line the impulse without spin is"
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=3, title=said)
         ax.grid(False)
     describe(
         ax,

@@ -18,7 +18,7 @@ LESSON = Lesson(
     name="impulse-and-spin",
     title="Impulse and spin",
     question="Hit a rod at its end: why does it take only a quarter of the impulse?",
-    minutes=75,
+    minutes=80,
     exercises=(ROD_IMPULSE, POINT_VELOCITY, EFFECTIVE_MASS, IMPULSE_AT_POINT, APPLY_IMPULSE, SIMULTANEOUS_IMPULSES),
     predictions=PREDICTIONS,
 )

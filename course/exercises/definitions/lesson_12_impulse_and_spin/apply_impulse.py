@@ -20,16 +20,17 @@ from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
 )
 
 
-def _applied(*, lever: Any = np.cross, turn: Any = times, mass: Any = None, sign: float = 1.0, order: int = 1) -> Any:
+def _applied(*, torque: Any = None, turn: Any = times, mass: Any = None, sign: float = 1.0, order: int = 1) -> Any:
     """The velocities after the impulse with one of the parts changed."""
     mass = mass or (lambda inverse: np.asarray(inverse))
+    torque = torque or (lambda arm, normal, impulse: np.cross(arm, scaled(impulse, normal)))
 
     def function(
         velocity: Any, angular_velocity: Any, inverse_mass: Any, inverse_inertia: Any,
         arm: Any, normal: Any, impulse: Any,
     ) -> Any:  # fmt: skip
         moved = velocity + sign * scaled(np.asarray(impulse) * mass(inverse_mass), normal)
-        turned = angular_velocity + sign * turn(inverse_inertia, lever(arm, scaled(impulse, normal)))
+        turned = angular_velocity + sign * turn(inverse_inertia, torque(arm, normal, impulse))
         return (moved, turned)[::order]
 
     return function
@@ -94,7 +95,7 @@ APPLY_IMPULSE = Exercise(
     name="apply_impulse",
     rows=(15, 16, 22),
     points=2,
-    minutes=8,
+    minutes=7,
     task="Return the velocity and the angular velocity of a body after an impulse p_hat n at the end of its arm.",
     arguments=(
         Value("velocity", "(..., 3)", "m/s", "v of the centre of mass before"),
@@ -111,7 +112,7 @@ APPLY_IMPULSE = Exercise(
     mistakes=(
         Mistake(
             "n x r",
-            _applied(lever=lambda arm, push: np.cross(push, arm)),
+            _applied(torque=lambda arm, normal, impulse: np.cross(scaled(impulse, normal), arm)),
             "The spin has the wrong sign: you took n x r. The torque of a push is r x n, arm first.",
         ),
         Mistake(
@@ -132,13 +133,30 @@ APPLY_IMPULSE = Exercise(
         ),
         Mistake(
             "arm not crossed",
-            _applied(lever=lambda arm, push: push + 0 * np.asarray(arm)),
+            _applied(torque=lambda arm, normal, impulse: scaled(impulse, normal) + 0 * np.asarray(arm)),
             "You multiply I^-1 by the push itself. What turns a body is the torque, r x the push.",
         ),
         Mistake(
             "entry by entry",
-            _applied(lever=lambda arm, push: np.asarray(arm) * push),
+            _applied(torque=lambda arm, normal, impulse: np.asarray(arm) * scaled(impulse, normal)),
             "Your torque is r times n, entry by entry. The cross product is np.cross.",
+        ),
+        Mistake(
+            "impulse missing in the torque",
+            _applied(torque=lambda arm, normal, impulse: np.cross(arm, normal)),
+            "Your spin does not know how strong the push was: r x n is the torque of 1 N s. Take the impulse into it.",
+        ),
+        Mistake(
+            "the arm for the torque",
+            _applied(torque=lambda arm, normal, impulse: scaled(impulse, arm)),
+            "You multiply I^-1 by the arm. What turns a body is the torque r x p_hat n: how far the push is out of the "
+            "centre, not how far the point is.",
+        ),
+        Mistake(
+            "the bare arm",
+            _applied(torque=lambda arm, normal, impulse: np.asarray(arm)),
+            "You multiply I^-1 by the bare arm, which knows neither the direction of the push nor its strength. What "
+            "turns a body is the torque, the cross product of the arm and the push.",
         ),
         Mistake(
             "inverse mass forgotten",

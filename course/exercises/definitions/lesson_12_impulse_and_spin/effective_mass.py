@@ -143,7 +143,7 @@ EFFECTIVE_MASS = Exercise(
     name="effective_mass",
     rows=(17, 22),
     points=3,
-    minutes=12,
+    minutes=10,
     task="Return mu, the mass that an impulse along n feels at a contact of two bodies that turn.",
     arguments=(
         Value("inverse_mass_1", "(...)", "1/kg", "1/m of body 1; 0 for a fixed body"),
@@ -234,6 +234,18 @@ EFFECTIVE_MASS = Exercise(
             _effective_mass(masses=lambda one, two: 1 / np.asarray(one) + 1 / np.asarray(two)),
             "You invert the masses again. The arguments are inverse masses already, so that a fixed body is a plain 0: "
             "add them.",
+        ),
+        Mistake(
+            "masses not inverse, plain numbers",
+            _effective_mass(masses=lambda one, two: 1 / one + 1 / two),
+            "The masses come inverse, and a fixed body's is 0: that is why yours stops at 1/0. Add the inverse masses "
+            "as they are.",
+        ),
+        Mistake(
+            "to masses and back",
+            _effective_mass(masses=lambda one, two: 1 / (1 / one) + 1 / (1 / two)),
+            "Right where both bodies are free. You turn the inverse masses into masses first, and a fixed body, whose "
+            "inverse mass is 0, has none to compute: 1/mu needs 1/m only.",
         ),
         Mistake(
             "matrix times vector in a batch",

@@ -78,7 +78,7 @@ IMPULSE_AT_POINT = Exercise(
     name="impulse_at_point",
     rows=(17, 22),
     points=2,
-    minutes=6,
+    minutes=5,
     task="Return p_hat at a contact point, from the velocities of the two points and the mass felt there.",
     arguments=(
         Value("point_velocity_1", "(..., 3)", "m/s", "velocity of body 1's point at the contact"),
@@ -114,6 +114,15 @@ IMPULSE_AT_POINT = Exercise(
             "guard the wrong way round",
             _point_impulse(guard=lambda u, value: np.where(u > 0, value, 0.0)),
             "Your condition picks the points that part. They approach where u = (v1 - v2).n < 0.",
+        ),
+        Mistake(
+            "v2 - v1",
+            _point_impulse(
+                closing=lambda one, two, n: dot(np.asarray(one) - two, n),
+                guard=lambda u, value: np.where(u > 0, value, 0.0),
+            ),
+            "Your u is turned round, v2 - v1 where it should be v1 - v2. So u < 0 picks the points that part, and they "
+            "get the impulse.",
         ),
         Mistake(
             "sign",

@@ -45,7 +45,7 @@ POINT_VELOCITY = Exercise(
     name="point_velocity",
     rows=(22,),
     points=1,
-    minutes=5,
+    minutes=3,
     task="Return the velocity of the point at the end of the arm: v + omega x r.",
     arguments=(
         Value("velocity", "(..., 3)", "m/s", "v of the centre of mass"),

@@ -64,7 +64,7 @@ PREDICTIONS = (
         unit="kg",
         tolerance=0.01,
         wrong={
-            0.625: "The mean of the two. But what falls off evenly is neither mu nor the lever's square.",
+            0.625: "The mean of the two. But what falls off evenly is the lever, and 1/mu grows with its square.",
             0.4: "The mean of 1 and 4 in 1/mu. The lever counts squared: half of it adds a quarter of 3.",
             0.5: "Half the lever is not half the mass.",
         },

@@ -72,6 +72,21 @@ def _in_turn(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
     return impulses_in_turn(matrix, normal_velocity, restitution, passes=200)[0]
 
 
+def _stepping(step: Any) -> Any:
+    """The loop of the text with another change of p_i; it does not settle, so the number of rounds matters."""
+
+    def function(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
+        impulse = np.zeros(len(normal_velocity))
+        with np.errstate(all="ignore"):
+            for _ in range(500):
+                for i in range(len(impulse)):
+                    w = matrix[i] @ impulse + (1 + restitution) * normal_velocity[i]
+                    impulse[i] = max(0.0, step(impulse[i], w, matrix[i, i]))
+        return impulse
+
+    return function
+
+
 def _one_sweep(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
     from course.study.impact_laws import impulses_at_once
 
@@ -82,7 +97,7 @@ SIMULTANEOUS_IMPULSES = Exercise(
     name="simultaneous_impulses",
     rows=(15, 17, 21),
     points=3,
-    minutes=20,
+    minutes=25,
     level="stretch",
     task="Return impulses p for all contacts at once: p >= 0, w = A p + (1 + e) u >= 0, and p_i w_i = 0 for each i.",
     arguments=(
@@ -104,7 +119,8 @@ SIMULTANEOUS_IMPULSES = Exercise(
         Property(
             "parts fast enough",
             lambda given, answer: np.minimum(_left(given, answer), 0.0),
-            "Some w = A p + (1 + e) u is below 0: that contact parts slower than e times its closing speed.",
+            "Some w = A p + (1 + e) u is below 0: that contact parts slower than e times its closing speed. Print p "
+            "after each round: does it settle?",
             tolerance=1e-6,
         ),
         Property(
@@ -126,6 +142,18 @@ SIMULTANEOUS_IMPULSES = Exercise(
             _one_sweep,
             "You went through the contacts once. A later impulse disturbs those before it: go round again until "
             "nothing changes any more (a few hundred times will do here).",
+        ),
+        Mistake(
+            "not divided by a_ii",
+            _stepping(lambda p, w, a: p - w),
+            "Your loop does not settle: it changes p_i by w_i itself. But 1 N s at contact i changes w_i by a_ii: "
+            "divide by that.",
+        ),
+        Mistake(
+            "replaced instead of added",
+            _stepping(lambda p, w, a: -w / a),
+            "Your loop does not settle: it puts -w_i/a_ii in the place of p_i. The w_i you compute holds the part of "
+            "the old p_i already: what comes out is a change, to be added to it.",
         ),
         Mistake(
             "equations only",
