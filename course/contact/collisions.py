@@ -63,7 +63,7 @@ def resolve_collisions(
     Approaching means u < -1e-12 times the fastest approach before (or below
     rounding, 9e-16 times the largest speed, where that is more). Where the
     exact sequence is infinite, reaching that is success. "reflection" raises on
-    a ball pinned between fixed bodies at any e, the other two at e = 1 only. At
+    a ball pinned between fixed bodies at any e, the other two above e = 0.999. At
     e = 0 "sequential" hits the cap of its rounds on rows of more than about 140
     equal balls (squeezed from both ends; about 155 if hit at one end); the
     other two solve dense systems, seconds for a thousand contacts in one group.
