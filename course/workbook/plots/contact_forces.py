@@ -57,7 +57,7 @@ def force_plane(
         ax.contour(f_1, f_2, level, levels=12, colors="0.65", linewidths=0.8)
         touching = float(np.sqrt((f - forced) @ matrix @ (f - forced)))
         if touching > 1e-6:
-            ax.contour(f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6)
+            ax.contour(f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6, zorder=4)
         for corner, wide, tall in (((low, low), -low, high - low), ((0.0, low), high, -low)):
             ax.add_patch(Rectangle(corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2))
         for i, (colour, line) in enumerate((("blue", "-"), ("green", "--"))):

@@ -40,15 +40,16 @@ def _tried_forces(rng: np.random.Generator) -> Sequence[Case]:
         a, b = (np.array([s[k] for s in systems]).reshape(*shape, *np.shape(systems[0][k])) for k in (0, 1))
         return {"a": a, "f": np.round(rng.uniform(0, 6, b.shape), 1), "b": b}
 
-    down = np.array([-1.0, -1.0])
+    down, wedge = np.array([-1.0, -1.0]), np.array([[1.0, -0.75], [-0.75, 1.0]])
     return [
         Case("two contacts, one force too large", {"a": PAIR, "f": np.array([1.0, 0.5]), "b": down}),
         Case("no force: both sink in", {"a": 2 * PAIR, "f": np.zeros(2), "b": np.array([-1.0, -3.0])}),
+        Case("one force drives the other contact in", {"a": wedge, "f": np.array([1.0, 4.0]), "b": down}),
         Case("three contacts", draw()),
         Case("a force where the bodies part", {"a": ROW, "f": np.array([0.0, 1.0, 4.0]), "b": np.array([-9.0, 2, 1])}),
         Case("solved", {"a": LEVER, "f": np.array([0.0, 2.0]), "b": np.array([-1.0, -2.0])}, "edge"),
         Case("b = 0 and no force", {"a": PAIR, "f": np.zeros(2), "b": np.zeros(2)}, "edge"),
-        Case("five systems of three contacts", draw((5,)), "batch"),
+        Case("two systems of three contacts", draw((2,)), "batch"),
         Case("a 2 by 3 batch", draw((2, 3), 2), "batch"),
     ]
 
@@ -74,6 +75,8 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
         Mistake("abs too early", _residual(judge=lambda p, w: np.minimum(np.abs(p), np.abs(w))),
                 "The absolute values come too early: with f = 0 and w < 0 the smaller of |D f| and |w| is 0, and the "
                 "contact sinks in unseen. First the minimum, then its absolute value."),
+        Mistake("approach alone", _residual(judge=lambda p, w: np.maximum(-w, 0)),
+                "You see only the contacts that sink in. A contact that pushes although the bodies part is wrong too."),
         Mistake("product", _residual(judge=lambda p, w: np.abs(p * w)),
                 "You judge the product f w. It is 0 for f = 0 whatever w is: a contact that sinks in passes."),
         Mistake("no scale", _residual(scale=lambda a, f, size, largest: np.ones_like(size)),
@@ -82,6 +85,11 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
                 "max |b| is missing in the scale. Without it a row with no forces has no scale at all."),
         Mistake("scale by A f", _residual(scale=lambda a, f, size, largest: np.abs(apply(a, f)) + largest),
                 "The scale has |A f|, where terms cancel. It is |A| f: the absolute value of each entry first."),
+        Mistake("no absolute values in the scale",
+                _residual(scale=lambda a, f, size, largest: apply(a, f) + largest),
+                "The scale has A f, where terms cancel and which may be below 0. It is |A| f: np.abs(a)."),
+        Mistake("one b for the whole batch", _residual(scale=lambda a, f, size, largest: size + np.max(largest)),
+                "Right for one system. In a batch each has its own largest |b|: max(axis=-1, keepdims=True)."),
         Mistake("one scale for all rows",
                 _residual(scale=lambda a, f, size, largest: size.max(-1, keepdims=True) + largest),
                 "All rows have the largest scale. Each row is judged against its own terms; only max |b| is common."),

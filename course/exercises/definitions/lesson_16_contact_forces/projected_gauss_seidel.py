@@ -18,6 +18,7 @@ def _sweeps(
     divide: bool = True,
     sign: float = 1.0,
     own: float = 0.0,
+    way: float = -1.0,
     backwards: bool = False,
     more: int = 0,
     warm: bool = True,
@@ -30,7 +31,7 @@ def _sweeps(
             seen = f.copy() if jacobi else f
             for i in reversed(range(len(b))) if backwards else range(len(b)):
                 w = a[i] @ seen + sign * b[i] + own * a[i, i] * f[i]
-                change = -w / (a[i, i] if divide else 1.0)
+                change = way * w / (a[i, i] if divide else 1.0)
                 if clip == "change":
                     change = max(change, 0.0)
                 f[i] = max(f[i] + change, 0.0) if clip == "force" else f[i] + change
@@ -83,7 +84,10 @@ PROJECTED_GAUSS_SEIDEL = Exercise(
                 "not converge. Gauss-Seidel uses each new force at once."),
         Mistake("not divided", _sweeps(divide=False), "w_i is in m/s^2. Divided by a_ii it becomes a force."),
         Mistake("sign of b", _sweeps(sign=-1.0), "The sign of b is turned round: w = A f + b."),
-        Mistake("own force twice", _sweeps(own=1.0), "a_ii f_i is in w_i twice: row i of A times f holds it already."),
+        Mistake("old force lost", _sweeps(own=1.0),
+                "The old force is lost: -w_i/a_ii is only the change. (Row i of A times f holds a_ii f_i already.)"),
+        Mistake("wrong way", _sweeps(way=1.0),
+                "w_i/a_ii is added. Where a contact sinks in, w_i < 0, its force has to grow: subtract."),
         Mistake("own force left out", _sweeps(own=-1.0),
                 "w_i leaves out contact i's own force, and the old force is added all the same. Either f_i - w_i/a_ii "
                 "with all of row i, or the rest of the row alone without the old f_i."),
