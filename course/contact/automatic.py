@@ -34,6 +34,8 @@ SMALL = 128
 WHOLE = 24
 #: Sizes to which small islands are filled up, so that they form few batches.
 SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
+#: |A| f above this times the largest |b| is taken for forces that have run away, until no proof of it is found.
+HUGE = 1e9
 #: Up to how many contacts the dense methods are tried, and A's eigenvalues looked at where all goes wrong.
 PIVOT_UP_TO, NNLS_UP_TO, CHECKED_UP_TO = 400, 1000, 2000
 
@@ -116,8 +118,8 @@ class _Parts:
             self._small(a, label, size, approaching & (size <= SMALL))
             for island in np.flatnonzero(approaching & (size > SMALL)):
                 index = slice(None) if size.size == 1 else np.flatnonzero(label == island)
-                self._take(index, *self._by_gauss(index))
-        for island in np.unique(label[self._failing(a, b, diagonal)]):
+                self._take(index, *self._by_gauss(index, huge=10 * HUGE))
+        for island in np.unique(label[self._failing(a, b, diagonal, label)]):
             self._rescue(np.flatnonzero(label == island))
 
     def _small(self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray) -> None:
@@ -151,34 +153,34 @@ class _Parts:
         self.iterations = max(self.iterations, iterations)
         self._used.add(method)
 
-    def _failing(self, a: Any, b: Array, diagonal: Array) -> BoolArray:
-        """Which contacts do not meet the tolerance, or approach by more than rounding."""
+    def _failing(self, a: Any, b: Array, diagonal: Array, label: IntArray) -> BoolArray:
+        """Which contacts miss the tolerance, or have forces that are not to be believed yet."""
         product, size = a @ self.force, abs(a) @ self.force
         push, motion = scaled_rows(diagonal, product, size, self.force, b)
-        return (np.abs(np.minimum(push, motion)) > self.tolerance) | runs_away(product, size, b)
+        largest = np.zeros(int(label.max()) + 1)
+        np.maximum.at(largest, label, np.abs(b))
+        return (np.abs(np.minimum(push, motion)) > self.tolerance) | _doubtful(product, size, b, largest[label])
 
     def _rescue(self, index: IntArray) -> None:
         """An island that the first method did not solve: a proof, or other methods, or the best there is."""
         a, b = self.system.A[index][:, index], self.system.b[index]
         _require_semidefinite(a)
-        best, least = self.force[index], np.inf
-        proof = certificate(a, b, best, search=False)
-        for attempt in (self._by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
-            found = None if proof is not None else attempt(index)
-            if found is None:
-                continue
-            residual, runs_away = self._judged(a, b, found[0])
-            if residual < least:
-                best, least = found[0], residual
-            if residual <= self.tolerance and not runs_away:
-                self._take(index, *found)
-                return
-            proof = certificate(a, b, found[0], search=False)
-        if proof is None:
-            proof = certificate(a, b)
-        self.force[index] = best
+        proof = certificate(a, b, self.force[index], factor=self._rows(index))
         if proof is not None:
             self.proof[index] = proof
+            return
+        best, (least, approaches) = self.force[index], self._judged(a, b, self.force[index])
+        for attempt in (self._by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
+            if least <= self.tolerance and not approaches:
+                break
+            found = attempt(index)
+            if found is None:
+                continue
+            residual, still = self._judged(a, b, found[0])
+            if residual < least or (residual <= self.tolerance and not still):
+                best, least, approaches = found[0], residual, still
+                self._take(index, *found)
+        self.force[index] = best
 
     def _judged(self, a: Any, b: Array, force: Array) -> tuple[float, bool]:
         """The residual of an island by the scale of the whole system, and whether forces seem to run away."""
@@ -186,17 +188,20 @@ class _Parts:
         residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / (size + self._largest)
         return float(residual.max()), bool(np.any(runs_away(product, size, b)))
 
-    def _unit(self, index: Any) -> UnitSystem:
+    def _rows(self, index: Any) -> Any:
+        """J M^-1/2 of these contacts, or None."""
         if self._factor is None:
             self._factor = mass_factor(self.system)
-        a, factor = self.system.A, self._factor
-        if not isinstance(index, slice):
-            a, factor = a[index][:, index], None if factor is None else factor[index]
-        return UnitSystem(a, self.system.b[index], factor)
+        return None if self._factor is None else self._factor[index]
 
-    def _by_gauss(self, index: Any) -> tuple[Array, int, str]:
-        limit = 100 if self.limit is None else self.limit
-        found = solve_gauss(self._unit(index), tolerance=self.tolerance, max_iterations=limit)
+    def _unit(self, index: Any) -> UnitSystem:
+        a = self.system.A if isinstance(index, slice) else self.system.A[index][:, index]
+        return UnitSystem(a, self.system.b[index], self._rows(index))
+
+    def _by_gauss(self, index: Any, huge: float = np.inf) -> tuple[Array, int, str]:
+        limit, unit = 100 if self.limit is None else self.limit, self._unit(index)
+        largest = huge * float(np.abs(unit.unit_bias).max())
+        found = solve_gauss(unit, tolerance=self.tolerance, max_iterations=limit, largest=largest)
         return found.force, found.iterations, "gauss"
 
     def _by_pivot(self, index: Any) -> tuple[Array, int, str] | None:
@@ -242,11 +247,17 @@ def _dense(a: Any) -> Array:
 
 
 def _suspicious(a: Any, force: Array, b: Array) -> BoolArray:
-    """``runs_away`` of one system or of a batch."""
+    """``_doubtful`` of one system or of a batch."""
+    largest = np.abs(b).max(axis=-1, keepdims=True, initial=0)
     if b.ndim == 1:
-        return runs_away(a @ force, abs(a) @ force, b)
+        return _doubtful(a @ force, abs(a) @ force, b, largest)
     product, size = (np.einsum("...ij,...j->...i", m, force) for m in (a, np.abs(a)))
-    return runs_away(product, size, b)
+    return _doubtful(product, size, b, largest)
+
+
+def _doubtful(product: Array, size: Array, b: Array, largest: Array) -> BoolArray:
+    """Contacts that approach by more than rounding (``runs_away``), or whose forces are too large to be so sure."""
+    return runs_away(product, size, b, largest) | (size > HUGE * largest)
 
 
 def _no_force(proof: Array, b: Array) -> str:

@@ -62,7 +62,8 @@ def settle(
         push, motion = system.rows(force)
         pulls, approaches = pushing & (push < -0.1 * tolerance), ~pushing & (motion < -0.1 * tolerance)
         wrong = int(np.count_nonzero(pulls | approaches))
-        if residual <= tolerance or not wrong or wrong > 0.7 * wrong_before:
+        solved = residual <= tolerance and system.approach(kept) == 0
+        if solved or not wrong or wrong > 0.7 * wrong_before:
             break
         wrong_before = wrong
         pushing = (pushing & ~pulls) | approaches

@@ -32,8 +32,10 @@ KEPT = 1e-13
 FRACTION = 0.995
 #: Share of contacts that may be undecided when ``active_set`` is tried.
 UNDECIDED = 0.1
-#: Newton steps after which it is tried anyway.
+#: Newton steps after which it is tried anyway; and those a contact that still approaches is given.
 PATIENCE = 6
+#: What is missing from w = A f + b counts if it is more than this times the terms' magnitudes.
+NOISE = 4e-15
 
 
 @dataclass(frozen=True)
@@ -61,31 +63,38 @@ class _Iterate:
         return float(np.mean(self.f * self.w))
 
 
-def solve_gauss(system: UnitSystem, *, tolerance: float = 1e-10, max_iterations: int = 100) -> InteriorPoint:
+def solve_gauss(
+    system: UnitSystem, *, tolerance: float = 1e-10, max_iterations: int = 100, largest: float = np.inf
+) -> InteriorPoint:
     """Contact forces of a system whose A has a positive diagonal.
 
     Args:
         system: A and b, and the factor of A for elimination by accelerations.
         tolerance: residual at which it stops.
         max_iterations: how many Newton systems may be factored.
+        largest: a force above which it stops, in the unit system: where no
+            solution exists forces grow without bound.
     Returns:
-        The best force met; it is f >= 0 in every case.
+        The best force met, or the last if it was too large; f >= 0 in every case.
     """
     try:
         at = _start(system)
     except np.linalg.LinAlgError:  # A is not positive semidefinite
         return InteriorPoint(np.zeros(len(system)), np.inf, 1)
-    best, residual, approach_before = at.f, np.inf, np.inf
+    best, residual, approach, patience = at.f, np.inf, np.inf, PATIENCE
     count, tried, undecided_then = 1, PATIENCE, len(system) + 1.0
-    while count < max_iterations:
+    while count < max_iterations and _sane(at):
         now = system.residual(at.f)
+        if np.max(at.f, initial=0.0) > largest:
+            return InteriorPoint(system.force(at.f), now, count)
         if now < residual:
             best, residual = at.f, now
-        approach = system.approach(best) if residual <= tolerance else np.inf
-        # Large forces make the residual small before w is: go on while that falls.
-        if not _sane(at) or approach == 0 or (residual <= tolerance and approach > 0.5 * approach_before):
-            break
-        approach_before = approach
+        if residual <= tolerance:
+            # Large forces make the residual small before w is: go on while that falls.
+            before, approach = approach, system.approach(best)
+            patience = PATIENCE if approach <= 0.5 * before else patience - 1
+            if approach == 0 or patience < 0:
+                break
         undecided = _undecided(at)
         clear = undecided <= UNDECIDED * len(system) and undecided <= 0.5 * undecided_then
         if clear or count - tried >= PATIENCE:
@@ -94,7 +103,7 @@ def solve_gauss(system: UnitSystem, *, tolerance: float = 1e-10, max_iterations:
             count, tried = count + found.iterations, tried + found.iterations
             if found.residual < residual:
                 best, residual = found.force, found.residual
-            if residual <= tolerance:
+            if residual <= tolerance and system.approach(best) == 0:
                 break
         try:
             at = _step(system, at)
@@ -120,6 +129,8 @@ def _step(system: UnitSystem, at: _Iterate) -> _Iterate:
     """One Newton step toward f w = a smaller common value, with its corrections."""
     op, f, w = system.operator, at.f, at.w
     missing = op.times(f) + system.unit_bias - w
+    # Where A is nearly singular, chasing rounding would move forces a long way.
+    missing[np.abs(missing) <= NOISE * system.magnitude(f)] = 0.0
     kept = w + KEPT * f
     op.factor(f / kept)
 

@@ -9,7 +9,7 @@ import numpy as np
 from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
 
 #: See ``runs_away``.
-SUSPICIOUS, ROUNDING = 1e-8, 1e-12
+SUSPICIOUS, ROUNDING = 1e-8, 1e-13
 
 
 def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> Array:
@@ -60,16 +60,18 @@ def scaled_rows(
     return diagonal * force * inverse, (product + bias) * inverse
 
 
-def runs_away(product: Array, size: Array, bias: Array) -> BoolArray:
+def runs_away(product: Array, size: Array, bias: Array, largest: Array | None = None) -> BoolArray:
     """Which contacts approach by more than rounding, whatever the residual says.
 
     Where no force exists, forces may grow until the residual, which is
     relative to them, is as small as one likes. So a d_ddot below
-    -1e-8 max |b| - 1e-12 |A| |f| calls for a second look.
+    -1e-8 max |b| - 1e-13 |A| |f| calls for a second look.
 
-    From A f, |A| |f| and b, each (..., c); nothing is checked.
+    From A f, |A| |f| and b, each (..., c), and max |b| if it is not that of
+    these b; nothing is checked.
     """
-    largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
+    if largest is None:
+        largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
     return product + bias < -(SUSPICIOUS * largest + ROUNDING * size)
 
 

@@ -45,6 +45,10 @@ class UnitSystem:
         """f of the system it came from."""
         return unit_force / self.root
 
+    def magnitude(self, unit_force: Array) -> Array:
+        """|A| f + |b| of the unit system, f >= 0: what A f + b is rounded from."""
+        return (self._magnitude @ self.force(unit_force)) / self.root + np.abs(self.unit_bias)
+
     def rows(self, unit_force: Array) -> tuple[Array, Array]:
         """D f and A f + b of the system it came from, each row by its scale (``scaled_rows``)."""
         f = self.force(unit_force)
