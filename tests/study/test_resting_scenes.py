@@ -142,3 +142,19 @@ def solved(seed, contacts):
 @pytest.mark.parametrize("seed", range(40))
 def test_auto_solves_random_scenes(seed):
     solved([2024, seed], (1, 3, 10, 30, 100)[seed % 5])
+
+
+@pytest.mark.parametrize(
+    "seed", [pytest.param(seed, marks=pytest.mark.slow if seed < 20 else pytest.mark.long) for seed in range(240)]
+)
+def test_auto_solves_every_random_scene(seed):
+    """1 to 5,000 contacts; these seeds were not used while the methods were built."""
+    size = int(np.round(5000 ** np.random.default_rng([90_310, seed]).uniform()))
+    solved([90_311, seed], size)
+
+
+@pytest.mark.parametrize("seed, size", [(5, 4614), (53, 3644)])
+@pytest.mark.long
+def test_piles_that_were_hard_to_solve(seed, size):
+    """Nearly jammed: forces of a million times b; and a hundred contacts with f = w = 0 that are almost redundant."""
+    solved([90_211 if seed == 5 else 77_002, seed], size)
