@@ -15,13 +15,9 @@ from course.dynamics import (
     Wrench,
     box_mass_properties,
     combined_mass_properties,
-    explicit_euler,
-    midpoint,
     parabola,
     principal_axes,
-    rk4,
     splitting,
-    symplectic_euler,
     torque_free_rotation,
 )
 from course.study.stability import Integrator, growth_rate
@@ -31,9 +27,6 @@ from course.study.stability import Integrator, growth_rate
 HANDLE_CENTERS = np.array([[0.0, 0.0, 0.0], [0.0, 0.06, 0.0]])
 HANDLE_HALF_EXTENTS = np.array([[0.1, 0.01, 0.01], [0.01, 0.05, 0.01]])
 STEEL = 7850.0
-
-#: How often one step of a method works out omega = I^-1 L (a composition of splitting steps: once for each).
-RATES_PER_STEP = {explicit_euler: 1, symplectic_euler: 1, midpoint: 2, rk4: 4, splitting: 1}
 
 #: A plain step on arrays: (x, R, p, L, mass, I_body, force, torque, h) -> (x, R, p, L) one step on.
 PlainStep = Callable[..., tuple[Array, Array, Array, Array]]

@@ -52,7 +52,7 @@ def test_lines_of_equal_energy_hold_the_path(motion):
     assert len(panels) == 3
     for toward, panel in enumerate(panels):
         for line in panel.lines:
-            if line.get_label() != "l":
+            if line.get_label() != "where l runs":
                 continue
             x, y = (np.asarray(v) for v in line.get_data())
             drawn.add(toward)

@@ -89,7 +89,7 @@ PREDICTIONS = (
         "A weight swings on a spring without friction. A program moves it by explicit Euler with 63 steps a swing. "
         "By what factor has its energy grown after ten swings?",
         _spring_growth,
-        "Each step multiplies the energy by 1 + 0.1^2 = 1.01, and 1.01 to the power 628 is 518.",
+        "Each step multiplies the energy by 1 + 0.1^2 = 1.01, and 1.01 to the power 628 is 517.",
         tolerance=0.2,
         wrong={
             1: "So it should be. Explicit Euler does not know it.",
