@@ -7,6 +7,7 @@ import pytest
 from course.study.tumbling import free_tumble, spinning_handle, turnover_times
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
+from course.workbook.plots.motion import RUNS
 
 
 @pytest.fixture(autouse=True)
@@ -52,7 +53,7 @@ def test_lines_of_equal_energy_hold_the_path(motion):
     assert len(panels) == 3
     for toward, panel in enumerate(panels):
         for line in panel.lines:
-            if line.get_label() != "where l runs":
+            if line.get_label() != RUNS:
                 continue
             x, y = (np.asarray(v) for v in line.get_data())
             drawn.add(toward)

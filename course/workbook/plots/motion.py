@@ -13,6 +13,7 @@ from course.study.tumbling import Tumble, turnover_times
 from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 AXIS_NAMES = ("crossbar", "stem", "third axis")
+RUNS = r"where $\mathbf{l}$ runs"
 _LINES = (("blue", "-"), ("orange", "--"), ("green", "-."), ("purple", ":"))
 
 
@@ -81,7 +82,7 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
             turn = np.linspace(0, 2 * np.pi, 200)
             panel.plot(np.cos(turn), np.sin(turn), color="0.3", lw=1.2, ls="-", marker="")
             # Near and far side in one line: the orbit is symmetric, and its two sides cover each other.
-            panel.plot(path[:, right], path[:, up], color=PALETTE["vermillion"], ls="-", lw=2, marker="", label="where l runs")
+            panel.plot(path[:, right], path[:, up], color=PALETTE["vermillion"], ls="-", lw=2, marker="", label=RUNS)
             if path[0, toward] >= 0:
                 panel.plot(path[0, right], path[0, up], "o", color="black", ms=5, ls="none", label="start")
             panel.set(aspect="equal", xticks=[-1, 0, 1], yticks=[-1, 0, 1], xlim=(-1.08, 1.08), ylim=(-1.08, 1.08))
