@@ -14,6 +14,7 @@ from course.exercises.definitions.lesson_15_contact_matrix.touching import (
     central_stack,
     drawn_contacts,
     matrix,
+    transposed_throughout,
     with_masses,
     without_masses,
 )
@@ -52,6 +53,8 @@ CONTACT_MATRIX = Exercise(
     cases=_matrices,
     mistakes=(
         *(Mistake(name, matrix(**options), message) for name, options, message in ALIKE),
+        Mistake("every axis turned round", transposed_throughout, "rotation.T of a batch turns round all three axes, "
+                "the bodies too. R' of each body is np.swapaxes(rotation, -1, -2)."),
         Mistake("masses left out", without_masses, "This is J J'. Between the two stands M^-1: 1/m for the first three "
                 "columns of a body, R I^-1 R' for the other three."),
         Mistake("masses for their inverses", with_masses, "Heavy bodies answer more in your A, and light ones less: M "

@@ -61,7 +61,7 @@ CONTACT_MATRIX_ENTRY = Exercise(
         *(Mistake(name, entry(**options), message) for name, options, message in TOGETHER),
         Mistake("turned round", entry(whole=-1.0), "The whole has the wrong sign. A push at a contact opens its own "
                 "gap: a_ii must be above 0."),
-        Mistake("the other arm twice", entry(arms=lambda p, q, x, x_a: (p - x, p - x)), "Both arms go to the point "
+        Mistake("the other arm twice", entry(arms=lambda p, q, x, *_: (p - x, p - x)), "Both arms go to the point "
                 "that answers. The torque is made where the body is pushed: r_j = p_j - x."),
         Mistake("pushed along N_i", entry(normals=lambda n_i, n_j: (n_i, n_i)), "You push along the normal of the "
                 "contact that answers. The force at j acts along N_j."),

@@ -74,6 +74,8 @@ LADDER_ENTRY = Exercise(
         Mistake("mass forgotten", _ladder(power=0.0), "The mass is missing: it stands in I = m l^2/12."),
         Mistake("one arm left out", _ladder(factor=-6.0, form="arm"), "A length is left over, as if one of the "
                 "two arms were missing: the torque brings one, the way from the turn to the foot the other."),
+        Mistake("the 12 forgotten", _ladder(factor=-0.25), "Too small by 12: the moment of a rod about its centre is "
+                "m l^2/12."),
         Mistake("directions for arms", _ladder(factor=-12.0, form="unit"), "Your arms have length 1. Each is half the "
                 "ladder long, and then the length cancels."),
         Mistake("inertia for its inverse", _with_inertia, "You multiply by the inertia. The angular acceleration is "

@@ -13,12 +13,14 @@ TOGETHER = (
      "pushed as hard as A and answers as well."),
     ("A with A, B with B", {"meet": lambda i, j: i == j}, "A body can be A of one contact and B of the other, like the "
      "middle box of a stack: such pairs are missing."),
-    ("one arm for both bodies", {"arms": lambda p, q, x, x_a: (p - x_a, q - x_a)}, "The arms of A are used for B too. "
-     "Each body has its own arm, from its own centre: r = p - x."),
-    ("arms from the origin", {"arms": lambda p, q, x, x_a: (p, q)}, "Your arms are places of points. They are measured "
-     "from the centre of mass: r = p - x."),
-    ("one point for both", {"arms": lambda p, q, x, x_a: (q - x, q - x)}, "Both arms go to the point that is pushed. "
-     "The answer is that of the other contact's point, r_i = p_i - x."),
+    ("one arm for both bodies", {"arms": lambda p, q, x, x_a, _: (p - x_a, q - x_a)}, "The arms of A are used for B "
+     "too. Each body has its own arm, from its own centre: r = p - x."),
+    ("A's arm for both bodies of a contact", {"arms": lambda p, q, x, x_a, x_a_j: (p - x_a, q - x_a_j)}, "You measure "
+     "the arm of body B from the centre of A. A contact has two arms, one from the centre of each of its bodies."),
+    ("arms from the origin", {"arms": lambda p, q, x, x_a, _: (p, q)}, "Your arms are places of points. They are "
+     "measured from the centre of mass: r = p - x."),
+    ("one point for both", {"arms": lambda p, q, x, x_a, _: (q - x, q - x)}, "Both arms go to the point that is "
+     "pushed. The answer is that of the other contact's point, r_i = p_i - x."),
     ("no turning", {"turning": 0.0}, "Only N_i.N_j/m is there. A push off the centre turns the body, and the turning "
      "moves the other point."),
     ("mass forgotten", {"divided": False}, "The mass is missing in the first part: N_i.N_j/m."),

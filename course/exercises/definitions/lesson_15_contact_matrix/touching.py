@@ -14,7 +14,7 @@ import numpy as np
 
 from course.exercises.definitions.turning import rotation_matrices
 
-Arms = Callable[[Any, Any, Any, Any], tuple[Any, Any]]
+Arms = Callable[..., tuple[Any, Any]]
 #: (pairs of bodies) one contact after the other, A first.
 Pairs = Sequence[tuple[int, int]]
 
@@ -43,7 +43,7 @@ def central_stack() -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
     return (np.array([0, 1]), np.array([2, 0]), point, np.tile([0, 0, 1.0], (2, 1))), bodies
 
 
-def own_arms(p_i: Any, p_j: Any, x: Any, _: Any) -> tuple[Any, Any]:
+def own_arms(p_i: Any, p_j: Any, x: Any, *_: Any) -> tuple[Any, Any]:
     return p_i - x, p_j - x
 
 
@@ -93,7 +93,9 @@ def entry(
             for other, (pushed, push_sign) in enumerate(((body_a[j], 1.0), (body_b[j], sign_b))):
                 if body == pushed and meet(side, other):
                     turn = {"world": rotation[body], "body": np.eye(3), "back": rotation[body].T}[frame]
-                    arm, push_arm = arms(point[i], point[j], position[body], position[body_a[i]])
+                    arm, push_arm = arms(
+                        point[i], point[j], position[body], position[body_a[i]], position[body_a[j]]
+                    )
                     world = turn @ inverse[body] @ turn.T
                     total += sign * (n_i @ answer(mass[body], world, arm, push_arm, push_sign * n_j))
                     total += 0.0 if dotted else sign * push_sign * (1 - n_i @ n_j) / mass[body]
@@ -128,6 +130,13 @@ def without_masses(contacts: Any, bodies: Any) -> Any:
 def with_masses(contacts: Any, bodies: Any) -> Any:
     """J M J': masses and inertias for their inverses."""
     return weighed(contacts, bodies, lambda mass, inverse: (mass, np.linalg.pinv(inverse)))
+
+
+def transposed_throughout(contacts: Any, bodies: Any) -> Any:
+    """The world's I^-1 by ``rotation.T`` of the whole batch, which turns round all three axes."""
+    mass, inverse, rotation, position = bodies
+    world = np.asarray(rotation) @ inverse @ np.asarray(rotation).T
+    return weighed(contacts, (mass, world, np.tile(np.eye(3), (len(mass), 1, 1)), position), lambda m, i: (1 / m, i))
 
 
 def weighed(contacts: Any, bodies: Any, weigh: Callable[[Any, Any], tuple[Any, Any]]) -> Any:
