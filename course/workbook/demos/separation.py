@@ -26,7 +26,7 @@ def dome() -> Panel:
     return Panel(
         separation_acceleration.old_point,
         {
-            "angle": slider("angle from the top", 42.0, 5.0, 70.0, 1.0, "°"),
+            "angle": slider("angle from the top", 40.0, 5.0, 70.0, 1.0, "°"),
             "ahead": slider("moment ahead", 0.08, 0.0, 0.12, 0.01, "s"),
         },
         columns=2,

@@ -115,24 +115,18 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
     n = p / np.linalg.norm(p)
     across = np.array([n[1], -n[0]])
     true, old = float(scene.gap(theta, ahead)), float(scene.gap_from_the_old_point(theta, ahead))
-    bias = float(scene.bias(theta))
+    bias, half = float(scene.bias(theta)), max(0.08, 0.75 * float(np.linalg.norm(p - p_b)))
     with style():
         ax = axes(ax, size=(7.8, 4.2))
         ax.add_patch(Circle((0, 0), 1.0, fc="0.9", ec="0.3"))
         path = scene.flight(theta, np.linspace(0, ahead, 40))
         ax.plot(*path.T, color="0.4", lw=1.2, ls=":", marker="", label="flight without a contact force")
-        level = np.stack([p_b - 0.03 * across, p - old * n + 0.04 * across])
-        ax.plot(*level.T, color=PALETTE["vermillion"], lw=1.0, ls=":", marker="")
-        ax.plot(
-            *np.stack([n, p]).T,
-            color=PALETTE["blue"],
-            lw=4,
-            ls="-",
-            marker="",
-            label=f"gap to the dome: {1000 * true:.1f} mm",
-        )
+        level = np.stack([p_b - 0.1 * half * across, p - old * n + 0.2 * half * across])
+        ax.plot(*level.T, color=PALETTE["vermillion"], lw=1.0, ls=":", marker="", label="old point, across N")
+        label = f"gap to the dome: {1000 * true:.1f} mm"
+        ax.plot(*np.stack([n, p]).T, color=PALETTE["blue"], lw=3, ls="-", marker="", zorder=4, label=label)
         label = f"gap from the old point: {1000 * old:.1f} mm"
-        beside = np.stack([p - old * n, p]) + 0.015 * across
+        beside = np.stack([p - old * n, p]) + 0.08 * half * across
         ax.plot(*beside.T, color=PALETTE["vermillion"], lw=2.4, ls="--", marker="", label=label)
         ax.plot(
             *p_b,
@@ -142,12 +136,14 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
             ls="none",
             label="point of the dome touched at 0 s",
         )
-        ax.plot(*p, marker="o", ms=8, color=PALETTE["blue"], ls="none", label=f"particle after {ahead:.2f} s")
+        place = f"particle after {ahead:.2f} s"
+        ax.plot(*p, marker="o", ms=10, color=PALETTE["blue"], mfc="none", ls="none", label=place)
         look = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", tuple(p + 0.12 * n), tuple(p), arrowprops=look)
-        ax.text(p[0] + 0.145 * n[0], p[1] + 0.145 * n[1], "N", ha="center", va="center")
+        tip = p + 0.5 * half * n
+        ax.annotate("", tuple(tip), tuple(p + 0.08 * half * n), arrowprops=look)
+        ax.text(*(tip + 0.1 * half * n), "N", ha="center", va="center")
         y, z = 0.5 * (p + p_b)
-        ax.set(xlim=(y - 0.32, y + 0.32), ylim=(z - 0.28, z + 0.28), aspect="equal", anchor="W")
+        ax.set(xlim=(y - half, y + half), ylim=(z - half, z + half), aspect="equal", anchor="W")
         ax.set(xlabel="y [m]", ylabel="z [m]")
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
         word = "the dome lets it go" if bias > 0 else "without a force it sinks in"

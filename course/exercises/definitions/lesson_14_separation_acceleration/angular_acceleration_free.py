@@ -14,7 +14,8 @@ from course.exercises.definitions.lesson_14_separation_acceleration.shared impor
 def _spins(rng: np.random.Generator) -> Sequence[Case]:
     def spin(shape: tuple[int, ...] = ()) -> dict[str, Any]:
         axes = np.linalg.qr(rng.normal(size=(*shape, 3, 3)))[0]
-        moments = np.round(rng.uniform([0.5, 1.5, 3.0], [1.0, 2.5, 4.0], (*shape, 3)), 2)
+        # The largest stays below the sum of the others, as for any real body: I_x + I_y - I_z = 2 sum m z^2.
+        moments = np.round(rng.uniform([1.0, 1.6, 2.1], [1.4, 2.0, 2.5], (*shape, 3)), 2)
         inverse = np.round((axes / moments[..., None, :]) @ np.swapaxes(axes, -1, -2), 3)
         inverse = 0.5 * (inverse + np.swapaxes(inverse, -1, -2))
         momentum = draw(rng, shape)
@@ -22,12 +23,12 @@ def _spins(rng: np.random.Generator) -> Sequence[Case]:
                 "angular_velocity": apply(inverse, momentum), "torque": draw(rng, shape)}  # fmt: skip
 
     plain = {
-        "inverse_inertia": np.diag([1.0, 0.5, 0.25]), "angular_momentum": np.array([1.0, 2.0, 4.0]),
+        "inverse_inertia": np.diag([0.5, 0.25, 0.2]), "angular_momentum": np.array([2.0, 4.0, 5.0]),
         "angular_velocity": np.array([1.0, 1.0, 1.0]), "torque": np.array([0.0, 3.0, 0.0]),
     }  # fmt: skip
     ball = {**spin(), "inverse_inertia": 0.5 * np.eye(3)}
     return [
-        Case("moments 1, 2 and 4, axes along x, y and z", plain),
+        Case("moments 2, 4 and 5, axes along x, y and z", plain),
         Case("axes turned", spin()),
         Case("axes turned again", spin()),
         Case("no torque", {**spin(), "torque": ZERO}, "edge"),

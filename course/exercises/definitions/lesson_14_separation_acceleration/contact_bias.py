@@ -18,6 +18,8 @@ def _bias_with(
     *,
     factor: float = 2.0,
     sign_b: float = -1.0,
+    swung_b: float = 1.0,
+    moved_b: float = 1.0,
     face: Any = None,
     arm_a: Any = None,
     arm_b: Any = None,
@@ -26,7 +28,11 @@ def _bias_with(
     turning: float = 1.0,
     whole: float = 1.0,
 ) -> Any:
-    """b with one of its parts changed; ``face(word, omega_a, omega_b)`` gives the omega that turns N."""
+    """b with one of its parts changed.
+
+    ``face(word, omega_a, omega_b)`` gives the omega that turns N; ``swung_b`` and ``moved_b`` multiply what B brings
+    to the accelerations and to the velocities alone.
+    """
 
     def function(p: Any, n: Any, word: str, body_a: Any, body_b: Any) -> Any:
         def motion(body: Any, arm: Any) -> tuple[Any, Any]:
@@ -40,7 +46,8 @@ def _bias_with(
         (v_a, a_a), (v_b, a_b) = motion(body_a, arm_a), motion(body_b, arm_b)
         of_face = face(word, body_a[2], body_b[2]) if face else body_b[2] if word == "face_b" else body_a[2]
         n_dot = np.cross(of_face, n)
-        return whole * (dot(a_a + sign_b * a_b, n) + factor * dot(v_a + sign_b * v_b, n_dot))
+        a_b, v_b = sign_b * swung_b * a_b, sign_b * moved_b * v_b
+        return whole * (dot(a_a + a_b, n) + factor * dot(v_a + v_b, n_dot))
 
     return function
 
@@ -68,12 +75,12 @@ def _touching(rng: np.random.Generator) -> Sequence[Case]:
         -9.81 * UP,
         ZERO,
     )
-    turntable = (np.array([0.0, -1.0, -0.2]), ZERO, np.array([0.5, 0.0, 0.0]), ZERO, ZERO)
-    puck = (np.array([0.0, 0.5, 0.1]), np.array([0.0, 1.0, 0.75]), ZERO, -9.81 * UP, ZERO)
+    seesaw = (np.array([0.0, -0.5, -0.4]), ZERO, np.array([2.0, 0.0, 0.0]), ZERO, ZERO)
+    puck = (np.array([0.0, 0.5, 0.1]), np.array([0.0, 1.0, 2.0]), ZERO, -9.81 * UP, ZERO)
     return [
         Case("a corner of a box on the floor", {**ground, "body_a": corner, "body_b": floor}),
         Case("a puck slides on a seesaw", {"p": np.array([0.0, 0.5, 0.0]), "n": UP, "face": "face_b", "body_a": puck,
-                                           "body_b": turntable}),
+                                           "body_b": seesaw}),
         Case("off the axes, face of B", touch("face_b")),
         Case("off the axes, face of A", touch("face_a")),
         Case("all at rest, only gravity", {**ground, "body_a": (0.5 * UP, ZERO, ZERO, -9.81 * UP, ZERO),
@@ -89,7 +96,7 @@ CONTACT_BIAS = Exercise(
     name="contact_bias",
     rows=(20, 23, 24),
     points=3,
-    minutes=14,
+    minutes=13,
     task="Return b = (p_A_ddot - p_B_ddot).N + 2 (p_A_dot - p_B_dot).N_dot for a contact of a face, p_A = p_B = p.",
     arguments=(
         Value("p", "(..., 3)", "m", "the point where they touch"),
@@ -126,6 +133,28 @@ CONTACT_BIAS = Exercise(
             "only A",
             _bias_with(sign_b=0.0),
             "Body B is missing. It may move, turn and fall as well.",
+        ),
+        Mistake(
+            "acceleration of B added",
+            _bias_with(swung_b=-1.0),
+            "In the first term the acceleration of B's point is added. It is p_A_ddot - p_B_ddot.",
+        ),
+        Mistake(
+            "acceleration of B left out",
+            _bias_with(swung_b=0.0),
+            "The acceleration of B's point is left out. Even where its centre stands still, a point of a turning body "
+            "is accelerated toward the axis.",
+        ),
+        Mistake(
+            "velocity of B added",
+            _bias_with(moved_b=-1.0),
+            "In the term with N_dot the velocity of B's point is added. It is p_A_dot - p_B_dot.",
+        ),
+        Mistake(
+            "velocity of B left out",
+            _bias_with(moved_b=0.0),
+            "In the term with N_dot the velocity of B's point is left out: what counts is how A's point moves as seen "
+            "from it.",
         ),
         Mistake(
             "omega of the wrong body in N_dot",
@@ -184,11 +213,11 @@ CONTACT_BIAS = Exercise(
         ),
     ),
     hints=(
-        "Three parts: velocity and acceleration of the point on each body (your functions do the second), N_dot of the "
+        "Three parts: velocity and acceleration of the point on each body (exercise 2 does the second), N_dot of the "
         "face, then the two terms.",
-        "For each body r = p - x; the point's velocity is v + omega x r and its acceleration is exercise 2. Subtract B "
+        "The point's velocity is v + omega x r and its acceleration is exercise 2. Subtract B "
         "from A; dot the acceleration with N and twice the velocity with N_dot.",
-        "x_a, v_a, omega_a, v_a_dot, omega_a_dot = body_a\nr_a = p - ____\n"
+        "p_a_dot = v_a + np.cross(omega_a, ____)\n"
         "p_a_ddot = free_point_acceleration(v_a_dot, omega_a_dot, omega_a, r_a)\n"
         "# ... the same for B ...\n"
         'n_dot = np.cross(omega_b if face == "face_b" else ____, n)\n'

@@ -59,7 +59,7 @@ FREE_POINT_ACCELERATION = Exercise(
     name="free_point_acceleration",
     rows=(23, 24),
     points=2,
-    minutes=7,
+    minutes=6,
     task="Return p_ddot = v_dot + omega_dot x r + omega x (omega x r), for one point and for a batch.",
     arguments=(
         Value("acceleration", "(..., 3)", "m/s^2", "v_dot, of the centre of mass"),

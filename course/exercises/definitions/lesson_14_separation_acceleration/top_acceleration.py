@@ -20,6 +20,8 @@ def _top(
     power: int = 2,
     arm: float = 0.5,
     sine: bool = False,
+    crossed: float = 0.0,
+    swap: bool = False,
 ) -> Any:
     """The second rate of the gap at the ladder's top with one of its parts changed."""
 
@@ -31,9 +33,10 @@ def _top(
 
             sin, cos = sympy.sin(theta), sympy.cos(theta)
             return -a_y + ell / 2 * (alpha * sin + omega**2 * cos)
-        return sign_y * a_y + arm * ell * (
-            turning * alpha * sin + inward * omega**power * (sin if sine else cos)
-        )
+        if swap:
+            sin, cos = cos, sin
+        bracket = turning * alpha * sin + inward * omega**power * (sin if sine else cos)
+        return sign_y * a_y + arm * ell * (bracket + crossed * alpha * omega * cos)
 
     return function
 
@@ -114,6 +117,30 @@ TOP_ACCELERATION = Exercise(
             "centre held still",
             _top(sign_y=0.0),
             "a_y is missing: the centre's velocity changes too.",
+        ),
+        Mistake(
+            "pattern of the foot",
+            _top(swap=True, inward=-1.0),
+            "In the bracket stands what belongs to the foot, where the gap has a cosine. Here it has a sine: "
+            "differentiate omega sin(theta).",
+        ),
+        Mistake(
+            "minus before the bracket",
+            _top(turning=-1.0, inward=-1.0),
+            "There is a minus before the bracket, as at the foot. At the top d_2_dot has + (ell/2) omega sin(theta), "
+            "and the plus stays.",
+        ),
+        Mistake(
+            "product of the rates",
+            _top(turning=0.0, inward=0.0, crossed=1.0),
+            "You multiply the rates of both factors. The product rule keeps one factor and takes the rate of the "
+            "other, then the other way about, and adds.",
+        ),
+        Mistake(
+            "bracket once more by omega",
+            _top(power=3),
+            "In the last term omega stands three times. One omega is the factor in d_2_dot, the chain rule brings one "
+            "more.",
         ),
         Mistake(
             "turned round",
