@@ -27,6 +27,18 @@ def test_turning_pair_tells_its_gaps():
     assert len(ax.patches) >= 4
 
 
+def test_later_gaps_stand_in_the_picture():
+    ax = plots.turning_pair(TurningPair(), (0.0, 0.14))
+    assert f"d = {TurningPair().gap(0.14):.3f} m at 0.14 s" in [t.get_text() for t in ax.texts][2]
+
+
+def test_a_marked_point_and_the_opposite_one():
+    ax = plots.marked_point(TurningPair(), -0.4)
+    drawn = [tuple(np.round(line.get_xydata()[0], 9)) for line in ax.lines if line.get_marker() == "o"]
+    assert drawn == [(1.0, 0.3), (1.0, 0.05), (-0.4, 0.05)]  # the corner, the point below it, the marked one
+    assert "N_dot points to the left" in text(ax)
+
+
 def test_ladder_tells_both_gaps():
     ax = plots.ladder_picture(-1.4, 2.1, np.radians(60))
     assert "floor is 0.37 m" in text(ax) and "wall 0.40 m" in text(ax)

@@ -29,6 +29,7 @@ from course.workbook.plots.separation import (
     contact_velocities,
     difference_errors,
     ladder_picture,
+    marked_point,
     passing_a_corner,
     turning_pair,
 )
@@ -69,6 +70,7 @@ __all__ = [
     "impact",
     "ladder_forces",
     "ladder_picture",
+    "marked_point",
     "leg_forces",
     "mass_over_face",
     "matrix_costs",

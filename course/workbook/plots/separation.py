@@ -37,12 +37,16 @@ def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes
         for place, name in zip(pair.bodies().position[:, 1:], ("A, the bar", "B, the plank"), strict=True):
             ax.plot(*place, marker="P", ms=11, mfc="white", mec="black", ls="none", zorder=5)
             ax.text(place[0], place[1] - 0.17, name, ha="center", va="top")
-        contact = pair.contacts(times[0])
+        contact = pair.contacts(times[-1])
         (_, y, z_a), (_, _, z_b) = contact.point_a[0], contact.point_b[0]
-        ax.annotate(
-            "", (y, z_a), (y, z_b), arrowprops={"arrowstyle": "<->", "lw": 1.3, "shrinkA": 0, "shrinkB": 0}
-        )
-        ax.text(y - 0.05, 0.5 * (z_a + z_b), f"d = {contact.separation[0]:.2f} m", ha="right", va="center")
+        if len(times) == 1:
+            look = {"arrowstyle": "<->", "lw": 1.3, "shrinkA": 0, "shrinkB": 0}
+            ax.annotate("", (y, z_a), (y, z_b), arrowprops=look)
+            ax.text(y - 0.05, 0.5 * (z_a + z_b), f"d = {contact.separation[0]:.2f} m", ha="right", va="center")
+        else:
+            said = "\n".join(f"d = {pair.gap(t):.3f} m at {t:g} s" for t in times)
+            ax.annotate(said, (y, 0.5 * (z_a + z_b)), (y - 0.6, z_a + 0.62), ha="center", va="center",
+                        arrowprops={"arrowstyle": "->", "lw": 1.1, "shrinkA": 2, "shrinkB": 3})  # fmt: skip
         _turn(ax, pair.reach + 0.25, 0.75, f"{pair.rate_a:g} rad/s", pair.rate_a)
         _turn(ax, -0.65, 0.42, f"{pair.rate_b:g} rad/s", pair.rate_b)
         ax.set(xlim=(-1.6, 2.8), ylim=(-0.5, 1.15), aspect="equal", xlabel="y [m]", ylabel="z [m]")
@@ -56,6 +60,44 @@ def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes
         "Seen from the side: a bar A on an axle, its left end above the right half of a plank B on an axle. Both turn "
         f"against the clock, the bar at {pair.rate_a:g} and the plank at {pair.rate_b:g} rad/s. The gap between the "
         f"bar's lower corner and the plank is {gaps}.",
+    )
+    return ax
+
+
+def marked_point(pair: TurningPair, place: float = -0.4, *, ax: Axes | None = None) -> Axes:
+    """Bar over plank, level: the plank's point opposite the corner, and another point marked on the same face.
+
+    Args:
+        pair: bar and plank.
+        place: y of the marked point [m].
+    """
+    contact = pair.contacts()
+    corner, opposite = contact.point_a[0, 1:], contact.point_b[0, 1:]
+    marked = np.array([place, opposite[1]])
+    with style():
+        ax = axes(ax, size=(7.4, 2.7))
+        for outline, colour in zip(pair.outlines(0.0), ("blue", "orange"), strict=True):
+            ax.add_patch(Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5))
+        ax.plot(*np.transpose(pair.bodies().position[:, 1:]), marker="P", ms=10, mfc="white", mec="black", ls="none")
+        _arrow(ax, opposite, corner - opposite, "black", "")
+        _arrow(ax, marked, corner - marked, "vermillion", "")
+        for point, name, shift, side in (
+            (corner, "$p_A$", (0.06, -0.1), "left"),
+            (opposite, "$p_B$, opposite", (0.06, -0.2), "left"),
+            (marked, "$p_B$, marked", (0.0, -0.2), "center"),
+        ):
+            ax.plot(*point, marker="o", ms=5, color="black", ls="none")
+            ax.text(point[0] + shift[0], point[1] + shift[1], name, ha=side, va="center")
+        foot = np.array([-1.1, opposite[1]])
+        _arrow(ax, foot, (0.0, 0.45), "blue", "$N$")
+        _arrow(ax, foot + [0.0, 0.45], (-0.3, 0.0), "blue", r"$\dot N$")
+        _turn(ax, 0.0, 0.3, "B turns", pair.rate_b)
+        ax.set(xlim=(-1.7, 2.8), ylim=(-0.35, 0.85), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+    describe(
+        ax,
+        "A bar A over a plank B, level. Two arrows run to the lower corner of A, p_A: one straight up along N from the "
+        "opposite point of B's face, one slanting from another point marked on the same face. B turns against the "
+        "clock, so N_dot points to the left, across N: along the slanting arrow it has a part, along the other none.",
     )
     return ax
 
@@ -189,6 +231,7 @@ def difference_errors(
         if formula is not None:
             ax.axhline(max(formula, 1e-17), color="black", lw=1.6, ls=(0, (5, 1)), label="the formula")
         ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
+        ax.set_title("Errors of difference quotients")
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     describe(
         ax,

@@ -15,7 +15,7 @@ LESSON = Lesson(
     name="separation",
     title="Separation",
     question="Both centres stand still, yet the gap closes. What moves?",
-    minutes=75,
+    minutes=80,
     exercises=(TOP_RATE, SEPARATION, NORMAL_RATE, SEPARATION_RATE, EDGE_NORMAL_RATE),
     predictions=PREDICTIONS,
 )

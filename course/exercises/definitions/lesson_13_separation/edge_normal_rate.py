@@ -15,7 +15,7 @@ from course.exercises.definitions.vectors import dot, unit_vector
 def _edge_rate(
     *,
     project: bool = True,
-    power: int = 1,
+    divide: Any = None,
     sign: bool = True,
     part_a: float = 1.0,
     part_b: float = 1.0,
@@ -26,15 +26,20 @@ def _edge_rate(
     def function(e_a: Any, e_b: Any, omega_a: Any, omega_b: Any, n: Any) -> Any:
         if swap:
             omega_a, omega_b = omega_b, omega_a
-        u = np.cross(e_a, e_b)
-        u_dot = part_a * np.cross(np.cross(omega_a, e_a), e_b) + part_b * np.cross(
+        q = np.cross(e_a, e_b)
+        q_dot = part_a * np.cross(np.cross(omega_a, e_a), e_b) + part_b * np.cross(
             e_a, np.cross(omega_b, e_b)
         )
-        rate = u_dot / np.linalg.norm(u, axis=-1)[..., None] ** power
-        rate = np.sign(dot(u, n))[..., None] * rate if sign else rate
+        length = np.linalg.norm(q, axis=-1)[..., None]
+        rate = divide(q_dot, length) if divide else q_dot / length
+        rate = np.sign(dot(q, n))[..., None] * rate if sign else rate
         return rate - dot(rate, n)[..., None] * n if project else rate
 
     return function
+
+
+def _made_unit(vector: Any) -> Any:
+    return vector / np.linalg.norm(vector, axis=-1)[..., None]
 
 
 def _edges(rng: np.random.Generator) -> Sequence[Case]:
@@ -69,7 +74,7 @@ EDGE_NORMAL_RATE = Exercise(
     name="edge_normal_rate",
     rows=(20,),
     points=2,
-    minutes=15,
+    minutes=18,
     level="stretch",
     task="Return N_dot of two crossing edges: N is e_A x e_B made a unit vector, or the opposite of it.",
     arguments=(
@@ -93,40 +98,57 @@ EDGE_NORMAL_RATE = Exercise(
         Mistake(
             "not projected",
             _edge_rate(project=False),
-            "Only the part of u_dot across N turns it; the part along N changes the length of u, which N does not "
+            "Only the part of q_dot across N turns it; the part along N changes the length of q, which N does not "
             "have. Take it away: rate - (rate.N) N.",
         ),
         Mistake(
             "not divided",
-            _edge_rate(power=0),
-            "u = e_A x e_B is shorter than 1 where the edges are not square to each other, and a short arrow turns "
-            "further by the same change: divide by |u|.",
+            _edge_rate(divide=lambda q_dot, length: q_dot),
+            "q = e_A x e_B is shorter than 1 where the edges are not square to each other, and a short arrow turns "
+            "further by the same change: divide by |q|.",
         ),
         Mistake(
             "divided twice",
-            _edge_rate(power=2),
-            "You divide by |u|^2. N is u/|u|, so its rate holds |u| once.",
+            _edge_rate(divide=lambda q_dot, length: q_dot / length**2),
+            "You divide by |q|^2. N is q/|q|, so its rate holds |q| once.",
+        ),
+        Mistake(
+            "divided by its own length",
+            _edge_rate(divide=lambda q_dot, length: _made_unit(q_dot)),
+            "You divide by |q_dot| where it is |q|. N_dot is a rate: its length says how fast N turns, and is not 1.",
+        ),
+        Mistake(
+            "a unit vector",
+            _edge_rate(divide=lambda q_dot, length: _made_unit(q_dot), sign=False, project=False),
+            "You made q_dot a unit vector. It is N that has length 1; N_dot is a rate, and its length says how fast N "
+            "turns. Divide by |q|, and see to the sign and to the part along N.",
         ),
         Mistake(
             "sign left out",
             _edge_rate(sign=False),
             "Right where N lies along e_A x e_B. Where it lies against it, N_dot is turned round as well: the sign of "
-            "u.N.",
+            "q.N.",
         ),
         Mistake(
             "only the edge of A",
             _edge_rate(part_b=0.0),
-            "The edge of B turns too: u_dot has two terms, one for each edge.",
+            "The edge of B turns too: q_dot has two terms, one for each edge.",
         ),
         Mistake(
             "only the edge of B",
             _edge_rate(part_a=0.0),
-            "The edge of A turns too: u_dot has two terms, one for each edge.",
+            "The edge of A turns too: q_dot has two terms, one for each edge.",
         ),
         Mistake(
             "spins swapped",
             _edge_rate(swap=True),
             "Each edge turns with the omega of the other body.",
+        ),
+        Mistake(
+            "mean spin",
+            lambda e_a, e_b, omega_a, omega_b, n: np.cross(0.5 * (np.asarray(omega_a) + omega_b), n),
+            "You turn N with the mean of the two spins. Each edge turns with its own body, and what that does to N "
+            "depends on how the edges lie: take the rate of their cross product.",
         ),
         Mistake(
             "a face of B",
@@ -136,17 +158,17 @@ EDGE_NORMAL_RATE = Exercise(
         Mistake(
             "sign of the second term",
             _edge_rate(part_b=-1.0),
-            "The second term of u_dot has the wrong sign: the product rule adds.",
+            "The second term of q_dot has the wrong sign: the product rule adds.",
         ),
     ),
     hints=(
-        "An edge is an arrow fixed to its body, so e_dot = omega x e. N is u/|u|, up to a sign, with u = e_A x e_B.",
-        "u_dot is (omega_A x e_A) x e_B plus e_A x (omega_B x e_B). Divide it by |u|, give it the sign of u.N, and "
+        "An edge is an arrow fixed to its body, so e_dot = omega x e. N is q/|q|, up to a sign, with q = e_A x e_B.",
+        "q_dot is (omega_A x e_A) x e_B plus e_A x (omega_B x e_B). Divide it by |q|, give it the sign of q.N, and "
         "take its part along N away.",
-        "u = np.cross(e_a, e_b)\n"
-        "u_dot = np.cross(np.cross(omega_a, e_a), e_b) + np.cross(____, ____)\n"
-        "side = np.sign(np.sum(u * n, axis=-1))[..., None]\n"
-        "rate = side * u_dot / np.linalg.norm(u, axis=-1)[..., None]\n"
+        "q = np.cross(e_a, e_b)\n"
+        "q_dot = np.cross(np.cross(omega_a, e_a), e_b) + np.cross(____, ____)\n"
+        "side = np.sign(np.sum(q * n, axis=-1))[..., None]\n"
+        "rate = side * q_dot / np.linalg.norm(q, axis=-1)[..., None]\n"
         "return rate - ____ * n",
     ),
 )

@@ -37,7 +37,7 @@ NORMAL_RATE = Exercise(
     name="normal_rate",
     rows=(20,),
     points=1,
-    minutes=7,
+    minutes=5,
     task='Return N_dot where a face carries the normal: a face of B (face is "face_b") or of A ("face_a").',
     arguments=(NORMAL, OMEGA_A, OMEGA_B, Value("face", "word", "", '"face_b" or "face_a"', dtype="str")),
     results=(Value("n_dot", "(..., 3)", "1/s", "rate of N"),),
@@ -87,6 +87,14 @@ NORMAL_RATE = Exercise(
             "relative spin, turned round",
             lambda n, omega_a, omega_b, face: np.cross(np.asarray(omega_b) - omega_a, n),
             "You took the spin of B against A. The face knows nothing of the other body: one omega is enough.",
+        ),
+        Mistake(
+            "relative spin, own minus other",
+            lambda n, omega_a, omega_b, face: np.cross(
+                (np.asarray(omega_b) - omega_a) * (1.0 if face == "face_b" else -1.0), n
+            ),
+            "You took the spin of the face's body as seen from the other one. The face knows nothing of the other "
+            "body: its own omega is enough.",
         ),
         Mistake(
             "none",

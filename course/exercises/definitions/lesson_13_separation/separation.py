@@ -42,7 +42,7 @@ SEPARATION = Exercise(
     name="separation",
     rows=(19,),
     points=1,
-    minutes=5,
+    minutes=3,
     task="Return d = (p_A - p_B).N, for one pair of points and for a batch.",
     arguments=(POINT_A, POINT_B, NORMAL),
     results=(Value("d", "(...)", "m", "above 0 apart, 0 touching, below 0 penetrating"),),

@@ -16,9 +16,10 @@ from course.exercises.definitions.lesson_13_separation.shared import (
     ZERO,
     draw,
     gap_rate,
+    short_unit_vector,
     velocity,
 )
-from course.exercises.definitions.vectors import dot, unit_vector
+from course.exercises.definitions.vectors import dot
 
 
 def _rate_with(
@@ -52,10 +53,10 @@ def _pairs(rng: np.random.Generator) -> Sequence[Case]:
         return draw(rng, shape), draw(rng, shape), draw(rng, shape)
 
     def pair(shape: tuple[int, ...] = (), **fixed: Any) -> dict[str, Any]:
-        n = unit_vector(rng, shape)
+        n = short_unit_vector(rng, shape)
         # Points that are not opposite each other along N: otherwise the N_dot term is 0 and nobody misses it.
         drawn = {"p_a": draw(rng, shape), "p_b": draw(rng, shape), "body_a": body(shape), "body_b": body(shape),
-                 "n": n, "n_dot": np.cross(draw(rng, shape), n)}  # fmt: skip
+                 "n": n, "n_dot": np.round(np.cross(draw(rng, shape), n), 4)}  # fmt: skip
         return drawn | fixed
 
     still = (np.array([0.0, 0.0, 0.0]), ZERO, ZERO)

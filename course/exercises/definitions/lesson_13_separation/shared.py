@@ -8,10 +8,16 @@ import numpy as np
 
 from course.dynamics import point_velocity
 from course.exercises.definition import Value
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import unit_vector as short_unit_vector
 from course.exercises.definitions.vectors import dot
 
 POINT_A = Value("p_a", "(..., 3)", "m", "the point on body A")
 POINT_B = Value("p_b", "(..., 3)", "m", "the point on body B")
+__all__ = [
+    "NORMAL", "OMEGA_A", "OMEGA_B", "POINT_A", "POINT_B", "UP", "ZERO",
+    "draw", "gap_rate", "short_unit_vector", "velocity",
+]  # fmt: skip
+
 NORMAL = Value("n", "(..., 3)", "", "unit vector out of body B toward body A")
 OMEGA_A = Value("omega_a", "(..., 3)", "rad/s", "angular velocity of A")
 OMEGA_B = Value("omega_b", "(..., 3)", "rad/s", "angular velocity of B")

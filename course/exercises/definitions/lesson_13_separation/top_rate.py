@@ -71,6 +71,12 @@ TOP_RATE = Exercise(
             "You multiplied by omega but left the cosine standing. Its derivative is -sin(theta).",
         ),
         Mistake(
+            "only y differentiated",
+            lambda v_y, omega, theta, ell: -v_y - ell / 2 * np.cos(theta),
+            "You differentiated y and left the second term as it stood. theta changes too: differentiate cos(theta) by "
+            "the chain rule. (Look at the unit: metres and metres per second do not add.)",
+        ),
+        Mistake(
             "that of the foot",
             lambda v_y, omega, theta, ell: -v_y + ell / 2 * omega * np.cos(theta),
             "cos(theta) belongs to the rate of the foot's gap. d_2 holds the cosine, whose derivative is a sine.",
