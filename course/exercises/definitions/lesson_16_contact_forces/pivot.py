@@ -80,14 +80,14 @@ PIVOT = Exercise(
         Mistake("the others hold still", _pivoting(whole=True),
                 "While one force grows, those that push already must change with it to keep their w at 0."),
         Mistake("contacts that part are pressed", _pivoting(skip=False),
-                "You bring w_d to 0 also where it is above 0. A contact that parts takes no force: leave it alone."),
+                "You bring w_k to 0 also where it is above 0. A contact that parts takes no force: leave it alone."),
     ),
     hints=(
-        "Keep f, w and the list of those that push. While w_d < 0: find the direction and the first stop; go there.",
-        "The pushing forces answer a unit of force at d by -A_CC^-1 A_Cd. The stops: w_d = 0; a pushing force with a "
+        "Keep f, w and the list of those that push. While w_k < 0: find the direction and the first stop; go there.",
+        "The pushing forces answer a unit of force at k by -A_CC^-1 A_Ck. The stops: w_k = 0; a pushing force with a "
         "falling change = 0; a resting w with a falling rate = 0. The smallest step wins.",
-        "change[pushing] = -np.linalg.solve(a[np.ix_(pushing, pushing)], a[pushing, d])\nrate = a @ change\n"
-        "stops = [(-w[d] / rate[d], d)]\nstops += [(____, i) for i in pushing if change[i] < 0]\n"
-        "stops += [(____, i) for i in range(d) if i not in pushing and rate[i] < 0]\nstep, who = min(stops)",
+        "change[pushing] = -np.linalg.solve(a[np.ix_(pushing, pushing)], a[pushing, k])\nrate = a @ change\n"
+        "stops = [(-w[k] / rate[k], k)]\nstops += [(____, i) for i in pushing if change[i] < 0]\n"
+        "stops += [(____, i) for i in range(k) if i not in pushing and rate[i] < 0]\nstep, who = min(stops)",
     ),
 )  # fmt: skip
