@@ -141,7 +141,7 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
         look = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
         tip = p + 0.5 * half * n
         ax.annotate("", tuple(tip), tuple(p + 0.08 * half * n), arrowprops=look)
-        ax.text(*(tip + 0.1 * half * n), "N", ha="center", va="center")
+        ax.text(tip[0] + 0.1 * half * n[0], tip[1] + 0.1 * half * n[1], "N", ha="center", va="center")
         y, z = 0.5 * (p + p_b)
         ax.set(xlim=(y - half, y + half), ylim=(z - half, z + half), aspect="equal", anchor="W")
         ax.set(xlabel="y [m]", ylabel="z [m]")

@@ -125,6 +125,12 @@ TOP_ACCELERATION = Exercise(
             "differentiate omega sin(theta).",
         ),
         Mistake(
+            "pattern of the foot with its minus",
+            _top(swap=True, turning=-1.0),
+            "From -(ell/2) on this is the formula of the foot. The gap at the top has + (ell/2) omega sin(theta): "
+            "differentiate that.",
+        ),
+        Mistake(
             "minus before the bracket",
             _top(turning=-1.0, inward=-1.0),
             "There is a minus before the bracket, as at the foot. At the top d_2_dot has + (ell/2) omega sin(theta), "
