@@ -52,7 +52,9 @@ def automatic(
         return _batch(system, tolerance, max_iterations)
     parts = _Parts(system, tolerance, max_iterations)
     parts.solve()
-    solution = contact_solution(system, parts.force, parts.iterations, parts.method, tolerance)
+    solution = contact_solution(
+        system, parts.force, parts.iterations, parts.method, tolerance, matrix=parts.matrix
+    )
     if np.any(parts.proof):
         raise NoContactForce(_no_force(parts.proof, system.b), parts.proof)
     if not solution.converged:
@@ -92,6 +94,8 @@ class _Parts:
 
     def __init__(self, system: ContactSystem, tolerance: float, limit: int | None) -> None:
         self.system, self.tolerance, self.limit = system, tolerance, limit
+        # Small matrices are handled faster dense.
+        self.matrix = _dense(system.A) if system.b.size <= SMALL else system.A
         self.force, self.proof = np.zeros(system.b.shape), np.zeros(system.b.shape)
         self.iterations, self._used, self._factor = 0, set[str](), None
         self._largest = float(np.abs(system.b).max(initial=0.0))
@@ -101,25 +105,27 @@ class _Parts:
         return "auto: " + (", ".join(sorted(self._used)) or "nothing pushes")
 
     def solve(self) -> None:
-        a, b, diagonal = self.system.A, self.system.b, self.system.diagonal
+        a, b = self.matrix, self.system.b
+        diagonal = a.diagonal()
         nothing_helps = (diagonal == 0) & (b < 0)
         if np.any(nothing_helps):
             self.proof[nothing_helps] = 1.0
             return
         if not np.any(b < 0):
             return
-        label = _islands(a)
+        label = _islands(self.system.A)
         size = np.bincount(label)
         approaching = np.bincount(label, weights=b < 0) > 0
         if size.size == 1 and b.size <= SMALL:
-            found = block_pivot(_dense(a)[None], b[None], max_iterations=self.limit)
+            found = block_pivot(a[None], b[None], max_iterations=self.limit)
             self._take(slice(None), found.force[0], int(found.iterations[0]), "block_pivot")
         else:
-            self._small(a, label, size, approaching & (size <= SMALL))
+            self._small(self.system.A, label, size, approaching & (size <= SMALL))
             for island in np.flatnonzero(approaching & (size > SMALL)):
                 index = slice(None) if size.size == 1 else np.flatnonzero(label == island)
                 self._take(index, *self._by_gauss(index, huge=10 * HUGE))
-        for island in np.unique(label[self._failing(a, b, diagonal, label)]):
+        failing = self._failing(a, b, diagonal, label)
+        for island in np.unique(label[failing]) if np.any(failing) else ():
             self._rescue(np.flatnonzero(label == island))
 
     def _small(self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray) -> None:
@@ -159,7 +165,8 @@ class _Parts:
         push, motion = scaled_rows(diagonal, product, size, self.force, b)
         largest = np.zeros(int(label.max()) + 1)
         np.maximum.at(largest, label, np.abs(b))
-        return (np.abs(np.minimum(push, motion)) > self.tolerance) | _doubtful(product, size, b, largest[label])
+        missed = np.abs(np.minimum(push, motion)) > self.tolerance
+        return missed | _doubtful(product, size, b, largest[label])
 
     def _rescue(self, index: IntArray) -> None:
         """An island that the first method did not solve: a proof, or other methods, or the best there is."""

@@ -56,12 +56,16 @@ class NoContactForce(RuntimeError):
 
 
 def contact_solution(
-    system: ContactSystem, force: Array, iterations: Any, method: str, tolerance: float
+    system: ContactSystem, force: Array, iterations: Any, method: str, tolerance: float, *, matrix: Any = None
 ) -> ContactSolution:
-    """The solution of this force: its accelerations, its residual, and whether that is within the tolerance."""
-    if hasattr(system.A, "tocsr"):
-        acceleration = system.A @ force + system.b
+    """The solution of this force: its accelerations, its residual, and whether that is within the tolerance.
+
+    matrix: A in another form, if that is at hand.
+    """
+    a = system.A if matrix is None else matrix
+    if hasattr(a, "tocsr"):
+        acceleration = a @ force + system.b
     else:
-        acceleration = np.einsum("...ij,...j->...i", system.A, force) + system.b
-    residual = complementarity_residual(system.A, force, system.b)
+        acceleration = np.einsum("...ij,...j->...i", a, force) + system.b
+    residual = complementarity_residual(a, force, system.b)
     return ContactSolution(force, acceleration, residual, iterations, method, residual <= tolerance)
