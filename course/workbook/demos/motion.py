@@ -115,7 +115,7 @@ class TumblingDemo(ipywidgets.VBox):
         plt.close(figure)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        still = f"{self.viewer.picture}<br>{self.picture}"
+        still = f'{self.viewer.picture}<div style="max-width: 600px">{self.picture}</div>'
         return {**super()._repr_mimebundle_(**options), "text/html": still, "text/plain": "[widget]"}
 
 

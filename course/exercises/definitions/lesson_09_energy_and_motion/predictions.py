@@ -50,7 +50,7 @@ PREDICTIONS = (
             "shrinks": "it shrinks to zero and grows again, pointing the other way",
             "stays": "it stays as it is",
         },
-        later="See",
+        later="Derive",
         wrong={
             "turns": "L is not fixed to the body. It is the body's inertia times omega, and neither of them stays.",
             "shrinks": "Then something outside would have taken the angular momentum and given it back.",
