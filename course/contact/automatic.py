@@ -36,6 +36,8 @@ WHOLE = 24
 SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
 #: |A| f above this times the largest |b| is taken for forces that have run away, until no proof of it is found.
 HUGE = 1e9
+#: No d_ddot may be below this times the largest |b|, however large the forces and their rounding.
+SEEN = 1e-3
 #: Up to how many contacts the dense methods are tried, and A's eigenvalues looked at where all goes wrong.
 PIVOT_UP_TO, NNLS_UP_TO, CHECKED_UP_TO = 400, 1000, 2000
 
@@ -57,8 +59,7 @@ def automatic(
     )
     if np.any(parts.proof):
         raise NoContactForce(_no_force(parts.proof, system.b), parts.proof)
-    if not solution.converged:
-        raise NotConverged(_not_converged(float(solution.residual), tolerance), solution)
+    _require_convergence(system, solution, tolerance)
     return solution
 
 
@@ -84,8 +85,7 @@ def _batch(system: ContactSystem, tolerance: float, limit: int | None) -> Contac
     )
     if np.any(proof):
         raise NoContactForce(_no_force(proof, b), proof.reshape(shape))
-    if not np.all(solution.converged):
-        raise NotConverged(_not_converged(float(np.max(solution.residual)), tolerance), solution)
+    _require_convergence(system, solution, tolerance)
     return solution
 
 
@@ -126,7 +126,7 @@ class _Parts:
                 self._take(index, *self._by_gauss(index, huge=10 * HUGE))
         failing = self._failing(a, b, diagonal, label)
         for island in np.unique(label[failing]) if np.any(failing) else ():
-            self._rescue(np.flatnonzero(label == island))
+            self._rescue(np.flatnonzero((label == island) & (diagonal > 0)))
 
     def _small(self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray) -> None:
         """All small islands, in batches of like size."""
@@ -290,8 +290,18 @@ def _require_semidefinite(a: Any) -> None:
         raise failure("A", "a positive semidefinite matrix", f"eigenvalue {least:.3g} in units of its diagonal")
 
 
-def _not_converged(residual: float, tolerance: float) -> str:
-    return (
-        f"no method reached the tolerance {tolerance:g}: the best residual is {residual:.3g} "
-        "(what was reached is in .solution)"
-    )
+def _require_convergence(system: ContactSystem, solution: ContactSolution, tolerance: float) -> None:
+    kept = "(what was reached is in .solution)"
+    if not np.all(solution.converged):
+        worst = float(np.max(solution.residual))
+        raise NotConverged(
+            f"no method reached the tolerance {tolerance:g}: the best residual is {worst:.3g} {kept}", solution
+        )
+    largest = np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
+    if np.any(hidden := solution.acceleration < -SEEN * largest):
+        raise NotConverged(
+            f"{np.count_nonzero(hidden)} contacts approach, at up to {-solution.acceleration.min():.3g} m/s^2, "
+            f"under forces so large that the residual, {float(np.max(solution.residual)):.3g}, does not see it; "
+            f"A is too nearly singular to tell in double precision whether forces exist {kept}",
+            solution,
+        )

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,7 +12,7 @@ import numpy as np
 from course.arrays import Array, ArrayLike, IntArray, choice, failure, positive, scalar, scalars, whole_number
 from course.contact.automatic import automatic
 from course.contact.contact_system import ContactSystem
-from course.contact.solution import ContactSolution, contact_solution
+from course.contact.solution import ContactSolution, NotConverged, contact_solution
 from course.contact.solvers.gauss import solve_gauss
 from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.nnls import solve_nnls
@@ -18,6 +20,9 @@ from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.projected_gauss_seidel import solve_projected_gauss_seidel
 from course.contact.solvers.qp import solve_qp
 from course.contact.solvers.unit_system import UnitSystem
+
+#: A b below this, or above its inverse, is solved for in another unit.
+SMALLEST = 1e-30
 
 METHODS = ("auto", "qp", "nnls", "pivot", "projected_gauss_seidel", "gauss")
 
@@ -82,6 +87,36 @@ def solve(
         raise failure("start", f"shape {system.b.shape}", f"shape {begin.shape}")
     if method == "gauss" and system.jacobian is None:
         raise failure("system", "jacobian and inverse_mass for method 'gauss'", "A and b alone")
+    run = partial(_solved, method=method, tolerance=tolerance, limit=limit, relaxation=relaxation)
+    unit = _power_of_two(system.b)
+    return run(system, begin) if np.all(unit == 1) else _in_units(system, unit, begin, run)
+
+
+def _power_of_two(b: Array) -> Array:
+    """1, or about the size of a system's b where its squares would leave the range of floating point, (..., 1)."""
+    size = np.abs(b).max(axis=-1, keepdims=True, initial=0.0)
+    far = (size > 0) & ((size < SMALLEST) | (size > 1 / SMALLEST))
+    return np.where(far, np.ldexp(1.0, np.clip(np.frexp(size)[1], -1021, 1022)), 1.0)
+
+
+def _in_units(
+    system: ContactSystem, unit: Array, start: Any, solved: Callable[[ContactSystem, Any], ContactSolution]
+) -> ContactSolution:
+    """Solved for b / unit: forces and accelerations are proportional to b."""
+    scaled = replace(system, b=system.b / unit)
+
+    def back(found: ContactSolution) -> ContactSolution:
+        return replace(found, force=found.force * unit, acceleration=found.acceleration * unit)
+
+    try:
+        return back(solved(scaled, None if start is None else start / unit))
+    except NotConverged as error:
+        raise NotConverged(str(error), back(error.solution)) from None
+
+
+def _solved(
+    system: ContactSystem, begin: Any, *, method: str, tolerance: float, limit: int | None, relaxation: float
+) -> ContactSolution:
     if method == "auto":
         return automatic(system, tolerance=tolerance, max_iterations=limit, start=begin)
     one = _ONE[method]

@@ -56,8 +56,10 @@ def scaled_rows(
     From D, A f, |A| |f|, f and b, the contacts along the axis; nothing is checked.
     """
     scale = size + np.abs(bias).max(axis=axis, keepdims=True, initial=0)
-    inverse = np.divide(1.0, scale, out=np.zeros(np.shape(scale)), where=scale > 0)
-    return diagonal * force * inverse, (product + bias) * inverse
+    some = scale > 0
+    push, motion = diagonal * force, product + bias
+    rows = [np.divide(row, scale, out=np.zeros(np.shape(row)), where=some) for row in (push, motion)]
+    return rows[0], rows[1]
 
 
 def runs_away(product: Array, size: Array, bias: Array, largest: Array | None = None) -> BoolArray:
