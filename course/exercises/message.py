@@ -119,6 +119,10 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
     if outcome.kind in plain:
         return [Part("got", plain[outcome.kind], "code" if outcome.kind == "raised" else "text"), *printed]
     declared = next(r for r in exercise.results if r.name == difference.result)
+    if difference.fault in verdict.reason:       # a broken property is told below; here stand the numbers that break it
+        names = ", ".join(result.name for result in exercise.results)
+        came = ", ".join(short(value) for value in outcome.values)
+        return [Part("got", f"{names} = {came}", "code"), *printed]
     if difference.fault:
         at = f", at index {list(difference.index)} of the batch" if difference.index else ""
         return [Part("got", f"{declared.name}: {difference.fault}{at}"), *printed]

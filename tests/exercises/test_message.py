@@ -32,6 +32,15 @@ def pair_exercise(mistake, shape="(..., 3)"):
     )  # fmt: skip
 
 
+def test_an_answer_judged_by_properties_is_shown_beside_the_one_it_breaks():
+    exercise = next(e for e in EXERCISES if e.name == "solve_contact_qp")
+    cases = exercise.draw()
+    answers = answers_of(lambda a, b: np.full(len(b), 0.125), exercise, cases)
+    parts = verdict_message(exercise, judge(exercise, cases, answers)).parts
+    assert parts_of(exercise, judge(exercise, cases, answers))["got"].startswith("f = [0.125")
+    assert len({part.text for part in parts}) == len(parts), "nothing is said twice"
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
 @pytest.mark.parametrize("seed", (None, 20_261))

@@ -54,6 +54,10 @@ def _tried_forces(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
+def _residual_with_own_b(a: Any, f: Any, b: Any) -> Any:
+    return _residual(scale=lambda a, f, size, _: size + np.abs(b))(a, f, b)
+
+
 COMPLEMENTARITY_RESIDUAL = Exercise(
     name="complementarity_residual",
     rows=(20, 25),
@@ -73,8 +77,8 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
                 "Without the absolute value a contact that sinks in, w < 0, has a residual below 0, and the largest "
                 "one hides it."),
         Mistake("abs too early", _residual(judge=lambda p, w: np.minimum(np.abs(p), np.abs(w))),
-                "The absolute values come too early: with f = 0 and w < 0 the smaller of |D f| and |w| is 0, and the "
-                "contact sinks in unseen. First the minimum, then its absolute value."),
+                "The absolute values come too early: with f = 0 and w < 0 the smaller of |a_ii f| and |w| is 0, and "
+                "the contact sinks in unseen. First the minimum, then its absolute value."),
         Mistake("approach alone", _residual(judge=lambda p, w: np.maximum(-w, 0)),
                 "You see only the contacts that sink in. A contact that pushes although the bodies part is wrong too."),
         Mistake("product", _residual(judge=lambda p, w: np.abs(p * w)),
@@ -88,6 +92,8 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
         Mistake("no absolute values in the scale",
                 _residual(scale=lambda a, f, size, largest: apply(a, f) + largest),
                 "The scale has A f, where terms cancel and which may be below 0. It is |A| f: np.abs(a)."),
+        Mistake("each row's own b", _residual_with_own_b,
+                "The scale has |b_i| of each row. It is the largest |b| of the system, in every row."),
         Mistake("one b for the whole batch", _residual(scale=lambda a, f, size, largest: size + np.max(largest)),
                 "Right for one system. In a batch each has its own largest |b|: max(axis=-1, keepdims=True)."),
         Mistake("one scale for all rows",
@@ -96,16 +102,16 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
         Mistake("rows added up", _residual(best=lambda rows: rows.sum(axis=-1)),
                 "You add the rows up. The residual is the worst of them."),
         Mistake("D missing", _residual(diagonal=False),
-                "The minimum is taken of newtons and m/s^2. D_i f_i = a_ii f_i is in m/s^2, as w_i is."),
+                "The minimum is taken of newtons and m/s^2. a_ii f_i is in m/s^2, as d_ddot_i is."),
         Mistake("sign of b", _residual(sign=-1.0), "The sign of b: w = A f + b is the acceleration of the gaps."),
         Mistake("0/0", _without_guard,
                 "0/0 where nothing pushes and b = 0: there the residual is 0. np.divide(x, y, out=np.zeros(...), "
                 "where=y > 0) leaves such rows at 0."),
     ),
     hints=(
-        "Under Build: four arrays first (D f, w, |A| f, the largest |b|), then one line.",
-        "D is np.diagonal(a, axis1=-2, axis2=-1). A matrix times a vector in a batch is the einsum of lesson 14. The "
-        "largest |b| needs keepdims=True to be added to every row.",
+        "Under Build: four arrays first (a_ii f_i, w = A f + b, |A| f, the largest |b|), then one line.",
+        "The a_ii are np.diagonal(a, axis1=-2, axis2=-1). A matrix times a vector in a batch is the einsum of lesson "
+        "14. The largest |b| needs keepdims=True to be added to every row.",
         'w = np.einsum("...ij,...j->...i", a, f) + b\nwrong = np.abs(np.minimum(d * f, ____))\n'
         'scale = np.einsum("...ij,...j->...i", ____, f) + np.abs(b).max(axis=-1, keepdims=True)\n'
         "rows = np.divide(wrong, scale, out=np.zeros(wrong.shape), where=scale > 0)\nreturn rows.max(axis=-1)",

@@ -21,13 +21,14 @@ def _sweeps(
     way: float = -1.0,
     backwards: bool = False,
     more: int = 0,
+    once: bool = False,
     warm: bool = True,
 ) -> Any:
     """Sweeps over the contacts with one of their parts changed."""
 
     def function(a: Any, b: Any, start: Any, sweeps: Any) -> Any:
         f = np.array(start, dtype=float) if warm else np.zeros(len(b))
-        for _ in range(int(sweeps) + more):
+        for _ in range(1 if once else int(sweeps) + more):
             seen = f.copy() if jacobi else f
             for i in reversed(range(len(b))) if backwards else range(len(b)):
                 w = a[i] @ seen + sign * b[i] + own * a[i, i] * f[i]
@@ -84,6 +85,8 @@ PROJECTED_GAUSS_SEIDEL = Exercise(
                 "not converge. Gauss-Seidel uses each new force at once."),
         Mistake("not divided", _sweeps(divide=False), "w_i is in m/s^2. Divided by a_ii it becomes a force."),
         Mistake("sign of b", _sweeps(sign=-1.0), "The sign of b is turned round: w = A f + b."),
+        Mistake("b left out", _sweeps(sign=0.0), "b is missing: w is row i of A times f, plus b_i."),
+        Mistake("sweeps ignored", _sweeps(once=True), "You go through the contacts once, whatever `sweeps` says."),
         Mistake("old force lost", _sweeps(own=1.0),
                 "The old force is lost: -w_i/a_ii is only the change. (Row i of A times f holds a_ii f_i already.)"),
         Mistake("wrong way", _sweeps(way=1.0),

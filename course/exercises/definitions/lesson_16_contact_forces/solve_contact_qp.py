@@ -30,6 +30,12 @@ def _unlimited(a: Any, b: Any) -> np.ndarray:
     return np.linalg.lstsq(a, -np.asarray(b), rcond=1e-12)[0]
 
 
+def _forced(a: Any, b: Any) -> Any:
+    """What cvxpy leaves where d_ddot = 0 is a limit as well: None where no f >= 0 meets it."""
+    f = _solution(a, b)
+    return f if np.abs(np.asarray(a) @ f + b).max() < 1e-6 * max(1.0, np.abs(b).max()) else None
+
+
 def _least_squares(a: Any, b: Any) -> np.ndarray:
     return _solution(np.asarray(a) @ a, np.asarray(a) @ b)
 
@@ -93,6 +99,11 @@ SOLVE_CONTACT_QP = Exercise(
         Mistake("clamped after solving", lambda a, b: np.maximum(_unlimited(a, b), 0.0),
                 "Solved without the limit, and what pulled set to 0 afterwards. The other forces were found for "
                 "a contact that pulls, and do not fit once it is gone. The limit belongs into the programme."),
+        Mistake("the lowest q", lambda a, b: 0.5 * np.dot(b, _solution(a, b)),
+                "One number came: solve() returns the lowest q. The forces are in the variable, f.value."),
+        Mistake("d_ddot = 0 as a limit", lambda a, b: _forced(a, b),
+                "With d_ddot = 0 as a limit there may be no f >= 0 at all; cvxpy then leaves None in f.value. It is "
+                "f d_ddot = 0 that holds, and it comes out by itself."),
         Mistake("half forgotten", lambda a, b: 0.5 * _solution(a, b),
                 "All forces are half of what they should be: the 1/2 before f'A f is missing, so its slope is 2 A f."),
         Mistake("sign of b", lambda a, b: _solution(a, -np.asarray(b)),
