@@ -11,6 +11,7 @@ from course import rotations
 from course.workbook import viewer
 from course.workbook.plots.figure import figure_html
 from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
+from course.workbook.viewer.still import _quartered
 from course.workbook.viewer.widget import MOST_FRAMES, camera_of
 
 TIMES = np.linspace(0.0, 2.0, 41)
@@ -118,6 +119,36 @@ def test_the_legend_states_the_scale_and_chooses_one_where_none_is_given():
     assert scene.legend()[1][1].startswith("n: unit vectors, drawn ")
 
 
+@pytest.mark.parametrize(
+    ("size", "told"),
+    [(0.0128, "0.4 m drawn for 0.01 kg m²/s"), (0.9, "40 m drawn for 1 kg"), (0.0, "40 m drawn for 1 kg")],
+)
+def test_the_scale_is_told_for_as_much_as_there_is(size, told):
+    scene = turning_box(arrows=[viewer.Arrows("L", [[0, 0, size]], "kg m²/s", scale=40.0)])
+    assert told in scene.legend()[0][1]
+
+
+def test_the_reach_is_the_farthest_that_anything_comes():
+    """The box slides from 0 to 2 m and reaches 0.374 m from its centre; its arrow ends at 1.75 m."""
+    half = np.sqrt(0.3**2 + 0.2**2 + 0.1**2)
+    scene = turning_box(ground=None)
+    low, high = np.array([-half, -half, 1 - half]), np.array([2 + half, half, 1.75])
+    assert scene.center == pytest.approx((low + high) / 2)
+    tip = np.linalg.norm([1.0, 0.0, 1.75 - scene.center[2]])
+    box = np.linalg.norm([1.0, 0.0, 1.0 - scene.center[2]]) + half
+    assert scene.reach == pytest.approx(max(tip, box)) and scene.reach < scene.radius
+
+
+def test_quartered_triangles_cover_what_they_covered():
+    solid = viewer.box([0.3, 0.2, 0.1])
+    faces = solid.vertices[solid.triangles]
+    fine = _quartered(faces)
+    area = lambda f: np.cross(f[:, 1] - f[:, 0], f[:, 2] - f[:, 0]) / 2  # noqa: E731
+    assert fine.shape == (4 * len(faces), 3, 3)
+    assert area(fine).reshape(-1, 4, 3).sum(axis=1) == pytest.approx(area(faces))
+    assert area(fine) == pytest.approx(np.repeat(area(faces) / 4, 4, axis=0))
+
+
 def test_nothing_that_moves_is_a_picture_without_play():
     shown = viewer.show(viewer.sphere(1.0), [[0, 0, 0]])
     assert not shown.scene.moves and not hasattr(shown, "play")
@@ -132,7 +163,7 @@ def test_the_alternative_text_tells_bodies_time_and_arrows():
     several = viewer.make_scene(
         [viewer.sphere(1.0), viewer.sphere(1.0), viewer.box([1, 1, 1])], np.zeros((3, 3))
     )
-    assert "2 sphere" in several.description() and "a box" in several.description()
+    assert "2 spheres" in several.description() and "a box" in several.description()
 
 
 def test_a_saved_notebook_gets_a_picture_with_alternative_text():

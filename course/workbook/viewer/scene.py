@@ -142,7 +142,7 @@ class Scene:
         """Alternative text for the picture of a moment; None: of no moment in particular."""
         counted = Counter(s.what for s in self.solids)
         bodies = (
-            " and ".join(f"{n} {what}" if n > 1 else f"a {what}" for what, n in counted.items())
+            " and ".join(f"{n} {_several(what)}" if n > 1 else f"a {what}" for what, n in counted.items())
             or "no bodies"
         )
         when = (
@@ -244,6 +244,11 @@ def _nice_scale(vector: Array, scene: Scene) -> float:
     wanted = 0.9 * max(scene.radius, 1e-9) / longest
     power = 10.0 ** np.floor(np.log10(wanted))
     return float(power * max(s for s in (1.0, 2.0, 5.0) if s * power <= wanted * (1 + 1e-9)))
+
+
+def _several(what: str) -> str:
+    """A solid's word where there are several: boxes, meshes, spheres."""
+    return f"{what}es" if what.endswith(("x", "sh")) else f"{what}s"
 
 
 def _scale_in_words(arrows: PlacedArrows) -> str:
