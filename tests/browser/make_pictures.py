@@ -27,10 +27,10 @@ def main() -> None:
     with served(["open", "10", "--no-browser", "--port", str(free_port())], root) as address, page(1200, 860) as opened:
         lab = Lab(opened, address)
         lab.run_all()
-        opened.evaluate("document.querySelector('.jp-WindowedPanel-outer, .jp-Notebook').scrollTo(0, 0)")
         lab.cell("plots.blocks_and_wall()")
-        opened.evaluate("document.querySelector('.jp-WindowedPanel-outer, .jp-Notebook').scrollTo(0, 0)")
-        opened.wait_for_timeout(800)
+        for _ in range(3):      # cells above are measured only as they come into view, which moves the page once more
+            opened.evaluate("document.querySelectorAll('.jp-NotebookPanel *').forEach(e => { e.scrollTop = 0 })")
+            opened.wait_for_timeout(700)
         opened.screenshot(path=PICTURES / "lesson.png")
         cell = lab.write_and_run("def impulse_central", WRONG)
         cell.scroll_into_view_if_needed()
