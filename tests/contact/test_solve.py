@@ -173,7 +173,7 @@ def test_states_without_a_solution_come_with_the_proof(name):
         np.testing.assert_allclose(system.jacobian.T @ y, 0, atol=1e-12)
 
 
-@pytest.mark.parametrize("bodies, contacts", [(3, 60), (10, 300), (40, 600)])
+@pytest.mark.parametrize("bodies, contacts", [(3, 60), (10, 300), pytest.param(40, 600, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("with_bodies", [True, False])
 def test_forces_that_run_away_are_no_solution(bodies, contacts, with_bodies):
     """Far more contacts than bodies can obey, each with a d_ddot of its own: the residual, which is relative to the

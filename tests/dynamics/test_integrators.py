@@ -81,7 +81,7 @@ def same(one, other):
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("method", STEPS)
-@pytest.mark.parametrize("wrench", [None, compass, damped_compass])
+@pytest.mark.parametrize("wrench", [None, compass, pytest.param(damped_compass, marks=pytest.mark.slow)])
 def test_orders(method, wrench, seed):
     """1, 1, 2, 4, 2 on bodies that turn, free and driven, from halving the step."""
     bodies = tumbling(seed=seed)

@@ -47,6 +47,7 @@ def test_reference_passes(exercise, seed):
     assert verdict.passed, str(verdict_message(exercise, verdict))
 
 
+@pytest.mark.slow
 @by_name
 @pytest.mark.parametrize("seed", SEEDS)
 def test_each_mistake_fails_with_its_own_message(exercise, seed):

@@ -66,6 +66,7 @@ def batch(tmp_path_factory):
     return SimpleNamespace(folder=folder, out=out, summary=summary, rows=rows_in(out), told=told)
 
 
+@pytest.mark.slow
 def test_who_handed_in_several_has_a_page_with_all_of_them(batch):
     pages = batch.summary.feedback
     own = (pages / "Ben.html").read_text()

@@ -52,6 +52,7 @@ def test_blanks_are_not_attempted_and_start_no_process(rows_of, monkeypatch):
     assert rows["area"].state == "not attempted"
 
 
+@pytest.mark.slow
 def test_a_renamed_answer_with_a_hole_left_beside_it_is_for_a_person(rows_of):
     """Renamed, it is no blank although a ``...`` stands in it; renamed and blank, it is one."""
     answered = "def splitted(x):\n    ...\n    return x[..., 0], x[..., 1:]"

@@ -108,6 +108,7 @@ def test_the_exact_motion_is_that_of_a_fine_integration(seed):
     assert motion.velocity[1] == pytest.approx(start.velocity[0] + 2 * g)
 
 
+@pytest.mark.slow
 def test_turning_over_is_found_between_the_samples():
     """Twenty times as many samples find the same times; between two of them lies half a period of the motion."""
     few, many = (turnover_times(free_tumble(spinning_handle(), np.linspace(0, 8, n))) for n in (401, 8001))
@@ -125,6 +126,7 @@ def test_ten_times_the_care_is_a_fixed_time_more():
     assert np.diff(first) == pytest.approx(np.log(10) / sigma, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_tilt_grows_at_the_predicted_rate_about_the_middle_axis_only():
     moments = np.array([[1.0, 1.3, 1.8], [1.0, 1.6, 1.8], [1.0, 0.9, 1.8], [1.0, 2.2, 1.8]])
     grown = tilt_growth(moments, spin=2.0, turns=8)
@@ -145,6 +147,7 @@ def test_a_step_on_arrays_is_the_method_of_the_library():
     assert one.position == pytest.approx(other.position) and orientation_error(one, other) < 1e-12
 
 
+@pytest.mark.slow
 def test_the_plain_step_makes_energy_where_splitting_does_not():
     """What lesson 09 shows: after 8 s 18, 7 and 3 percent too much, about half as much with half the step."""
     start, gains = spinning_handle(), []
