@@ -168,6 +168,25 @@ def test_a_capsule_may_lie_on_a_plane_but_not_tip():
         separation_acceleration(bodies([0, 1.0, 0]), contacts, zero, zero)
 
 
+def test_parallel_capsules_may_roll_and_turn_but_not_tip():
+    """TRUTHS: K_A + K_B is singular along their common line; crossed ones have an answer for every spin."""
+
+    def d_ddot(spin, axis_b):
+        bodies = Bodies([1.0, np.inf], np.stack([EYE, EYE]), [[0, 0, 0.3], [0, 0, -0.4]], rotations.identity(2),
+                        np.zeros((2, 3)), [spin, [0, 0, 0]])  # fmt: skip
+        k_a, k_b = rod(0.3, np.array([1.0, 0, 0])), rod(0.4, np.array(axis_b))
+        contacts = Contacts(np.array([0]), np.array([1]), np.zeros((1, 3)), np.array([[0, 0, 1.0]]), np.zeros(1),
+                            np.array(["curved"]), curvature_a=k_a[None], curvature_b=k_b[None])  # fmt: skip
+        return separation_acceleration(bodies, contacts, np.zeros((2, 3)), np.zeros((2, 3)))[0]
+
+    for spin in ([0, 0, 0], [2.0, 0, 0], [0, 0, 3.0]):
+        assert d_ddot(spin, [1.0, 0, 0]) == pytest.approx(0, abs=1e-14)
+    with pytest.raises(ValueError, match="parallel"):
+        d_ddot([0, 1.0, 0], [1.0, 0, 0])
+    # Crossed, A tips over B by theta = 1 rad/s t: the axes are .7 cos(theta) apart, so d_ddot = -.7.
+    assert d_ddot([0, 1.0, 0], [0, 1.0, 0]) == pytest.approx(-0.7, abs=1e-14)
+
+
 def test_refusals():
     motion = Motion(edges, 1)
     bodies, touch = motion.bodies(motion.start), motion.touch(motion.start)
