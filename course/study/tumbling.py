@@ -88,7 +88,36 @@ def spinning_handle(*, tilt: float = np.radians(1.0), spin: float = 6.0, axis: i
         axis: 0, 1 or 2.
     """
     solid = handle_mass_properties()
-    return _upright(float(solid.mass), np.diag(solid.inertia), tilt, spin, axis)
+    return spinning_body(np.diag(solid.inertia), mass=float(solid.mass), tilt=tilt, spin=spin, axis=axis)
+
+
+def spinning_body(
+    moments: ArrayLike, *, mass: float = 1.0, tilt: float = np.radians(1.0), spin: float = 6.0, axis: int = 1
+) -> Bodies:
+    """One body at the origin, L upright, and one of its axes almost along L.
+
+    Args:
+        moments: about its centre, (3,) [kg m^2]; the axes are numbered as they stand here.
+        mass: [kg].
+        tilt: angle between L and the axis of the spin [rad]; L leans toward the next axis.
+        spin: |L| over the moment about that axis [rad/s].
+        axis: 0, 1 or 2.
+    """
+    moment = positive("moments", vectors("moments", moments))
+    if moment.ndim != 1:
+        raise failure("moments", "shape (3,)", f"shape {moment.shape}")
+    if axis not in (0, 1, 2):
+        raise failure("axis", "0, 1 or 2", f"{axis!r:.60}")
+    leaning = _leaning(axis, scalar("tilt", tilt))
+    # The least turn that takes the leaning direction to the world's z.
+    up = np.array([0.0, 0.0, 1.0])
+    across = np.cross(leaning, up)
+    size = float(np.linalg.norm(across))
+    angle = np.arctan2(size, leaning @ up)
+    turn = rotations.from_rotation_vector(angle * across / size if size > 0 else angle * np.array([1.0, 0.0, 0.0]))
+    none = np.zeros((1, 3))
+    length = moment[axis] * scalar("spin", spin)
+    return Bodies(np.array([mass]), np.diag(moment)[None], none, turn[None], none, length * up[None])
 
 
 def free_tumble(bodies: Bodies, times: ArrayLike, *, gravity: ArrayLike = (0.0, 0.0, 0.0)) -> Tumble:
@@ -147,7 +176,7 @@ def tilt_growth(
     moment = positive("moments", vectors("moments", moments))
     if moment.ndim != 2:
         raise failure("moments", "shape (n, 3)", f"shape {moment.shape}")
-    several = [_upright(1.0, one, tilt, spin, axis) for one in moment]
+    several = [spinning_body(one, tilt=tilt, spin=spin, axis=axis) for one in moment]
     names = ("mass", "inertia", "position", "orientation", "momentum", "angular_momentum")
     bodies = Bodies(*(np.concatenate([getattr(b, name) for b in several]) for name in names))
     step = 2 * np.pi / abs(scalar("spin", spin)) / 60
@@ -265,21 +294,6 @@ def _slope_between(times: Array, sizes: Array, low: float, high: float) -> float
     """The rate of growth while a size is between two bounds for the first time; 0 where it never is."""
     within = (np.maximum.accumulate(sizes) > low) & (np.maximum.accumulate(sizes) < high)
     return growth_rate(times[within], sizes[within]) if within.sum() > 2 else 0.0
-
-
-def _upright(mass: float, moments: Array, tilt: float, spin: float, axis: int) -> Bodies:
-    if axis not in (0, 1, 2):
-        raise failure("axis", "0, 1 or 2", f"{axis!r:.60}")
-    leaning = _leaning(axis, scalar("tilt", tilt))
-    # The least turn that takes the leaning direction to the world's z.
-    up = np.array([0.0, 0.0, 1.0])
-    across = np.cross(leaning, up)
-    size = float(np.linalg.norm(across))
-    angle = np.arctan2(size, leaning @ up)
-    turn = rotations.from_rotation_vector(angle * across / size if size > 0 else angle * np.array([1.0, 0.0, 0.0]))
-    none = np.zeros((1, 3))
-    length = moments[axis] * scalar("spin", spin)
-    return Bodies(np.array([mass]), np.diag(moments)[None], none, turn[None], none, length * up[None])
 
 
 def _leaning(axis: int, tilt: float) -> Array:

@@ -30,6 +30,7 @@ from course.study.tumbling import (
     handle_mass_properties,
     method_of,
     orientation_error,
+    spinning_body,
     spinning_handle,
     tilt_growth,
     turn_by_plain_steps,
@@ -73,6 +74,16 @@ def test_it_starts_tilted_as_asked_with_L_upright(axis):
     assert SIZE(momentum) == pytest.approx(5.0 * bodies.inertia[0, axis, axis])
     seen = turned.T @ momentum / SIZE(momentum)
     assert seen[axis] == pytest.approx(np.cos(0.3)) and seen[(axis + 1) % 3] == pytest.approx(np.sin(0.3))
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_a_body_of_any_moments_starts_as_the_handle_does(axis):
+    """A crate of 20 kg, 0.4 by 0.5 by 0.6 m: moments m (b^2 + c^2)/12."""
+    moments = 20 / 12 * np.array([0.41, 0.52, 0.61])
+    bodies = spinning_body(moments, mass=20.0, tilt=0.2, spin=6.0, axis=axis)
+    seen = bodies.rotation[0].T @ bodies.angular_momentum[0]
+    assert bodies.mass[0] == 20 and np.allclose(bodies.angular_momentum[0], [0, 0, 6 * moments[axis]])
+    assert np.arccos(seen[axis] / np.linalg.norm(seen)) == pytest.approx(0.2)
 
 
 def test_L_and_energy_stay_and_it_turns_over():
@@ -214,6 +225,8 @@ def test_a_wrench_counts_how_often_it_is_asked():
         (lambda: free_tumble(spinning_handle(), []), "times"),
         (lambda: spinning_handle(axis=3), "axis: expected 0, 1 or 2"),
         (lambda: spinning_handle(tilt=np.nan), "tilt"),
+        (lambda: spinning_body([[1.0, 2.0, 3.0]]), "moments: expected shape"),
+        (lambda: spinning_body([1.0, 2.0, 0.0]), "moments"),
         (lambda: tilt_growth([1.0, 2.0, 3.0]), "moments: expected shape"),
         (lambda: tilt_growth([[1.0, 2.0, -3.0]]), "moments"),
     ],

@@ -24,7 +24,7 @@ LESSON = Lesson(
     name="energy-and-motion",
     title="Energy and motion",
     question="No torque acts on the handle in space: why does it flip, and how soon?",
-    minutes=75,
+    minutes=90,
     exercises=(
         SIGMA,
         LINEAR_KINETIC_ENERGY,

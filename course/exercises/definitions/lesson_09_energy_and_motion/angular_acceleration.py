@@ -35,7 +35,7 @@ ANGULAR_ACCELERATION = Exercise(
     name="angular_acceleration",
     rows=(14, 23),
     points=2,
-    minutes=10,
+    minutes=12,
     task="Return omega_dot = I^-1 (torque + L x omega), with omega = I^-1 L.",
     arguments=(
         Value("I", "(..., 3, 3)", "kg m²", "inertia, world axes"),
@@ -89,6 +89,25 @@ ANGULAR_ACCELERATION = Exercise(
             lambda I, L, torque: times(I, np.asarray(torque) + np.cross(L, solved(I, L))),  # noqa: E741
             "You multiply by I at the end where you must divide: I omega_dot is the bracket, and np.linalg.solve(I, "
             "...) gives omega_dot.",
+        ),
+        Mistake(
+            "the bracket alone",
+            lambda I, L, torque: np.asarray(torque) + np.cross(L, solved(I, L)),  # noqa: E741
+            "This is the bracket, torque + L x omega, in N m. It equals I omega_dot: I^-1 must still be applied.",
+        ),
+        Mistake(
+            "omega from I L",
+            lambda I, L, torque: solved(I, np.asarray(torque) + np.cross(L, times(I, L))),  # noqa: E741
+            "You take omega = I L. It is L = I omega, so omega comes from L by solving, as omega_dot does from the "
+            "bracket.",
+        ),
+        Mistake(
+            "omega from the diagonal",
+            lambda I, L, torque: solved(  # noqa: E741
+                I, np.asarray(torque) + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1))
+            ),
+            "For omega you divide L by the diagonal of I. In world axes I has entries off its diagonal: solve for "
+            "omega as you do for omega_dot.",
         ),
         Mistake(
             "diagonal only",

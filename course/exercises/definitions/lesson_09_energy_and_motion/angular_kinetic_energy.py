@@ -21,7 +21,7 @@ ANGULAR_KINETIC_ENERGY = Exercise(
     name="angular_kinetic_energy",
     rows=(14,),
     points=1,
-    minutes=4,
+    minutes=3,
     task="Return L.omega/2, the kinetic energy of turning about the centre of mass.",
     arguments=(
         Value("L", "(..., 3)", "kg m²/s", "angular momentum about the centre of mass"),
@@ -49,6 +49,11 @@ ANGULAR_KINETIC_ENERGY = Exercise(
             "omega twice",
             lambda L, omega: half_a_dot(omega, omega),
             "omega.omega/2 has no inertia in it. The inertia sits in L = I omega: use L once and omega once.",
+        ),
+        Mistake(
+            "L twice",
+            lambda L, omega: half_a_dot(L, L),
+            "L.L/2 holds the inertia twice and is no energy (look at the units). Use L once and omega once.",
         ),
         Mistake(
             "cross product",

@@ -22,7 +22,7 @@ LINEAR_KINETIC_ENERGY = Exercise(
     name="linear_kinetic_energy",
     rows=(14,),
     points=1,
-    minutes=4,
+    minutes=3,
     task="Return p.v/2, the kinetic energy of the motion of the centre of mass.",
     arguments=(
         Value("p", "(..., 3)", "kg m/s", "momentum"),

@@ -31,12 +31,13 @@ def _first_turnover(degrees: float) -> float:
     return float(turnover_times(motion)[0])
 
 
-def _spring_growth() -> float:
+def _spring_growth() -> str:
     from course.dynamics import explicit_euler
     from course.study.stability import oscillator_growth
 
-    steps = round(10 * 2 * np.pi / 0.1)
-    return float(oscillator_growth(explicit_euler, 0.1, steps=steps)) ** steps
+    grown = float(oscillator_growth(explicit_euler, 0.1, steps=628)) ** 628
+    sizes = {"lost": 0.01, "same": 1.0, "times 7": 7.0, "times 500": 500.0}
+    return min(sizes, key=lambda name: abs(np.log(grown / sizes[name])))
 
 
 PREDICTIONS = (
@@ -86,18 +87,21 @@ PREDICTIONS = (
     ),
     Prediction(
         "spring",
-        "A weight swings on a spring without friction. A program moves it by explicit Euler with 63 steps a swing. "
-        "By what factor has its energy grown after ten swings?",
+        "A weight swings on a spring without friction. A program moves it by 628 steps of explicit Euler, each of "
+        "them a = h w = 0.1 long: ten swings. What has become of its energy?",
         _spring_growth,
         "Each step multiplies the energy by 1 + 0.1^2 = 1.01, and 1.01 to the power 628 is 517.",
-        tolerance=0.2,
+        choices={
+            "same": "it is what it was, to a few percent",
+            "times 7": "about 7 times what it was",
+            "times 500": "about 500 times what it was",
+            "lost": "most of it is lost",
+        },
         wrong={
-            1: "So it should be. Explicit Euler does not know it.",
-            7.28: (
-                "628 steps of one percent each, added: but each step takes its percent of all that the ones before "
-                "made."
-            ),
-            1.1: "One percent a swing? It is one percent a step.",
+            "same": "So it should be. Explicit Euler does not know it.",
+            "times 7": "628 steps of one percent each, added: but each step takes its percent of all that the ones "
+            "before made.",
+            "lost": "A swing that dies down is what friction does. The error of explicit Euler has the other sign.",
         },
     ),
 )

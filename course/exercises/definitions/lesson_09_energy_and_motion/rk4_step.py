@@ -9,7 +9,7 @@ import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_09_energy_and_motion.shared import I_BODY
-from course.exercises.definitions.turning import drawn_vectors, inertias, solved
+from course.exercises.definitions.turning import drawn_vectors, inertias, solved, times
 
 
 def rate_of_l(l: Any, I_body: Any, sign: float = 1.0) -> np.ndarray:  # noqa: E741
@@ -37,11 +37,39 @@ def all_from_the_first(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E7
     return start + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
 
 
+def weighed_alike(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
+    return runge_kutta(_FOUR, (1 / 6, 1 / 6, 1 / 6, 1 / 6))(l, I_body, h)
+
+
+def change_alone(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
+    return runge_kutta(_FOUR, _WEIGHTS)(l, I_body, h) - l
+
+
+def second_at_the_end(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
+    return runge_kutta((1.0, 0.5, 1.0), _WEIGHTS)(l, I_body, h)
+
+
+def times_the_inertia(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
+    return _four_of(lambda at: np.cross(at, times(I_body, at)), l, h)
+
+
+def without_a_column(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
+    return _four_of(lambda at: np.cross(at, np.linalg.solve(I_body, at)), l, h)
+
+
+def _four_of(rate: Callable[[np.ndarray], np.ndarray], l: Any, h: float) -> np.ndarray:  # noqa: E741
+    start = np.asarray(l, dtype=float)
+    k1 = rate(start)
+    k2 = rate(start + 0.5 * h * k1)
+    k3 = rate(start + 0.5 * h * k2)
+    return start + h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(start + h * k3))
+
+
 def _tops(rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any) -> dict[str, Any]:
     return {"l": drawn_vectors(rng, shape, 2.0), "I_body": inertias(rng, shape), "h": 0.2, **fixed}
 
 
-_FOUR = (0.5, 0.5, 1.0)
+_FOUR, _WEIGHTS = (0.5, 0.5, 1.0), (1 / 6, 1 / 3, 1 / 3, 1 / 6)
 
 RK4_STEP = Exercise(
     name="rk4_step",
@@ -59,7 +87,7 @@ RK4_STEP = Exercise(
         Value("h", "scalar", "s", "the step"),
     ),
     results=(Value("l", "(..., 3)", "kg m²/s"),),
-    reference=runge_kutta(_FOUR, (1 / 6, 1 / 3, 1 / 3, 1 / 6)),
+    reference=runge_kutta(_FOUR, _WEIGHTS),
     cases=lambda rng: [
         Case("moments 1, 2, 3", {"l": np.array([1.0, 4.0, 0.0]), "I_body": np.diag([1.0, 2.0, 3.0]), "h": 0.1}),
         Case("axes that are not principal", _tops(rng, ())),
@@ -73,7 +101,7 @@ RK4_STEP = Exercise(
     mistakes=(
         Mistake(
             "sign of the rate",
-            runge_kutta(_FOUR, (1 / 6, 1 / 3, 1 / 3, 1 / 6), sign=-1.0),
+            runge_kutta(_FOUR, _WEIGHTS, sign=-1.0),
             "The rate is omega x l; without torque it is l x omega in body axes: L stands still and the body turns "
             "away under it.",
         ),
@@ -82,6 +110,32 @@ RK4_STEP = Exercise(
             runge_kutta(_FOUR, (0.25, 0.25, 0.25, 0.25)),
             "All four rates count the same. The two in the middle of the step count twice: (k1 + 2 k2 + 2 k3 + "
             "k4)/6.",
+        ),
+        Mistake(
+            "one of each, over six",
+            weighed_alike,
+            "The two rates in the middle count twice, k1 + 2 k2 + 2 k3 + k4: only then is a sixth of the sum a mean.",
+        ),
+        Mistake(
+            "the change alone",
+            change_alone,
+            "This is the change of l. Add it to the l from before the step.",
+        ),
+        Mistake(
+            "k2 at the end",
+            second_at_the_end,
+            "k2 is taken at the end of the step. It belongs in its middle, at l + h/2 k1.",
+        ),
+        Mistake(
+            "I in place of its inverse",
+            times_the_inertia,
+            "You multiply l by I_body. omega is I_body^-1 l: solve for it.",
+        ),
+        Mistake(
+            "solve without a column",
+            without_a_column,
+            "Right for one body, not for a batch: np.linalg.solve takes a batch of vectors for one matrix. Make each "
+            "a column and take it back: np.linalg.solve(I_body, l[..., None])[..., 0].",
         ),
         Mistake(
             "explicit Euler",
@@ -95,12 +149,12 @@ RK4_STEP = Exercise(
         ),
         Mistake(
             "full steps",
-            runge_kutta((1.0, 1.0, 1.0), (1 / 6, 1 / 3, 1 / 3, 1 / 6)),
+            runge_kutta((1.0, 1.0, 1.0), _WEIGHTS),
             "k2 and k3 are taken at the end of the step. They belong in its middle: l + h/2 k1 and l + h/2 k2.",
         ),
         Mistake(
             "half at the end",
-            runge_kutta((0.5, 0.5, 0.5), (1 / 6, 1 / 3, 1 / 3, 1 / 6)),
+            runge_kutta((0.5, 0.5, 0.5), _WEIGHTS),
             "k4 is taken in the middle of the step. It belongs at its end: l + h k3.",
         ),
         Mistake(

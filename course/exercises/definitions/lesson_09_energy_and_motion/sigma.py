@@ -11,8 +11,16 @@ from course.exercises.definition import Case, Exercise, Mistake, Value
 
 
 def _sigma(I_1: Any, I_2: Any, I_3: Any, Omega: Any) -> Any:
-    # Not np.sqrt: a notebook also runs it on SymPy symbols.
-    return Omega * ((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3)) ** 0.5
+    return Omega * _root((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3))
+
+
+def _root(value: Any) -> Any:
+    """A notebook also runs the reference on SymPy symbols, and simplifies what comes: the root must be exact there."""
+    if hasattr(value, "free_symbols"):
+        import sympy
+
+        return sympy.sqrt(value)
+    return np.sqrt(value)
 
 
 def _moments_drawn(rng: np.random.Generator) -> Sequence[Case]:
@@ -28,7 +36,7 @@ SIGMA = Exercise(
     kind="expression",
     rows=(14,),
     points=2,
-    minutes=8,
+    minutes=10,
     task="Give the growth rate sigma > 0 in the symbols I_1 < I_2 < I_3 and Omega.",
     arguments=(
         Value("I_1", "scalar", "kg m²", "least moment"),
@@ -76,6 +84,40 @@ SIGMA = Exercise(
             "divided by one moment",
             lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2)) / I_2,
             "You divide by I_2. Nothing on the left has I_2: the moments there are I_1 and I_3.",
+        ),
+        Mistake(
+            "divided by the wrong pair",
+            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_2)),
+            "You divide by I_1 and I_2. The second of the two equations has I_3 on its left, not I_2.",
+        ),
+        Mistake(
+            "multiplied by the last moment",
+            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / I_1 * I_3),
+            "a / I_1 * I_3 is (a / I_1) * I_3: Python divides by I_1 only. Put the product below the line in "
+            "brackets.",
+        ),
+        Mistake(
+            "square without its second spin",
+            lambda I_1, I_2, I_3, Omega: Omega * (I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3),
+            "The root is missing, and one Omega: both equations have an Omega, so sigma^2 has Omega^2, and sigma is "
+            "the root of that.",
+        ),
+        Mistake(
+            "outer difference for the first",
+            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_3 - I_1) * (I_3 - I_2) / (I_1 * I_3)),
+            "One bracket is I_3 - I_1, which belongs to the equation of the middle axis. The equation of omega_3 has "
+            "I_1 - I_2.",
+        ),
+        Mistake(
+            "outer difference for the second",
+            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_1) / (I_1 * I_3)),
+            "One bracket is I_3 - I_1, which belongs to the equation of the middle axis. The equation of omega_1 has "
+            "I_2 - I_3.",
+        ),
+        Mistake(
+            "spin squared outside the root",
+            lambda I_1, I_2, I_3, Omega: Omega**2 * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3)),
+            "Omega stands outside the root squared. sigma^2 holds Omega^2; the root of that is Omega.",
         ),
         Mistake(
             "one bracket",

@@ -63,6 +63,16 @@ def one_batch_axis_short(
     return x + h * p_new / mass, exponential(h * omega) @ R, p_new, L_new
 
 
+def momenta_first(*given: Any, **named: Any) -> Any:
+    x, R, p, L = plain_step()(*given, **named)
+    return p, L, x, R
+
+
+def linear_then_angular(*given: Any, **named: Any) -> Any:
+    x, R, p, L = plain_step()(*given, **named)
+    return x, p, R, L
+
+
 def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
 
@@ -98,7 +108,7 @@ SYMPLECTIC_EULER_STEP = Exercise(
     name="symplectic_euler_step",
     rows=(14, 22),
     points=3,
-    minutes=14,
+    minutes=16,
     task="Return x, R, p and L one step on: momenta first, then place and orientation with the new momenta.",
     arguments=(
         Value("x", "(..., 3)", "m", "position of the centre of mass"),
@@ -191,6 +201,21 @@ SYMPLECTIC_EULER_STEP = Exercise(
             "turned by a second's worth",
             plain_step(turned=lambda R, omega, h: exponential(omega) @ R),
             "You turn by omega, the angle of one second. In a step the body turns by the rotation vector h omega.",
+        ),
+        Mistake(
+            "turned backwards",
+            plain_step(turned=lambda R, omega, h: exponential(-h * omega) @ R),
+            "Your body turns backwards: the rotation vector is h omega', not its opposite.",
+        ),
+        Mistake(
+            "momenta returned first",
+            momenta_first,
+            "The numbers are right, but p and L come first. Return x, R, p, L in this order.",
+        ),
+        Mistake(
+            "returned in another order",
+            linear_then_angular,
+            "The numbers are right, but p stands where R should. Return x, R, p, L in this order.",
         ),
         Mistake(
             "order of the turns",

@@ -21,7 +21,7 @@ WORLD_INERTIA = Exercise(
     name="world_inertia",
     rows=(14, 22),
     points=1,
-    minutes=7,
+    minutes=6,
     task="Return the inertia in world axes, R I_body R'.",
     arguments=(Value("R", "(..., 3, 3)", "", "rotation, columns the body's axes in the world"), I_BODY),
     results=(Value("I", "(..., 3, 3)", "kg m²", "inertia in world axes"),),
@@ -57,6 +57,12 @@ WORLD_INERTIA = Exercise(
             lambda R, I_body: transposed(R) @ I_body @ R,
             "R' I R turns the other way. Read from right to left: R' takes a world vector to body axes, I acts "
             "there, R brings it back.",
+        ),
+        Mistake(
+            "the other way round, with .T",
+            lambda R, I_body: np.asarray(R).T @ I_body @ R,
+            "R' I R turns the other way: the transposed R belongs on the right, where the world vector comes in. And "
+            "for a batch .T turns *all* axes round; np.swapaxes(R, -1, -2) swaps the last two.",
         ),
         Mistake(
             "one side only",
