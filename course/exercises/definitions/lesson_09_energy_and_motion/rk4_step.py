@@ -53,6 +53,10 @@ def times_the_inertia(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E74
     return _four_of(lambda at: np.cross(at, times(I_body, at)), l, h)
 
 
+def times_the_inertia_of_one(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
+    return _four_of(lambda at: np.cross(at, np.asarray(I_body) @ at), l, h)
+
+
 def without_a_column(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
     return _four_of(lambda at: np.cross(at, np.linalg.solve(I_body, at)), l, h)
 
@@ -132,6 +136,12 @@ RK4_STEP = Exercise(
             "You multiply l by I_body. omega is I_body^-1 l: solve for it.",
         ),
         Mistake(
+            "I @ l",
+            times_the_inertia_of_one,
+            "You multiply l by I_body. omega is I_body^-1 l: solve for it, each l as a column, so that a batch works "
+            "too.",
+        ),
+        Mistake(
             "solve without a column",
             without_a_column,
             "Right for one body, not for a batch: np.linalg.solve takes a batch of vectors for one matrix. Make each "
@@ -162,6 +172,11 @@ RK4_STEP = Exercise(
             all_from_the_first,
             "k3 and k4 start from k1. Each rate is taken where the one *before* it leads: k3 at l + h/2 k2, k4 at "
             "l + h k3.",
+        ),
+        Mistake(
+            "a quarter of the sum",
+            runge_kutta(_FOUR, (0.25, 0.5, 0.5, 0.25)),
+            "You divide by 4, but the weights 1, 2, 2, 1 add up to 6.",
         ),
         Mistake(
             "sixth forgotten",

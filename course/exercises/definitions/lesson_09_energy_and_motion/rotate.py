@@ -25,6 +25,19 @@ def rodrigues(*, sign: float = 1.0, across: float = 1.0, half: float = 1.0, unit
     return function
 
 
+def cosine_on_the_axis(v: Any, theta: Any) -> np.ndarray:
+    angle = np.linalg.norm(theta, axis=-1, keepdims=True)
+    axis = np.asarray(theta) / np.where(angle > 0, angle, 1.0)
+    return rodrigues(across=0.0)(v, theta) + np.cos(angle) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+
+
+def one_length_for_all(v: Any, theta: Any) -> np.ndarray:
+    angle = np.linalg.norm(theta)
+    axis = np.asarray(theta) / (angle if angle > 0 else 1.0)
+    turned = np.cos(angle) * np.asarray(v) + np.sin(angle) * np.cross(axis, v)
+    return turned + (1 - np.cos(angle)) * np.sum(axis * v) * axis
+
+
 def divided_by_zero(v: Any, theta: Any) -> np.ndarray:
     angle = np.linalg.norm(theta, axis=-1, keepdims=True)
     axis = np.asarray(theta) / angle
@@ -97,6 +110,18 @@ ROTATE = Exercise(
             rodrigues(across=0.0),
             "The part of v along the axis shrinks by the cosine. It must stay: the term (1 - cos) (u.v) u gives it "
             "back.",
+        ),
+        Mistake(
+            "cosine in the last term",
+            cosine_on_the_axis,
+            "The part of v along the axis comes with cos + cos. The last term has 1 - cos: what the first term takes "
+            "from that part, it gives back.",
+        ),
+        Mistake(
+            "one length for the batch",
+            one_length_for_all,
+            "Right for one vector, not for a batch: np.linalg.norm(theta) and np.sum(u * v) without an axis make one "
+            "number of it all. Take axis=-1, keepdims=True.",
         ),
         Mistake(
             "half the angle",
