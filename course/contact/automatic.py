@@ -30,8 +30,8 @@ from course.contact.solvers.unit_system import UnitSystem
 
 #: Islands of up to this many contacts go to ``block_pivot``, in batches.
 SMALL = 128
-#: Systems of up to this many contacts are not looked through for islands.
-WHOLE = 24
+#: Systems of up to this many contacts are not looked through for islands: that costs more than solving them whole.
+WHOLE = SMALL
 #: Sizes to which small islands are filled up, so that they form few batches.
 SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
 #: |A| f above this times the largest |b| is taken for forces that have run away, until no proof of it is found.

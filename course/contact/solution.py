@@ -9,7 +9,7 @@ import numpy as np
 
 from course.arrays import Array
 from course.contact.contact_system import ContactSystem
-from course.contact.solvers.residual import complementarity_residual
+from course.contact.solvers.residual import residual_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,9 +63,10 @@ def contact_solution(
     matrix: A in another form, if that is at hand.
     """
     a = system.A if matrix is None else matrix
-    if hasattr(a, "tocsr"):
-        acceleration = a @ force + system.b
+    if a.ndim == 2:
+        product, size, diagonal = a @ force, abs(a) @ force, a.diagonal()
     else:
-        acceleration = np.einsum("...ij,...j->...i", a, force) + system.b
-    residual = complementarity_residual(a, force, system.b)
-    return ContactSolution(force, acceleration, residual, iterations, method, residual <= tolerance)
+        product, size = (np.einsum("...ij,...j->...i", m, force) for m in (a, np.abs(a)))
+        diagonal = np.diagonal(a, axis1=-2, axis2=-1)
+    residual = residual_of(diagonal, product, size, force, system.b)
+    return ContactSolution(force, product + system.b, residual, iterations, method, residual <= tolerance)

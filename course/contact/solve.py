@@ -89,14 +89,14 @@ def solve(
         raise failure("system", "jacobian and inverse_mass for method 'gauss'", "A and b alone")
     run = partial(_solved, method=method, tolerance=tolerance, limit=limit, relaxation=relaxation)
     unit = _power_of_two(system.b)
-    return run(system, begin) if np.all(unit == 1) else _in_units(system, unit, begin, run)
+    return run(system, begin) if unit is None else _in_units(system, unit, begin, run)
 
 
-def _power_of_two(b: Array) -> Array:
-    """1, or about the size of a system's b where its squares would leave the range of floating point, (..., 1)."""
+def _power_of_two(b: Array) -> Array | None:
+    """About the size of each system's b, (..., 1), if the squares of any would leave the range of floating point."""
     size = np.abs(b).max(axis=-1, keepdims=True, initial=0.0)
     far = (size > 0) & ((size < SMALLEST) | (size > 1 / SMALLEST))
-    return np.where(far, np.ldexp(1.0, np.clip(np.frexp(size)[1], -1021, 1022)), 1.0)
+    return None if not far.any() else np.where(far, np.ldexp(1.0, np.clip(np.frexp(size)[1], -1021, 1022)), 1.0)
 
 
 def _in_units(

@@ -25,8 +25,10 @@ from course.contact.solvers.residual import scaled_rows
 
 #: Added to a diagonal of ones.
 SHIFT = 1e-9
-#: How often the effect of the shift is refined away, in a batch and in a single system.
+#: How often the effect of the shift is refined away, in a batch and at most in a single system.
 REFINEMENTS = (1, 3)
+#: A single system is refined until a correction is smaller than this part of the forces; the next is smaller by far.
+REFINED = 1e-13
 #: Residual above which a system of a batch is solved once more on its own.
 EXACT = 1e-12
 #: A contact is wrong if it pulls or approaches by more than this, relative to the forces on a diagonal of ones.
@@ -198,7 +200,10 @@ def _on_set(a: Array, b: Array, s: IntArray) -> tuple[Array, Array]:
     factor = dpotrf(small.T, lower=1, overwrite_a=1, clean=0)[0]
     on, w = np.zeros(s.size), b
     for _ in range(1 + REFINEMENTS[1]):
-        on -= dpotrs(factor, w[s], lower=1)[0]
+        correction = dpotrs(factor, w[s], lower=1)[0]
+        on -= correction
         w = columns @ on + b
+        if np.abs(correction).max() <= REFINED * np.abs(on).max():
+            break
     force[s] = on
     return force, w

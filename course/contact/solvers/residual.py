@@ -36,7 +36,7 @@ def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> 
         scalars("matrix", matrix.data)
         shaped("force", f, (count,))
         shaped("bias", b, (count,))
-        return _largest(scaled_rows(matrix.diagonal(), matrix @ f, abs(matrix) @ np.abs(f), f, b))
+        return residual_of(matrix.diagonal(), matrix @ f, abs(matrix) @ np.abs(f), f, b)
     a = scalars("matrix", matrix)
     if a.ndim < 2 or a.shape[-1] != a.shape[-2]:
         raise failure("matrix", "shape (..., c, c)", f"shape {a.shape}")
@@ -45,7 +45,12 @@ def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> 
             raise failure(name, f"shape (..., {a.shape[-1]})", f"shape {array.shape}")
     product = np.einsum("...ij,...j->...i", a, f)
     size = np.einsum("...ij,...j->...i", np.abs(a), np.abs(f))
-    return _largest(scaled_rows(np.diagonal(a, axis1=-2, axis2=-1), product, size, f, b))
+    return residual_of(np.diagonal(a, axis1=-2, axis2=-1), product, size, f, b)
+
+
+def residual_of(diagonal: Array, product: Array, size: Array, force: Array, bias: Array) -> Array:
+    """``complementarity_residual`` from D, A f, |A| |f|, f and b; nothing is checked."""
+    return np.abs(np.minimum(*scaled_rows(diagonal, product, size, force, bias))).max(axis=-1, initial=0.0)[()]
 
 
 def scaled_rows(
@@ -75,7 +80,3 @@ def runs_away(product: Array, size: Array, bias: Array, largest: Array | None = 
     if largest is None:
         largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
     return product + bias < -(SUSPICIOUS * largest + ROUNDING * size)
-
-
-def _largest(rows: tuple[Array, Array]) -> Array:
-    return np.abs(np.minimum(*rows)).max(axis=-1, initial=0.0)[()]
