@@ -26,7 +26,7 @@ from course.contact import (
 from course.dynamics import Bodies
 from course.overlap import Contacts
 
-SEEDS = (1, 2)
+SEEDS = (1, pytest.param(2, marks=pytest.mark.slow))
 
 
 class Motion:
