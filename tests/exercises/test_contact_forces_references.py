@@ -41,6 +41,7 @@ def test_pivoting_is_that_of_the_contact_package(seed):
     np.testing.assert_allclose(exercise("pivot").reference(a, b), solve_pivot(a, b).force, atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [None, 1, 2, 3])
 def test_the_slides_programme_passes_by_its_three_conditions(seed):
     """An answer of Clarabel at its usual tolerance, also where the forces are not unique."""
@@ -62,6 +63,7 @@ def test_clipped_increments_are_told_by_their_answer():
     np.testing.assert_allclose(sweeps.reference(a, b, np.zeros(2), 50), 2 / 3)
 
 
+@pytest.mark.slow
 def test_sweeps_solve_a_scene():
     system = random_scene(12, contacts=12).system()
     f = exercise("projected_gauss_seidel").reference(system.A.toarray(), system.b, np.zeros(len(system)), 5000)

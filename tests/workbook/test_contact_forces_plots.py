@@ -62,6 +62,7 @@ def test_solver_growth_draws_time_and_steps():
     assert "10 to 100 contacts" in text(ax)
 
 
+@pytest.mark.slow
 def test_the_widget_redraws():
     panel = demos.plank()
     before = panel.picture

@@ -59,6 +59,7 @@ def test_costs_show_the_exponent():
     assert "full time [s] c^2.0" in text(ax) and "full multiplications c^3.0" in text(ax)
 
 
+@pytest.mark.slow
 def test_the_widget_redraws():
     panel = demos.pushed_table()
     before = panel.picture

@@ -76,6 +76,7 @@ def test_the_film_has_L_and_omega_where_the_handle_is(motion):
     assert demos.tumbling_scene(motion, arrows=False).arrows == ()
 
 
+@pytest.mark.slow
 def test_the_widget_starts_again_as_its_controls_say():
     demo = demos.tumbling()
     first, film = demo.picture, demo.viewer.plot.objects[0].model_matrix["100"]

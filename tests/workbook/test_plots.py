@@ -70,6 +70,7 @@ def test_a_figure_without_words_is_refused_once_and_does_not_come_back(capsys):
     assert "[figure]" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("demo", demos.DEMOS, ids=lambda d: d.name)
 def test_a_demo_redraws_with_its_words_as_a_slider_moves(demo):
     panel = demo.make()

@@ -72,6 +72,7 @@ def test_passing_a_corner_draws_a_normal_at_every_place():
     assert len(ax.texts) == 22 and "at 0.3 m and at 0.03 m" in text(ax)  # annotations without text: arrows
 
 
+@pytest.mark.slow
 def test_the_widget_redraws():
     panel = demos.gap_rate()
     before = panel.picture
@@ -117,6 +118,7 @@ def test_bias_terms_add_up():
     assert len(heights) == 6 and sum(heights[:5]) == pytest.approx(heights[5])
 
 
+@pytest.mark.slow
 def test_the_dome_widget_redraws():
     panel = demos.dome()
     panel.children[0].children[0].value = 60.0

@@ -178,6 +178,7 @@ def test_a_saved_notebook_gets_a_picture_with_alternative_text():
     assert plt.get_fignums() == []
 
 
+@pytest.mark.slow
 def test_the_picture_is_of_the_moment_asked_for():
     first, later = viewer.show(turning_box()).picture, viewer.show(turning_box(), still=1.0).picture
     assert first != later and later == viewer.show(turning_box(), still=1.0).picture
