@@ -4,15 +4,16 @@ import numpy as np
 import pytest
 
 from course.contact.solvers.active_set import settle
+from course.contact.solvers.banded_cholesky import BandedCholesky
 from course.contact.solvers.gauss import solve_gauss
 from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.shifted import (
     ShiftedByAccelerations,
     ShiftedByForces,
     ShiftedDense,
-    _Band,
     shifted,
 )
+from course.contact.solvers.sparse_cholesky import SparseCholesky
 from course.contact.solvers.unit_system import UnitSystem
 from course.study.resting_scenes import (
     cannonballs,
@@ -52,24 +53,25 @@ def eliminations(unit):
     a, rows = csr_array(scale @ unit.matrix @ scale), csr_array(scale @ unit._factor)
     rows = rows[:, np.unique(rows.indices)]
     pattern = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
+    kinds = (BandedCholesky, SparseCholesky)
     return a.toarray(), [
-        ShiftedDense(a.toarray()), ShiftedByForces(a, _Band(a)),
-        ShiftedByAccelerations(rows, _Band(csr_array(pattern.T @ pattern))),
+        ShiftedDense(a.toarray()), *(ShiftedByForces(a, kind(a)) for kind in kinds),
+        *(ShiftedByAccelerations(rows, kind(csr_array(pattern.T @ pattern))) for kind in kinds),
     ]  # fmt: skip
 
 
 @pytest.mark.parametrize("scene", [WALL, pile(20, RNG), tangle(6, 30, RNG)], ids=lambda s: s.name)
-def test_three_eliminations_of_one_equation(scene):
+def test_all_eliminations_of_one_equation(scene):
     """(A + diag(1/theta)) x = q, x = 0 where theta = 0."""
     unit = unit_system(scene)
-    a, three = eliminations(unit)
+    a, ways = eliminations(unit)
     rng = np.random.default_rng(1)
     theta = np.where(rng.uniform(size=len(unit)) < 0.3, 0.0, 10.0 ** rng.uniform(-3, 3, len(unit)))
     q = rng.normal(size=len(unit))
     on = theta > 0
     expected = np.zeros(len(unit))
     expected[on] = np.linalg.solve(a[np.ix_(on, on)] + np.diag(1 / theta[on]), q[on])
-    for each in three:
+    for each in ways:
         each.factor(theta)
         np.testing.assert_allclose(each.solve(q), expected, atol=1e-8 * np.abs(expected).max())
         np.testing.assert_allclose(each.times(q), a @ q, atol=1e-12 * len(unit))

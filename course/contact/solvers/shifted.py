@@ -1,20 +1,17 @@
-"""Solve (A + diag(1/theta)) x = q again and again for changing theta, by the cheapest of three eliminations.
+"""Solve (A + diag(1/theta)) x = q again and again for changing theta, by the cheapest elimination.
 
 Both Newton's method on the contact conditions and the solution on a guessed
 set of pushing contacts need it: theta_i is large where contact i pushes and
 0 where it does not (x_i is 0 then). With T = diag(sqrt(theta)):
 
-by forces         x = T (1 + T A T)^-1 T q, Cholesky of a c x c matrix, dense
-                  or banded;
+by forces         x = T (1 + T A T)^-1 T q, Cholesky of a c x c matrix;
 by accelerations  A = G'G, x = theta (q - G'y), (1 + G theta G') y = G theta q,
                   Cholesky of a matrix as large as the bodies' degrees of
                   freedom: Gauss' view, and the better one where many contacts
                   share few bodies.
 
 A is brought to a diagonal of ones first, so that heavy and light bodies count
-alike. Banded matrices are ordered by reverse Cuthill-McKee (A. George,
-J. W.-H. Liu, Computer Solution of Large Sparse Positive Definite Systems,
-1981), which brings the numbers close to the diagonal.
+alike. The matrix is factored dense, banded or, where the band is wide, sparse.
 """
 
 from __future__ import annotations
@@ -25,9 +22,15 @@ from typing import Any, Protocol
 import numpy as np
 
 from course.arrays import Array, IntArray
+from course.contact.solvers.banded_cholesky import BandedCholesky
+from course.contact.solvers.sparse_cholesky import SparseCholesky
 
 #: Below this many contacts a dense matrix is always the cheapest.
 DENSE = 96
+#: About how long a multiplication takes in a dense factor [s].
+A_PRODUCT = 4e-11
+#: A banded factor that takes less than this is not worth the search for a sparse one [s].
+QUICK = 3e-3
 
 
 class Shifted(Protocol):
@@ -46,8 +49,34 @@ class Shifted(Protocol):
         ...
 
 
+class Cholesky(Protocol):
+    """What they ask of the factors of a sparse matrix with one pattern, one on the diagonal added to it."""
+
+    #: How the rows are ordered, and for each the place it gets; about how long a factor takes [s].
+    order: IntArray
+    rank: IntArray
+    seconds: float
+
+    @property
+    def size(self) -> int:
+        """How many numbers the storage holds."""
+        ...
+
+    def place(self, row: Any, column: Any) -> Any:
+        """Where an entry on or below the diagonal stands in the storage, row and column as ordered."""
+        ...
+
+    def factor(self, place: Any, values: Array) -> None:
+        """Factor the matrix with these values in these places; LinAlgError if it is not positive definite."""
+        ...
+
+    def solve(self, q: Array) -> Array:
+        """x for the right-hand side q, both as ordered."""
+        ...
+
+
 def shifted(matrix: Any, factor: Any = None) -> Shifted:
-    """The cheapest of the three for this A, (c, c) sparse or dense with a diagonal of ones.
+    """The cheapest way for this A, (c, c) sparse or dense with a diagonal of ones.
 
     Args:
         matrix: A.
@@ -59,7 +88,7 @@ def shifted(matrix: Any, factor: Any = None) -> Shifted:
     if count <= DENSE:
         return ShiftedDense(matrix.toarray() if issparse(matrix) else matrix)
     best: tuple[float, Callable[[], Shifted]] = (
-        count**3 / 3,
+        A_PRODUCT * count**3 / 3,
         lambda: ShiftedDense(matrix.toarray() if issparse(matrix) else matrix),
     )
     freedoms = count + 1
@@ -67,12 +96,21 @@ def shifted(matrix: Any, factor: Any = None) -> Shifted:
         rows = _without_empty_columns(csr_array(factor))
         freedoms = rows.shape[1]
         ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
-        bodies = _Band((ones.T @ ones).tocsr())
-        best = min(best, (_cost(bodies), lambda: ShiftedByAccelerations(rows, bodies)), key=lambda x: x[0])
+        bodies = _cheapest((ones.T @ ones).tocsr())
+        best = min(best, (bodies.seconds, lambda: ShiftedByAccelerations(rows, bodies)), key=lambda x: x[0])
     if issparse(matrix) and freedoms > 0.9 * count:
-        contacts = _Band(csr_array(matrix))
-        best = min(best, (_cost(contacts), lambda: ShiftedByForces(matrix, contacts)), key=lambda x: x[0])
+        # The graph of contacts is denser than that of bodies: no search for a sparse factor where the other is known.
+        contacts = _cheapest(csr_array(matrix)) if factor is None else BandedCholesky(csr_array(matrix))
+        best = min(best, (contacts.seconds, lambda: ShiftedByForces(matrix, contacts)), key=lambda x: x[0])
     return best[1]()
+
+
+def _cheapest(pattern: Any) -> Cholesky:
+    banded = BandedCholesky(pattern)
+    if banded.seconds < QUICK:
+        return banded
+    sparse = SparseCholesky(pattern)
+    return sparse if sparse.seconds < banded.seconds else banded
 
 
 def _without_empty_columns(rows: Any) -> Any:
@@ -113,43 +151,43 @@ class ShiftedDense:
 
 
 class ShiftedByForces:
-    """By forces, A sparse, banded after reordering."""
+    """By forces, A sparse."""
 
-    def __init__(self, matrix: Any, band: _Band) -> None:
+    def __init__(self, matrix: Any, cholesky: Cholesky) -> None:
         from scipy.sparse import csr_array, tril
 
-        self._matrix, self._band = csr_array(matrix), band
-        ordered = csr_array(matrix)[band.order][:, band.order]
+        self._matrix, self._cholesky = csr_array(matrix), cholesky
+        ordered = csr_array(matrix)[cholesky.order][:, cholesky.order]
         lower = tril(ordered, format="coo")
         self._row, self._column, self._value = lower.row, lower.col, lower.data
-        self._place = band.place(self._row, self._column)
+        self._place = cholesky.place(self._row, self._column)
 
     def times(self, x: Array) -> Array:
         return self._matrix @ x
 
     def factor(self, theta: Array) -> None:
-        self._root = np.sqrt(theta[self._band.order])
+        self._root = np.sqrt(theta[self._cholesky.order])
         values = self._value * self._root[self._row] * self._root[self._column]
-        self._band.factor(self._place, values)
+        self._cholesky.factor(self._place, values)
 
     def solve(self, q: Array) -> Array:
         x = np.empty(q.size)
-        x[self._band.order] = self._root * self._band.solve(self._root * q[self._band.order])
+        x[self._cholesky.order] = self._root * self._cholesky.solve(self._root * q[self._cholesky.order])
         return x
 
 
 class ShiftedByAccelerations:
-    """By accelerations, 1 + G theta G' banded after reordering; G' is (c, m) sparse."""
+    """By accelerations, G' (c, m) sparse."""
 
-    def __init__(self, rows: Any, band: _Band) -> None:
+    def __init__(self, rows: Any, cholesky: Cholesky) -> None:
         from scipy.sparse import csr_array
 
         self._rows = csr_array(
-            (rows.data.copy(), band.rank[rows.indices], rows.indptr.copy()), shape=rows.shape
+            (rows.data.copy(), cholesky.rank[rows.indices], rows.indptr.copy()), shape=rows.shape
         )
         self._rows.sort_indices()
         self._columns = csr_array(self._rows.T)
-        self._band = band
+        self._cholesky = cholesky
         count = np.diff(self._rows.indptr)
         # Every contact adds theta_i g_i g_i'. All those products, and where
         # they go, are the same for every theta: one sparse matrix times theta.
@@ -163,68 +201,26 @@ class ShiftedByAccelerations:
         real = column >= 0
         real &= row >= 0
         contact = np.broadcast_to(np.arange(count.size)[:, None], row.shape)[real]
-        place = band.place(row[real], column[real])
+        place = cholesky.place(row[real], column[real])
         products = (value[:, first] * value[:, second])[real]
-        every = csr_array((products, (place, contact)), shape=(band.size, count.size))
-        self._place = np.flatnonzero(np.diff(every.indptr))
-        start = np.append(every.indptr[self._place], every.nnz)
-        self._products = csr_array((every.data, every.indices, start), shape=(self._place.size, count.size))
+        used = np.zeros(cholesky.size, dtype=bool)
+        used[place] = True
+        self._place = np.flatnonzero(used)
+        number = np.empty(cholesky.size, dtype=np.intp)
+        number[self._place] = np.arange(self._place.size)
+        shape = (self._place.size, count.size)
+        self._products = csr_array((products, (number[place], contact)), shape=shape)
 
     def times(self, x: Array) -> Array:
         return self._rows @ (self._columns @ x)
 
     def factor(self, theta: Array) -> None:
         self._theta = theta
-        self._band.factor(self._place, self._products @ theta)
+        self._cholesky.factor(self._place, self._products @ theta)
 
     def solve(self, q: Array) -> Array:
         pushed = self._theta * q
-        return pushed - self._theta * (self._rows @ self._band.solve(self._columns @ pushed))
-
-
-class _Band:
-    """A symmetric positive definite matrix, one on the diagonal added to it, in LAPACK's band storage."""
-
-    def __init__(self, pattern: Any) -> None:
-        from scipy.sparse.csgraph import reverse_cuthill_mckee
-
-        self.order: IntArray = np.asarray(reverse_cuthill_mckee(pattern, symmetric_mode=True), dtype=np.intp)
-        self.rank = np.empty_like(self.order)
-        self.rank[self.order] = np.arange(self.order.size)
-        coo = pattern.tocoo()
-        self.width = int(np.max(np.abs(self.rank[coo.row] - self.rank[coo.col]), initial=0))
-        self._storage: Array | None = None
-
-    @property
-    def size(self) -> int:
-        """How many numbers the storage holds."""
-        return self.order.size * (self.width + 1)
-
-    def place(self, row: Any, column: Any) -> Any:
-        """Where an entry on or below the diagonal stands in the storage."""
-        return column.astype(np.int64) * (self.width + 1) + (row - column)
-
-    def factor(self, place: Any, values: Array) -> None:
-        from scipy.linalg.lapack import dpbtrf
-
-        if self._storage is None:
-            self._storage = np.zeros((self.order.size, self.width + 1))
-        storage = self._storage
-        storage[:] = 0
-        storage.ravel()[place] = values
-        storage[:, 0] += 1.0
-        self._cholesky, info = dpbtrf(storage.T, lower=1, overwrite_ab=1)
-        _check(info)
-
-    def solve(self, q: Array) -> Array:
-        from scipy.linalg.lapack import dpbtrs
-
-        return dpbtrs(self._cholesky, q, lower=1)[0]
-
-
-def _cost(band: _Band) -> float:
-    """Multiplications of a banded Cholesky factor; narrow bands run at a fraction of a dense one's speed."""
-    return band.order.size * (band.width + 30.0) ** 2
+        return pushed - self._theta * (self._rows @ self._cholesky.solve(self._columns @ pushed))
 
 
 def _check(info: int) -> None:
