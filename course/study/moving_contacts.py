@@ -104,8 +104,11 @@ def moving_contact(kind: str, *, seed: int = 13, gap: float = 0.0) -> MovingCont
     """
     choice("kind", kind, KINDS)
     rng = np.random.default_rng([seed, KINDS.index(kind)])
+    # A body has I = tr(S) 1 - S with positive second moments S = integral of r r' dm. A positive matrix drawn as I
+    # itself may have a principal moment above the sum of the other two, and no body has that.
     root = rng.normal(size=(2, 3, 3))
-    inertia = root @ np.swapaxes(root, 1, 2) + np.eye(3)
+    second = 0.5 * (root @ np.swapaxes(root, 1, 2) + np.eye(3))
+    inertia = np.trace(second, axis1=1, axis2=2)[:, None, None] * np.eye(3) - second
     spots, (axis_a, axis_b) = rng.normal(size=(2, 3)), _unit(rng.normal(size=(2, 3)))
     spots = np.zeros((2, 3)) if kind == "curved" else spots  # balls about their centres of mass
     bodies = Bodies(rng.uniform(0.5, 3, 2), inertia, rng.normal(size=(2, 3)), _unit(rng.normal(size=(2, 4))),
