@@ -46,7 +46,7 @@ def main(folder: str) -> None:
     reply = os.open(os.path.join(folder, "reply"), os.O_WRONLY | os.O_CREAT | getattr(os, "O_BINARY", 0))
     stage = Stage(os.path.join(folder, "stage"))
     os.chdir(work)
-    run = _runner(job)
+    run = _Run(job)
     held = limits.apply_limits(limits.Limits(*job["limits"]))
     sys.path[:] = told["path"]
     stand_ins.install_stand_ins()
@@ -62,57 +62,53 @@ def main(folder: str) -> None:
     os._exit(0)
 
 
-def _runner(job: Mapping[str, Any]) -> Any:
-    """Everything of the course that a run needs, imported before the stand-in takes its place."""
-    import importlib
+class _Run:
+    """A job, and everything of the course that its run needs, imported before the stand-ins take its place."""
 
-    from course.exercises import answer
-    from course.grading.needed import modules_used
-    from course.grading.stand_ins import LATER_NAME, SLOW, Later, StandInForCourse, with_later_imports
-    from course.grading.wire import BODY_LIMIT
+    def __init__(self, job: Mapping[str, Any]) -> None:
+        from course.exercises import answer
+        from course.grading import stand_ins
+        from course.grading.wire import BODY_LIMIT
 
-    # Their seconds of loading are not the student's.
-    preamble, answers = ([source for source, kept in job["cells"] if kept == tolerant] for tolerant in (True, False))
-    for name in modules_used(preamble, answers, SLOW):
-        importlib.import_module(name)
-    if job["kind"] == "expression":
-        import sympy  # noqa: F401
+        self.job, self.answer, self.stand_ins, self.body_limit = job, answer, stand_ins, BODY_LIMIT
+        self._load_slow_packages()
 
-    def run(stage: Stage) -> dict[str, Any]:
-        nothing = StandInForCourse()
+    def __call__(self, stage: Stage) -> dict[str, Any]:
+        """Run the cells, call the answer, and tell what came of both."""
+        nothing = self.stand_ins.StandInForCourse()
         namespace: dict[str, Any] = {
             "__name__": "__main__", "exit": sys.exit, "quit": sys.exit, "display": nothing,
-            "get_ipython": nothing, LATER_NAME: Later,
+            "get_ipython": nothing, self.stand_ins.LATER_NAME: self.stand_ins.Later,
         }  # fmt: skip
         notes = []
-        for index, (source, tolerant) in enumerate(job["cells"]):
+        for index, (source, tolerant) in enumerate(self.job["cells"]):
             stage("cell", index)
-            error = _execute(source, index, namespace, tolerant)
+            error = self._execute(source, index, namespace, tolerant)
             if error is not None:
-                notes.append([index, answer.describe(error)])
-        value = namespace.get(job["name"], MISSING)
-        if value is MISSING:
-            return {"notes": notes, "missing": True}
-        if answer.is_stub(value, job["cells"][-1][0]):
-            return {"notes": notes, "blank": True}
-        try:
-            function = answer.as_function(value, job["kind"], job["name"], job["arguments"])
-        except Exception as error:
-            return {"notes": notes, "fault": str(error)[: answer.TEXT_LIMIT]}
-        try:
-            outcomes = answer.call_all(function, _told(stage, job["cases"]), job["results"])
-        except BaseException as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
-            return {"notes": notes, "fault": "it stopped with " + answer.describe(error)}
-        return {"notes": notes, "outcomes": _sendable(outcomes, BODY_LIMIT)}
+                notes.append([index, self.answer.describe(error)])
+        return {"notes": notes, **self._call(stage, namespace.get(self.job["name"], MISSING))}
 
-    def _execute(source: str, index: int, namespace: dict[str, Any], tolerant: bool) -> BaseException | None:
+    def _load_slow_packages(self) -> None:
+        """Their seconds of loading are not the student's."""
+        import importlib
+
+        from course.grading.needed import modules_used
+
+        cells = self.job["cells"]
+        preamble, answers = ([source for source, kept in cells if kept == tolerant] for tolerant in (True, False))
+        for name in modules_used(preamble, answers, self.stand_ins.SLOW):
+            importlib.import_module(name)
+        if self.job["kind"] == "expression":
+            import sympy  # noqa: F401
+
+    def _execute(self, source: str, index: int, namespace: dict[str, Any], tolerant: bool) -> BaseException | None:
         """Run one cell and give back what it raised; a tolerant one goes on after a statement that fails."""
-        name = f"<cell {index}>"
+        name, printed = f"<cell {index}>", self.answer.Printed
         linecache.cache[name] = (len(source), None, [line + "\n" for line in source.splitlines()], name)
         first: BaseException | None = None
-        with contextlib.redirect_stdout(answer.Printed()), contextlib.redirect_stderr(answer.Printed()):
+        with contextlib.redirect_stdout(printed()), contextlib.redirect_stderr(printed()):
             try:
-                tree = with_later_imports(ast.parse(source, name))
+                tree = self.stand_ins.with_later_imports(ast.parse(source, name))
                 for part in [[node] for node in tree.body] if tolerant else [tree.body]:
                     try:
                         exec(compile(ast.Module(part, []), name, "exec", dont_inherit=True), namespace)
@@ -122,7 +118,22 @@ def _runner(job: Mapping[str, Any]) -> Any:
                 first = first or error
         return first
 
-    return run
+    def _call(self, stage: Stage, value: Any) -> dict[str, Any]:
+        """What the answer gave for each case, or why it was not called."""
+        job, answer = self.job, self.answer
+        if value is MISSING:
+            return {"missing": True}
+        if answer.is_stub(value, job["cells"][-1][0]):
+            return {"blank": True}
+        try:
+            function = answer.as_function(value, job["kind"], job["name"], job["arguments"])
+        except Exception as error:
+            return {"fault": str(error)[: answer.TEXT_LIMIT]}
+        try:
+            outcomes = answer.call_all(function, _told(stage, job["cases"]), job["results"])
+        except BaseException as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
+            return {"fault": "it stopped with " + answer.describe(error)}
+        return {"outcomes": _sendable(outcomes, self.body_limit)}
 
 
 def _told(stage: Stage, cases: Sequence[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
