@@ -25,13 +25,11 @@ class BandedCholesky:
     """
 
     def __init__(self, pattern: Any) -> None:
-        from scipy.sparse.csgraph import reverse_cuthill_mckee
-
-        self.order: IntArray = np.asarray(reverse_cuthill_mckee(pattern, symmetric_mode=True), dtype=np.intp)
-        self.rank = np.empty_like(self.order)
-        self.rank[self.order] = np.arange(self.order.size)
-        coo = pattern.tocoo()
-        self.width = int(np.max(np.abs(self.rank[coo.row] - self.rank[coo.col]), initial=0))
+        row, column = pattern.nonzero()
+        ranked = [(order, np.argsort(order)) for order in _orders(pattern)]
+        widths = [int(np.max(np.abs(rank[row] - rank[column]), initial=0)) for _, rank in ranked]
+        self.width = min(widths)
+        self.order, self.rank = ranked[widths.index(self.width)]
         self.seconds = A_PRODUCT * self.order.size * (self.width + WIDER) ** 2
         self._storage: Array | None = None
 
@@ -63,3 +61,16 @@ class BandedCholesky:
         from scipy.linalg.lapack import dpbtrs
 
         return dpbtrs(self._cholesky, q, lower=1)[0]
+
+
+def _orders(pattern: Any) -> list[IntArray]:
+    """Reverse Cuthill-McKee as SciPy begins it, and begun at an end of the graph, which may be narrower."""
+    from scipy.sparse.csgraph import breadth_first_order, reverse_cuthill_mckee
+
+    reached = breadth_first_order(pattern, 0, return_predecessors=False)
+    reached = breadth_first_order(pattern, reached[-1], return_predecessors=False)
+    orders = [reverse_cuthill_mckee(pattern, symmetric_mode=True)]
+    if reached.size == pattern.shape[0]:
+        there = pattern[reached][:, reached]
+        orders.append(reached[reverse_cuthill_mckee(there, symmetric_mode=True)])
+    return [order.astype(np.intp) for order in orders]
