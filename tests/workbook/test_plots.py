@@ -80,3 +80,54 @@ def test_a_demo_redraws_with_its_words_as_a_slider_moves(demo):
     words.append(re.search('alt="([^"]*)"', panel.picture).group(1))
     assert words[0] != words[1] and plt.get_fignums() == []
     assert all(np.isfinite(v) for v in panel.values.values())
+
+
+def words_of_a_sweep(knob, measured, **options):
+    labels = ("step [s]", "growth [-]", "A title")
+    return alternative_text(plots.stability_sweep(knob, measured, labels=labels, **options).figure)
+
+
+def test_a_sweep_is_told_at_its_ends_and_beside_its_threshold():
+    x = np.array([0.0, 0.5, 1.5, 2.5, 3.0, 4.0])
+    told = words_of_a_sweep(
+        x, x**2, predicted=x**2 + 1e-15, cure=0.5 + 0 * x, threshold=2.0, names=("plain", "x squared", "mended")
+    )
+    assert told == (
+        "A title: growth [-] over step [s]. The predicted threshold is 2, between 1.5 and 2.5. plain: below 1e-12 at "
+        "0, 2.25 at 1.5, 6.25 at 2.5, 16 at 4. x squared: the same there as plain. mended: 0.5 at each of these."
+    )
+    assert "x squared: 1 at 0, 3.25 at 1.5," in words_of_a_sweep(
+        x, x**2, predicted=x**2 + 1, threshold=2.0, names=("plain", "x squared", "")
+    )
+
+
+def test_a_sweep_is_told_in_the_order_of_its_knob_and_where_it_peaks():
+    x = np.array([3.0, 1.0, 2.0, 5.0, 4.0])
+    told = words_of_a_sweep(x, np.array([0.3, 0.1, 0.2, 0.5, 0.4]))
+    assert "measured: 0.1 at 1, 0.3 at 3, 0.5 at 5." in told
+    x = np.linspace(0.0, 1.0, 11)
+    told = words_of_a_sweep(x, x * (1 - x) * np.where(x < 0.5, 1, -1), threshold=0.95)
+    assert "measured: below 1e-12 at 0, 0.24 at 0.4, -0.25 at 0.5, -0.09 at 0.9, below 1e-12 at 1." in told
+
+
+@pytest.mark.parametrize(
+    ("threshold", "where"),
+    [
+        (0.5, "is 0.5, before the first point. measured: 1 at 1, 3 at 3."),
+        (7.0, "is 7, past the last point. measured: 1 at 1, 3 at 3."),
+        (2.0, "is 2, between 1 and 3. measured: 1 at 1, 3 at 3."),      # the point on it is neither
+    ],
+)
+def test_a_threshold_outside_a_sweep_or_on_a_point_of_it(threshold, where):
+    assert words_of_a_sweep([1.0, 2.0, 3.0], [1.0, 2.0, 3.0], threshold=threshold).endswith(where)
+
+
+def test_a_sweep_with_gaps_says_so():
+    nan = float("nan")
+    assert words_of_a_sweep([1, 2, 3], [nan, 5.0, 6.0]).endswith("measured: no value at 1, 5 at 2, 6 at 3.")
+    assert words_of_a_sweep([1, 2, 3], [nan] * 3).endswith(
+        "measured: no value at 1, no value at 2, no value at 3."
+    )
+    assert words_of_a_sweep([1, 2, 3, 4, 5], [nan, 7.0, nan, 9.0, nan]).endswith(
+        "no value at 1, 7 at 2, no value at 3, 9 at 4, no value at 5."
+    )

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from course.study.work_precision import Cost, WorkPrecision
+from course.workbook.numbers import show
 from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 MARKERS = "os^DvPX*"
 LINES = ("-", "--", "-.", ":")
+SWEEP_LOOKS: dict[str, dict[str, Any]] = {
+    "measured": {"ls": "none", "marker": "o", "color": PALETTE["vermillion"]},
+    "predicted": {"ls": "-", "marker": "", "color": "0.3", "lw": 1.4},
+    "cure": {"ls": "--", "marker": "^", "ms": 4, "color": PALETTE["green"]},
+    "also": {"ls": ":", "marker": "x", "ms": 5, "color": PALETTE["purple"]},
+}
 
 
 def work_precision(
@@ -68,15 +76,13 @@ def stability_sweep(
     ``also`` is another measurement to compare with, named in place of the cure. ``labels`` are the x label,
     the y label (with units) and the title; ``log`` holds the axes that are logarithmic.
     """
+    given = {"measured": measured, "predicted": predicted, "cure": cure, "also": also}
+    named = dict(zip(given, (*names, names[2]), strict=True))
+    series = {what: np.asarray(values, dtype=float) for what, values in given.items() if values is not None}
     with style():
         ax = axes(ax)
-        ax.plot(knob, measured, ls="none", marker="o", color=PALETTE["vermillion"], label=names[0])
-        if predicted is not None:
-            ax.plot(knob, predicted, ls="-", marker="", color="0.3", lw=1.4, label=names[1])
-        if cure is not None:
-            ax.plot(knob, cure, ls="--", marker="^", ms=4, color=PALETTE["green"], label=names[2])
-        if also is not None:
-            ax.plot(knob, also, ls=":", marker="x", ms=5, color=PALETTE["purple"], label=names[2])
+        for what, values in series.items():
+            ax.plot(knob, values, label=named[what], **SWEEP_LOOKS[what])
         if threshold is not None:
             ax.axvline(threshold, color=PALETTE["blue"], ls=":", label=f"predicted threshold {threshold:.4g}")
         if "x" in log:
@@ -85,9 +91,60 @@ def stability_sweep(
             ax.set_yscale("log")
         ax.set(xlabel=labels[0], ylabel=labels[1], title=labels[2])
         ax.legend()
-    end = f" The predicted threshold is {threshold:.4g}." if threshold is not None else ""
-    describe(ax, f"{labels[2] or labels[1]}: {labels[1]} over {labels[0]}.{end}")
+    told = _sweep_in_words(np.asarray(knob, dtype=float), [(named[what], y) for what, y in series.items()], threshold)
+    describe(ax, f"{labels[2] or labels[1]}: {labels[1]} over {labels[0]}.{told}")
     return ax
+
+
+def _sweep_in_words(knob: np.ndarray, series: Sequence[tuple[str, np.ndarray]], threshold: float | None) -> str:
+    """The threshold between its neighbours, and each series at both ends, beside the threshold and at its extremes.
+
+    The first series chooses the places; one that reads the same there is not read out twice.
+    """
+    order = np.argsort(knob)
+    x, ordered = knob[order], [(name, y[order]) for name, y in series]
+    beside, text = _beside(x, threshold) if threshold is not None else ([len(x) // 2], "")
+    places = _with_extremes(ordered[0][1], sorted({0, *beside, len(x) - 1}))
+    known: dict[str, str] = {}
+    for name, y in ordered:
+        values = [_value(y[i]) for i in places]
+        read = ", ".join(f"{value} at {_knob(x[i])}" for value, i in zip(values, places, strict=True))
+        if known and len(set(values)) == 1:
+            read = f"{values[0]} at each of these"
+        text += f" {name}: {f'the same there as {known[read]}' if read in known else read}."
+        known.setdefault(read, name)
+    return text
+
+
+def _beside(x: np.ndarray, threshold: float) -> tuple[list[int], str]:
+    """The last place below the threshold and the first above it (one that lies on it is neither), and that in words."""
+    near = 1e-9 * (abs(threshold) or float(np.ptp(x)))
+    below, above = np.flatnonzero(x < threshold - near)[-1:], np.flatnonzero(x > threshold + near)[:1]
+    if below.size and above.size:
+        where = f", between {_knob(x[below[0]])} and {_knob(x[above[0]])}"
+    else:
+        where = ", past the last point" if below.size else ", before the first point"
+    return [int(i) for i in (*below, *above)], f" The predicted threshold is {threshold:.4g}{where}."
+
+
+def _with_extremes(y: np.ndarray, places: list[int]) -> list[int]:
+    """The places, and those of the least and the largest value where they lie clearly outside what is told already."""
+    finite = np.flatnonzero(np.isfinite(y))
+    told = y[[i for i in places if np.isfinite(y[i])]]
+    if not told.size:
+        return sorted({*places, *finite[:1].tolist(), *finite[-1:].tolist()})
+    clearly = 0.05 * float(np.ptp(told))
+    least, most = (int(finite[i]) for i in (y[finite].argmin(), y[finite].argmax()))
+    more = {i for i, out in ((least, told.min() - y[least]), (most, y[most] - told.max())) if out > clearly}
+    return sorted({*places, *more})
+
+
+def _value(y: float) -> str:
+    return str(show(float(y), 3)) if np.isfinite(y) else "no value"
+
+
+def _knob(x: float) -> str:
+    return "0" if x == 0 else str(show(float(x), 4))
 
 
 def _floor(error: np.ndarray) -> float:
