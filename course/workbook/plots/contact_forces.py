@@ -46,39 +46,22 @@ def force_plane(
     """Two contacts: the level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0 and the solution."""
     matrix, bias = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     forced, f = np.linalg.solve(matrix, -bias), _solved(matrix, bias)
+    w = matrix @ f + bias
     reach = 1.25 * max(float(np.abs(forced).max()), float(f.max()))
     low, high = min(-0.25 * reach, 1.25 * float(forced.min())), reach
-    grid = np.linspace(low, high, 160)
-    f_1, f_2 = np.meshgrid(grid, grid)
-    off = np.stack([f_1, f_2], axis=-1) - forced
-    level = np.sqrt(np.einsum("...i,ij,...j->...", off, matrix, off))
     with style():
         ax = axes(ax, size=(5.6, 4.6))
-        ax.contour(f_1, f_2, level, levels=12, colors="0.65", linewidths=0.8)
-        touching = float(np.sqrt((f - forced) @ matrix @ (f - forced)))
-        if touching > 1e-6:
-            ax.contour(f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6, zorder=4)
+        _level_sets(ax, matrix, forced, f, (low, high))
         for corner, wide, tall in (((low, low), -low, high - low), ((0.0, low), high, -low)):
             ax.add_patch(Rectangle(corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2))
         for i, (colour, line) in enumerate((("blue", "-"), ("green", "--"))):
-            row = matrix[i]
-            along = np.array([low, high])
-            points = (along, -(bias[i] + row[0] * along) / row[1]) if abs(row[1]) > abs(row[0]) else (
-                -(bias[i] + row[1] * along) / row[0], along)  # fmt: skip
-            ax.plot(*points, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
+            ends = _zero_line(matrix[i], bias[i], (low, high))
+            ax.plot(*ends, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
                     label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
-        ax.plot(
-            *forced,
-            ls="none",
-            marker="X",
-            ms=9,
-            color=PALETTE["vermillion"],
-            zorder=5,
-            label="both forced to 0",
-        )
+        ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["vermillion"], zorder=5,
+                label="both forced to 0")  # fmt: skip
         ax.plot(*f, ls="none", marker="o", ms=11, mfc="none", mew=2.4, color=PALETTE["black"], zorder=6,
                 label="least with f ≥ 0")  # fmt: skip
-        w = matrix @ f + bias
         if np.abs(w).max() > 1e-9 * np.abs(bias).max():
             tip = f + 0.22 * reach * w / np.linalg.norm(w)
             look = {"arrowstyle": "-|>", "lw": 2.0, "shrinkA": 6, "shrinkB": 0}
@@ -118,18 +101,7 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
             [centre], [0.04], ls="none", marker="P", ms=10, color=PALETTE["black"], label="centre of mass"
         )
         for y, force, colour in zip(feet, f, ("blue", "green"), strict=True):
-            ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
-            if force > 1e-9:
-                look = {"arrowstyle": "-|>", "lw": 2.4, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0}
-                ax.annotate("", (y, -0.15), (y, -0.15 - force / 400), arrowprops=look)
-            ax.text(
-                y,
-                -0.15 - max(force, 0) / 400 - 0.03,
-                f"{force + 0:.0f} N",
-                ha="center",
-                va="top",
-                color=PALETTE[colour],
-            )
+            _foot(ax, y, force, PALETTE[colour])
         ax.set(
             xlim=(-1.7, 1.7),
             ylim=(-1.15, 0.75),
@@ -204,6 +176,38 @@ def solver_growth(result: SolverGrowth, *, ax: Axes | None = None) -> Axes:
         f"{result.contacts[-1]:.0f} contacts, both axes logarithmic.",
     )
     return ax
+
+
+def _level_sets(
+    ax: Axes, matrix: np.ndarray, least: np.ndarray, through: np.ndarray, ends: tuple[float, float]
+) -> None:
+    """Ellipses of f'A f/2 + b.f around its least value, the one through a point in black."""
+    grid = np.linspace(*ends, 160)
+    f_1, f_2 = np.meshgrid(grid, grid)
+    off = np.stack([f_1, f_2], axis=-1) - least
+    level = np.sqrt(np.einsum("...i,ij,...j->...", off, matrix, off))
+    ax.contour(f_1, f_2, level, levels=12, colors="0.65", linewidths=0.8)
+    touching = float(np.sqrt((through - least) @ matrix @ (through - least)))
+    if touching > 1e-6:
+        ax.contour(f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6, zorder=4)
+
+
+def _zero_line(row: np.ndarray, bias: float, ends: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
+    """Where row.f + bias = 0 crosses the picture: solved for the force that the row weighs more."""
+    along = np.array(ends)
+    if abs(row[1]) > abs(row[0]):
+        return along, -(bias + row[0] * along) / row[1]
+    return -(bias + row[1] * along) / row[0], along
+
+
+def _foot(ax: Axes, y: float, force: float, colour: str) -> None:
+    """A foot of the plank, and the force that pushes it up as an arrow with its number."""
+    ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
+    if force > 1e-9:
+        look = {"arrowstyle": "-|>", "lw": 2.4, "color": colour, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", (y, -0.15), (y, -0.15 - force / 400), arrowprops=look)
+    below = -0.15 - max(force, 0) / 400 - 0.03
+    ax.text(y, below, f"{force + 0:.0f} N", ha="center", va="top", color=colour)
 
 
 def _solved(matrix: np.ndarray, bias: np.ndarray) -> np.ndarray:

@@ -45,29 +45,7 @@ def pushed_table(
         _table_from_above(ax, feet, bodies.position[0, :2])
         if answer:
             _still_line(ax, scene, np.array([x, y]))
-            for up, mark, colour, word in (
-                (True, "^", "blue", "begins to rise"),
-                (False, "v", "vermillion", "is driven down"),
-            ):
-                chosen = (response > 1e-9) if up else (response < -1e-9)
-                if chosen.any():
-                    ax.plot(
-                        *feet[chosen, :2].T,
-                        ls="none",
-                        marker=mark,
-                        ms=13,
-                        color=PALETTE[colour],
-                        label=f"foot {word}",
-                    )
-        for k, foot in enumerate(feet):
-            ax.annotate(
-                str(k + 1),
-                foot[:2],
-                (-16 * np.sign(foot[0]), 0),
-                textcoords="offset points",
-                ha="center",
-                va="center",
-            )
+            _moving_feet(ax, feet, response)
         ax.plot(
             x, y, ls="none", marker="*", ms=15, mfc=PALETTE["orange"], mec="black", label="pushed up with 1 N"
         )
@@ -75,11 +53,9 @@ def pushed_table(
         ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, fontsize=8.5)
         if bars is not None:
             _response_bars(bars, response)
-    spoken = (
-        f" The feet are accelerated by {', '.join(f'{v + 0.0:+.2f}' for v in response)} m/s^2, 1 to 4."
-        if answer
-        else ""
-    )
+    spoken = ""
+    if answer:
+        spoken = f" The feet are accelerated by {', '.join(f'{v + 0.0:+.2f}' for v in response)} m/s^2, 1 to 4."
     describe(
         ax,
         f"A table of 1 kg on four feet, from above, its centre of mass at ({offset_x:g}, {offset_y:g}) m from the "
@@ -144,9 +120,13 @@ def _lift(scene: RestingScene, place: Array) -> Array:
 
 
 def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
+    """The table with its numbered feet and its centre of mass."""
     low, size = feet[:, :2].min(axis=0) - 0.08, np.ptp(feet[:, :2], axis=0) + 0.16
     ax.add_patch(Rectangle(tuple(low), *size, fc="0.93", ec="0.3"))
     ax.plot(*feet[:, :2].T, ls="none", marker="o", ms=6, mfc="white", mec="0.3")
+    for k, foot in enumerate(feet):
+        inward = (-16 * np.sign(foot[0]), 0)
+        ax.annotate(str(k + 1), foot[:2], inward, textcoords="offset points", ha="center", va="center")
     ax.plot(*centre, ls="none", marker="P", ms=10, mfc="white", mec="black", label="centre of mass")
     ax.grid(False)
 
@@ -162,6 +142,17 @@ def _still_line(ax: Axes, scene: RestingScene, place: Array) -> None:
     nearest, along = centre - slope / (bodies.mass[0] * size), np.array([-slope[1], slope[0]]) / np.sqrt(size)
     ends = nearest + np.array([[-3.0], [3.0]]) * along
     ax.plot(*ends.T, color="black", lw=1.4, ls="--", marker="", label="not moved at first")
+
+
+def _moving_feet(ax: Axes, feet: Array, response: Array) -> None:
+    """The feet that begin to rise and those that are driven down; one that feels nothing keeps its plain mark."""
+    for chosen, mark, colour, word in (
+        (response > 1e-9, "^", "blue", "begins to rise"),
+        (response < -1e-9, "v", "vermillion", "is driven down"),
+    ):
+        if chosen.any():
+            place = feet[chosen, :2].T
+            ax.plot(*place, ls="none", marker=mark, ms=13, color=PALETTE[colour], label=f"foot {word}")
 
 
 def _response_bars(ax: Axes, response: Array) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Polygon, Rectangle
 
-from course.arrays import ArrayLike
+from course.arrays import Array, ArrayLike
 from course.dynamics import point_velocity
 from course.study.ladder import ladder_gaps
 from course.study.moving_contacts import DifferenceErrors, TurningPair
@@ -37,16 +37,7 @@ def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes
         for place, name in zip(pair.bodies().position[:, 1:], ("A, the bar", "B, the plank"), strict=True):
             ax.plot(*place, marker="P", ms=11, mfc="white", mec="black", ls="none", zorder=5)
             ax.text(place[0], place[1] - 0.17, name, ha="center", va="top")
-        contact = pair.contacts(times[-1])
-        (_, y, z_a), (_, _, z_b) = contact.point_a[0], contact.point_b[0]
-        if len(times) == 1:
-            look = {"arrowstyle": "<->", "lw": 1.3, "shrinkA": 0, "shrinkB": 0}
-            ax.annotate("", (y, z_a), (y, z_b), arrowprops=look)
-            ax.text(y - 0.05, 0.5 * (z_a + z_b), f"d = {contact.separation[0]:.2f} m", ha="right", va="center")
-        else:
-            said = "\n".join(f"d = {pair.gap(t):.3f} m at {t:g} s" for t in times)
-            ax.annotate(said, (y, 0.5 * (z_a + z_b)), (y - 0.6, z_a + 0.62), ha="center", va="center",
-                        arrowprops={"arrowstyle": "->", "lw": 1.1, "shrinkA": 2, "shrinkB": 3})  # fmt: skip
+        _written_gaps(ax, pair, times)
         _turn(ax, pair.reach + 0.25, 0.75, f"{pair.rate_a:g} rad/s", pair.rate_a)
         _turn(ax, -0.65, 0.42, f"{pair.rate_b:g} rad/s", pair.rate_b)
         ax.set(xlim=(-1.6, 2.8), ylim=(-0.5, 1.15), aspect="equal", xlabel="y [m]", ylabel="z [m]")
@@ -153,14 +144,11 @@ def contact_velocities(
     """
     pair = TurningPair(rate_a=rate_a, rate_b=rate_b, reach=reach, clear=0.7)
     contact, bodies = pair.contacts(), pair.bodies()
-    moves = [point_velocity(np.zeros(3), w, p - x) for w, p, x in zip(
-        bodies.angular_velocity, (contact.point_a[0], contact.point_b[0]), bodies.position, strict=True)]  # fmt: skip
+    points = np.stack([contact.point_a[0], contact.point_b[0]])
+    moves = point_velocity(np.zeros((2, 3)), bodies.angular_velocity, points - bodies.position)
     parts = {"A rises": velocity_a, "A turns": moves[0][2], "B rises": -velocity_b, "B turns": -moves[1][2]}
-    lifts = np.array([[0, 0, velocity_a], [0, 0, velocity_b]])
+    speeds = moves + np.array([[0, 0, velocity_a], [0, 0, velocity_b]])
     total = sum(parts.values())
-    scale = 0.75 / max(
-        2.0, *(float(np.linalg.norm(move + lift)) for move, lift in zip(moves, lifts, strict=True))
-    )
     with style():
         bars = None
         if ax is None:
@@ -168,23 +156,7 @@ def contact_velocities(
         for outline, colour in zip(pair.outlines(0.0), ("blue", "orange"), strict=True):
             ax.add_patch(Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5))
         ax.plot(*bodies.position[:, 1:].T, marker="P", ms=10, mfc="white", mec="black", ls="none")
-        for point, move, lift, colour, name in zip(
-            (contact.point_a[0], contact.point_b[0]),
-            moves,
-            lifts,
-            ("blue", "vermillion"),
-            ("A", "B"),
-            strict=True,
-        ):
-            speed = move + lift
-            _arrow(ax, point[1:], scale * speed[1:], colour, "", lw=2.4)
-            ax.plot(
-                *point[1:],
-                marker="o" if name == "A" else "s",
-                color=PALETTE[colour],
-                ls="none",
-                label=f"point of {name}, {speed[2]:+.2f} m/s along N",
-            )
+        _point_velocities(ax, points, speeds)
         ax.set(xlim=(-1.6, 3.0), ylim=(-1.0, 1.4), aspect="equal", xlabel="y [m]", ylabel="z [m]")
         word = "neither" if abs(total) < 1e-9 else "the gap closes" if total < 0 else "the gap opens"
         ax.set_title(f"$\\dot d$ = {total + 0.0:+.2f} m/s: {word}")
@@ -277,6 +249,31 @@ def passing_a_corner(
         "height, all at once at the smaller.",
     )
     return ax
+
+
+def _written_gaps(ax: Axes, pair: TurningPair, times: Sequence[float]) -> None:
+    """One gap as a double arrow with its length; several as a list that points at the last one."""
+    contact = pair.contacts(times[-1])
+    (_, y, z_a), (_, _, z_b) = contact.point_a[0], contact.point_b[0]
+    if len(times) == 1:
+        look = {"arrowstyle": "<->", "lw": 1.3, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", (y, z_a), (y, z_b), arrowprops=look)
+        ax.text(y - 0.05, 0.5 * (z_a + z_b), f"d = {contact.separation[0]:.2f} m", ha="right", va="center")
+        return
+    said = "\n".join(f"d = {pair.gap(t):.3f} m at {t:g} s" for t in times)
+    ax.annotate(said, (y, 0.5 * (z_a + z_b)), (y - 0.6, z_a + 0.62), ha="center", va="center",
+                arrowprops={"arrowstyle": "->", "lw": 1.1, "shrinkA": 2, "shrinkB": 3})  # fmt: skip
+
+
+def _point_velocities(ax: Axes, points: Array, speeds: Array) -> None:
+    """The points of A and B that meet, (2, 3), each with the arrow of its velocity; the longest has 0.75 m at most."""
+    scale = 0.75 / max(2.0, *np.linalg.norm(speeds, axis=-1).tolist())
+    for point, speed, colour, mark, name in zip(
+        points, speeds, ("blue", "vermillion"), "os", "AB", strict=True
+    ):
+        _arrow(ax, point[1:], scale * speed[1:], colour, "", lw=2.4)
+        ax.plot(*point[1:], marker=mark, color=PALETTE[colour], ls="none",
+                label=f"point of {name}, {speed[2]:+.2f} m/s along N")  # fmt: skip
 
 
 def _contributions(ax: Axes, parts: Mapping[str, float], total: float) -> None:

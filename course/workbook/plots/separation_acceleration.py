@@ -70,22 +70,12 @@ def dome_bias(
     )
     with style():
         ax = axes(ax, size=(7.6, 4.2))
+        colours = ("blue", "vermillion", "green")
         for (name, values), (height, word), mark, line, colour in zip(
-            measured.items(),
-            formulas,
-            "os^",
-            ("-", "--", "-."),
-            ("blue", "vermillion", "green"),
-            strict=False,
+            measured.items(), formulas, "os^", ("-", "--", "-."), colours, strict=False
         ):
-            ax.plot(
-                np.degrees(angles),
-                np.asarray(values),
-                ls="none",
-                marker=mark,
-                color=PALETTE[colour],
-                label=name,
-            )
+            there = np.degrees(angles), np.asarray(values)
+            ax.plot(*there, ls="none", marker=mark, color=PALETTE[colour], label=name)
             ax.plot(np.degrees(theta), height, color=PALETTE[colour], ls=line, marker="", lw=1.4, label=word)
         ax.axhline(0, color="0.3", lw=1.0)
         for angle, colour in ((scene.leaving_angle, "blue"), (scene.leaving_angle_as_printed, "vermillion")):
@@ -113,7 +103,6 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
     scene, theta = Dome(), np.radians(angle)
     p, p_b = scene.flight(theta, ahead), _out(theta)
     n = p / np.linalg.norm(p)
-    across = np.array([n[1], -n[0]])
     true, old = float(scene.gap(theta, ahead)), float(scene.gap_from_the_old_point(theta, ahead))
     bias, half = float(scene.bias(theta)), max(0.08, 0.75 * float(np.linalg.norm(p - p_b)))
     with style():
@@ -121,21 +110,9 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
         ax.add_patch(Circle((0, 0), 1.0, fc="0.9", ec="0.3"))
         path = scene.flight(theta, np.linspace(0, ahead, 40))
         ax.plot(*path.T, color="0.4", lw=1.2, ls=":", marker="", label="flight without a contact force")
-        level = np.stack([p_b - 0.1 * half * across, p - old * n + 0.2 * half * across])
-        ax.plot(*level.T, color=PALETTE["vermillion"], lw=1.0, ls=":", marker="", label="old point, across N")
-        label = f"gap to the dome: {1000 * true:.1f} mm"
-        ax.plot(*np.stack([n, p]).T, color=PALETTE["blue"], lw=3, ls="-", marker="", zorder=4, label=label)
-        label = f"gap from the old point: {1000 * old:.1f} mm"
-        beside = np.stack([p - old * n, p]) + 0.08 * half * across
-        ax.plot(*beside.T, color=PALETTE["vermillion"], lw=2.4, ls="--", marker="", label=label)
-        ax.plot(
-            *p_b,
-            marker="s",
-            ms=8,
-            color=PALETTE["vermillion"],
-            ls="none",
-            label="point of the dome touched at 0 s",
-        )
+        _both_gaps(ax, p, p_b, n, (true, old), half)
+        touched = "point of the dome touched at 0 s"
+        ax.plot(*p_b, marker="s", ms=8, color=PALETTE["vermillion"], ls="none", label=touched)
         place = f"particle after {ahead:.2f} s"
         ax.plot(*p, marker="o", ms=10, color=PALETTE["blue"], mfc="none", ls="none", label=place)
         look = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
@@ -155,6 +132,20 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
         f"point it touched before, {1000 * old:.1f} mm.",
     )
     return ax
+
+
+def _both_gaps(
+    ax: Axes, p: np.ndarray, p_b: np.ndarray, n: np.ndarray, gaps: tuple[float, float], half: float
+) -> None:
+    """The gap of a particle at p to a dome of 1 m, and beside it that from the level of the old point p_b."""
+    across, (true, old) = np.array([n[1], -n[0]]), gaps
+    level = np.stack([p_b - 0.1 * half * across, p - old * n + 0.2 * half * across])
+    ax.plot(*level.T, color=PALETTE["vermillion"], lw=1.0, ls=":", marker="", label="old point, across N")
+    label = f"gap to the dome: {1000 * true:.1f} mm"
+    ax.plot(*np.stack([n, p]).T, color=PALETTE["blue"], lw=3, ls="-", marker="", zorder=4, label=label)
+    label = f"gap from the old point: {1000 * old:.1f} mm"
+    beside = np.stack([p - old * n, p]) + 0.08 * half * across
+    ax.plot(*beside.T, color=PALETTE["vermillion"], lw=2.4, ls="--", marker="", label=label)
 
 
 def bias_terms(

@@ -74,14 +74,8 @@ def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | Non
         way = "" if abs(spin) < 5e-3 else ", anticlockwise" if spin < 0 else ", clockwise"
         ax.text(1.1, 0.98, f"spin {abs(spin):.2f} rad/s{way}\nenergy kept: {100 * kept:.0f} %", ha="center", va="top",
                 fontsize=9.5)  # fmt: skip
-        ax.text(
-            -1.1,
-            0.98,
-            f"m = 1 kg\nmass felt at the point: {felt:.3f} kg",
-            ha="center",
-            va="top",
-            fontsize=9.5,
-        )
+        ax.text(-1.1, 0.98, f"m = 1 kg\nmass felt at the point: {felt:.3f} kg", ha="center", va="top",
+                fontsize=9.5)  # fmt: skip
         ax.set(xlim=(-2.2, 2.3), ylim=(-1.1, 1.15), aspect="equal")
         ax.set_title(f"impulse of the floor {push:.3f} N s")
         _bare(ax)
@@ -135,13 +129,11 @@ def rod_impulses(
         ax.axhline(without_spin, color="0.45", ls="--", lw=1.2, label="a body that cannot turn")
         ax.axhline(without_spin / 4, color=PALETTE["blue"], ls=":", lw=1.2, label="a quarter of it")
         ax.plot(angle, closed_form, color="0.2", ls="-", marker="", lw=1.5, label="your closed form")
-        for (name, (x, y)), colour, mark, size in zip(
-            measured.items(), ("vermillion", "green", "purple"), "osD", (8, 4.5, 5), strict=False
-        ):
+        looks = zip(("vermillion", "green", "purple"), "osD", (8, 4.5, 5), strict=True)
+        for (name, (x, y)), (colour, mark, size) in zip(measured.items(), looks, strict=False):
             filled = PALETTE[colour] if mark != "o" else "none"
-            ax.plot(
-                x, y, ls="none", marker=mark, ms=size, mfc=filled, mec=PALETTE[colour], mew=1.5, label=name
-            )
+            ax.plot(x, y, ls="none", marker=mark, ms=size, mfc=filled, mec=PALETTE[colour], mew=1.5,
+                    label=name)  # fmt: skip
         ax.set(xlabel="angle from the horizontal [°]", ylabel="impulse [N s]", xticks=range(0, 91, 15))
         ax.set_ylim(0, 1.12 * without_spin)
         ax.set_title("A rod dropped on its end")
@@ -270,17 +262,8 @@ def spin_by_pegs(
     with style():
         ax = axes(ax, size=(8.6, 4.0))
         for (name, spin), colour, mark in zip(by_order.items(), ("vermillion", "purple"), "os", strict=False):
-            ax.plot(
-                place,
-                spin,
-                ls="none",
-                marker=mark,
-                ms=5,
-                mfc="none",
-                mec=PALETTE[colour],
-                mew=1.4,
-                label=name,
-            )
+            ax.plot(place, spin, ls="none", marker=mark, ms=5, mfc="none", mec=PALETTE[colour], mew=1.4,
+                    label=name)  # fmt: skip
         ax.plot(place, both, ls="--", marker="", color=PALETTE["green"], label="both at once")
         ax.axvline(threshold, color=PALETTE["blue"], ls=":", label=f"radius of gyration\n{threshold:.3g} m")
         ax.set(xlabel="pegs left and right of the middle at [m]", ylabel=r"spin about y, $\omega_y$ [rad/s]")
