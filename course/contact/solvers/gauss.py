@@ -29,7 +29,7 @@ START = 1e3
 #: Shift kept in every Newton system, relative to a diagonal of ones: rank deficient systems stay solvable.
 KEPT = 1e-13
 #: Fraction of the way to the boundary.
-FRACTION = 0.999
+FRACTION = 0.995
 #: Share of contacts that may be undecided when ``active_set`` is tried.
 UNDECIDED = 0.1
 #: Newton steps after which it is tried anyway; and those a contact that still approaches is given.
