@@ -55,14 +55,13 @@ def settle(
         except np.linalg.LinAlgError:
             break
         force = _refined(system, force, pushing)
-        kept = np.maximum(force, 0.0)
-        residual = system.residual(kept)
-        if residual < best.residual:
-            best = Settled(kept, residual, count)
-        push, motion = system.rows(force)
+        kept = system.tried(np.maximum(force, 0.0))
+        if kept.residual < best.residual:
+            best = Settled(kept.unit_force, kept.residual, count)
+        push, motion = system.tried(force).rows
         pulls, approaches = pushing & (push < -0.1 * tolerance), ~pushing & (motion < -0.1 * tolerance)
         wrong = int(np.count_nonzero(pulls | approaches))
-        solved = residual <= tolerance and system.approach(kept) == 0
+        solved = kept.residual <= tolerance and kept.approach == 0
         if solved or not wrong or wrong > 0.7 * wrong_before:
             break
         wrong_before = wrong

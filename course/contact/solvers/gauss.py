@@ -22,7 +22,7 @@ import numpy as np
 
 from course.arrays import Array
 from course.contact.solvers.active_set import settle
-from course.contact.solvers.unit_system import UnitSystem
+from course.contact.solvers.unit_system import Trial, UnitSystem
 
 #: 1/(shift) of the equality problem that gives the starting point.
 START = 1e3
@@ -81,17 +81,17 @@ def solve_gauss(
         at = _start(system)
     except np.linalg.LinAlgError:  # A is not positive semidefinite
         return InteriorPoint(np.zeros(len(system)), np.inf, 1)
-    best, residual, approach, patience = at.f, np.inf, np.inf, PATIENCE
+    best, approach, patience = system.tried(at.f), np.inf, PATIENCE
     count, tried, undecided_then = 1, PATIENCE, len(system) + 1.0
     while count < max_iterations and _sane(at):
-        now = system.residual(at.f)
+        now = system.tried(at.f)
         if np.max(at.f, initial=0.0) > largest:
-            return InteriorPoint(system.force(at.f), now, count)
-        if now < residual:
-            best, residual = at.f, now
-        if residual <= tolerance:
+            return InteriorPoint(system.force(at.f), now.residual, count)
+        if now.residual < best.residual:
+            best = now
+        if best.residual <= tolerance:
             # Large forces make the residual small before w is: go on while that falls.
-            before, approach = approach, system.approach(best)
+            before, approach = approach, best.approach
             patience = PATIENCE if approach <= 0.5 * before else patience - 1
             if approach == 0 or patience < 0:
                 break
@@ -101,16 +101,16 @@ def solve_gauss(
             undecided_then, tried = min(undecided, undecided_then), count
             found = settle(system, at.f, at.f > at.w, tolerance=tolerance)
             count, tried = count + found.iterations, tried + found.iterations
-            if found.residual < residual:
-                best, residual = found.force, found.residual
-            if residual <= tolerance and system.approach(best) == 0:
+            if found.residual < best.residual:
+                best = system.tried(found.force)
+            if best.residual <= tolerance and best.approach == 0:
                 break
         try:
-            at = _step(system, at)
+            at = _step(now, at)
         except np.linalg.LinAlgError:
             break
         count += 1
-    return InteriorPoint(system.force(best), residual, count)
+    return InteriorPoint(system.force(best.unit_force), best.residual, count)
 
 
 def _start(system: UnitSystem) -> _Iterate:
@@ -125,12 +125,12 @@ def _start(system: UnitSystem) -> _Iterate:
     return _Iterate(f + 0.5 * product / float(w.sum()), w + 0.5 * product / float(f.sum()))
 
 
-def _step(system: UnitSystem, at: _Iterate) -> _Iterate:
-    """One Newton step toward f w = a smaller common value, with its corrections."""
-    op, f, w = system.operator, at.f, at.w
-    missing = op.times(f) + system.unit_bias - w
+def _step(now: Trial, at: _Iterate) -> _Iterate:
+    """One Newton step toward f w = a smaller common value, with its corrections; ``now`` is what f leads to."""
+    op, f, w = now.system.operator, at.f, at.w
+    missing = now.unit_acceleration - w
     # Where A is nearly singular, chasing rounding would move forces a long way.
-    missing[np.abs(missing) <= NOISE * system.magnitude(f)] = 0.0
+    missing[np.abs(missing) <= NOISE * now.unit_magnitude] = 0.0
     kept = w + KEPT * f
     op.factor(f / kept)
 

@@ -154,12 +154,13 @@ class ShiftedByForces:
     """By forces, A sparse."""
 
     def __init__(self, matrix: Any, cholesky: Cholesky) -> None:
-        from scipy.sparse import csr_array, tril
+        from scipy.sparse import csr_array
 
         self._matrix, self._cholesky = csr_array(matrix), cholesky
-        ordered = csr_array(matrix)[cholesky.order][:, cholesky.order]
-        lower = tril(ordered, format="coo")
-        self._row, self._column, self._value = lower.row, lower.col, lower.data
+        entries = self._matrix.tocoo()
+        row, column = cholesky.rank[entries.row], cholesky.rank[entries.col]
+        lower = row >= column
+        self._row, self._column, self._value = row[lower], column[lower], entries.data[lower]
         self._place = cholesky.place(self._row, self._column)
 
     def times(self, x: Array) -> Array:

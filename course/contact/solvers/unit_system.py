@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -45,27 +46,60 @@ class UnitSystem:
         """f of the system it came from."""
         return unit_force / self.root
 
-    def magnitude(self, unit_force: Array) -> Array:
-        """|A| f + |b| of the unit system, f >= 0: what A f + b is rounded from."""
-        return (self._magnitude @ self.force(unit_force)) / self.root + np.abs(self.unit_bias)
-
-    def rows(self, unit_force: Array) -> tuple[Array, Array]:
-        """D f and A f + b of the system it came from, each row by its scale (``scaled_rows``)."""
-        f = self.force(unit_force)
-        size = self._magnitude @ np.abs(f)
-        return scaled_rows(self.diagonal, self.matrix @ f, size, f, self.bias)
+    def tried(self, unit_force: Array) -> Trial:
+        """What this force leads to."""
+        return Trial(self, unit_force)
 
     def residual(self, unit_force: Array) -> float:
-        """``complementarity_residual`` of that f."""
-        return float(np.max(np.abs(np.minimum(*self.rows(unit_force))), initial=0.0))
+        """``complementarity_residual`` of this force in the system it came from."""
+        return self.tried(unit_force).residual
 
-    def approach(self, unit_force: Array) -> float:
-        """The largest -w, 0 where no contact approaches by more than rounding (``runs_away``)."""
+    def products(self, unit_force: Array) -> tuple[Array, Array, Array]:
+        """f, A f and |A| |f| of the system it came from."""
         f = self.force(unit_force)
-        product = self.matrix @ f
-        if not np.any(runs_away(product, self._magnitude @ np.abs(f), self.bias)):
+        return f, self.matrix @ f, self._magnitude @ np.abs(f)
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """A force of the unit system and, found when asked for, what it leads to in the system that came from."""
+
+    system: UnitSystem
+    unit_force: Array
+
+    @cached_property
+    def products(self) -> tuple[Array, Array, Array]:
+        """f, A f and |A| |f|."""
+        return self.system.products(self.unit_force)
+
+    @cached_property
+    def rows(self) -> tuple[Array, Array]:
+        """D f and A f + b, each row by its scale (``scaled_rows``)."""
+        force, product, size = self.products
+        return scaled_rows(self.system.diagonal, product, size, force, self.system.bias)
+
+    @cached_property
+    def residual(self) -> float:
+        """``complementarity_residual``."""
+        return float(np.max(np.abs(np.minimum(*self.rows)), initial=0.0))
+
+    @cached_property
+    def approach(self) -> float:
+        """The largest -w, 0 where no contact approaches by more than rounding (``runs_away``)."""
+        _, product, size = self.products
+        if not np.any(runs_away(product, size, self.system.bias)):
             return 0.0
-        return -float(np.min(product + self.bias))
+        return -float(np.min(product + self.system.bias))
+
+    @property
+    def unit_acceleration(self) -> Array:
+        """A f + b of the unit system."""
+        return self.products[1] / self.system.root + self.system.unit_bias
+
+    @property
+    def unit_magnitude(self) -> Array:
+        """|A| |f| + |b| of the unit system: what A f + b is rounded from."""
+        return self.products[2] / self.system.root + np.abs(self.system.unit_bias)
 
 
 def _scaled(rows: Any, factor: Array) -> Any:
