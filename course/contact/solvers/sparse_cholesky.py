@@ -108,13 +108,15 @@ class SparseCholesky:
         rows, target, source = rows[width:], [], []
         node = self._node[rows]
         edges = np.append(np.flatnonzero(np.diff(node, prepend=-1)), rows.size)
-        # The products with the rows that are columns of one later panel: a rectangle, its upper corner unused.
+        number = np.arange(rows.size)
+        # The products with the rows that are columns of one later panel, on and below its diagonal.
         for i, j in pairwise(edges):
             later = node[i]
             down = np.searchsorted(self._rows[later], rows[i:])
             across = self._start[later] + rows[i:j] - self._first[later]
-            target.append((down[:, None] * self._width[later] + across).ravel())
-            source.append((np.arange(i, rows.size)[:, None] * rows.size + np.arange(i, j)).ravel())
+            lower = number[i:, None] >= number[i:j]
+            target.append((down[:, None] * self._width[later] + across)[lower])
+            source.append((number[i:, None] * rows.size + number[i:j])[lower])
         empty = np.zeros(0, dtype=np.intp)
         return _Panel(
             int(first), int(first + width), rows, block[:width].T, block[width:].T,
