@@ -189,28 +189,22 @@ class ShiftedByAccelerations:
         self._rows.sort_indices()
         self._columns = csr_array(self._rows.T)
         self._cholesky = cholesky
-        count = np.diff(self._rows.indptr)
         # Every contact adds theta_i g_i g_i'. All those products, and where
         # they go, are the same for every theta: one sparse matrix times theta.
-        width = int(count.max(initial=0))
-        index, value = np.full((count.size, width), -1), np.zeros((count.size, width))
-        contact = np.repeat(np.arange(count.size), count)
-        slot = np.arange(self._rows.nnz) - np.repeat(self._rows.indptr[:-1], count)
-        index[contact, slot], value[contact, slot] = self._rows.indices, self._rows.data
-        first, second = np.tril_indices(width)
-        row, column = index[:, first], index[:, second]
-        real = column >= 0
-        real &= row >= 0
-        contact = np.broadcast_to(np.arange(count.size)[:, None], row.shape)[real]
-        place = cholesky.place(row[real], column[real])
-        products = (value[:, first] * value[:, second])[real]
+        begin = self._rows.indptr[:-1]
+        contact = np.repeat(np.arange(begin.size), np.diff(self._rows.indptr))
+        pairs = np.arange(1, contact.size + 1) - begin[contact]  # an entry with those before it in its row, and itself
+        first = np.repeat(np.arange(contact.size), pairs)
+        second = np.arange(first.size) - np.repeat(np.cumsum(pairs) - pairs, pairs) + begin[contact[first]]
+        place = cholesky.place(self._rows.indices[first], self._rows.indices[second])
+        products = self._rows.data[first] * self._rows.data[second]
         used = np.zeros(cholesky.size, dtype=bool)
         used[place] = True
         self._place = np.flatnonzero(used)
         number = np.empty(cholesky.size, dtype=np.intp)
         number[self._place] = np.arange(self._place.size)
-        shape = (self._place.size, count.size)
-        self._products = csr_array((products, (number[place], contact)), shape=shape)
+        shape = (self._place.size, begin.size)
+        self._products = csr_array((products, (number[place], contact[first])), shape=shape)
 
     def times(self, x: Array) -> Array:
         return self._rows @ (self._columns @ x)
