@@ -1,45 +1,22 @@
-"""The choice of a method: take a contact system apart, solve each part by what suits it, check, and try again.
-
-Contacts that share no free body, not even through others, do not depend on
-each other: they are separate islands. Small islands of like size are solved
-together as one batch; large ones by the interior point method. What was found
-is judged by the residual of the whole system. Where it is too large, or where
-forces ran away, the other methods are tried, and a proof that there is nothing
-to find.
-"""
+"""Method "auto": a small system whole, a batch at once; by parts, with other methods, where that does not settle it."""
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
+from math import prod
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, IntArray, failure
+from course.arrays import Array
 from course.contact.contact_system import ContactSystem
-from course.contact.solution import ContactSolution, NoContactForce, NotConverged, contact_solution
-from course.contact.solvers.active_set import settle
-from course.contact.solvers.block_pivot import block_pivot
-from course.contact.solvers.certificate import certificate
-from course.contact.solvers.gauss import solve_gauss
-from course.contact.solvers.mass_factor import mass_factor
-from course.contact.solvers.nnls import solve_nnls
-from course.contact.solvers.pivot import solve_pivot
-from course.contact.solvers.qp import solve_qp
-from course.contact.solvers.residual import runs_away, scaled_rows
-from course.contact.solvers.unit_system import UnitSystem
+from course.contact.judgement import doubtful, require_convergence, require_solution
+from course.contact.parts import SMALL, Parts, dense
+from course.contact.solution import ContactSolution, contact_solution
+from course.contact.solvers.block_pivot import EXACT, Pivoted, block_pivot, block_pivot_one
+from course.contact.solvers.residual import products
 
-#: Islands of up to this many contacts go to ``block_pivot``, in batches.
-SMALL = 128
-#: Systems of up to this many contacts are not looked through for islands: that costs more than solving them whole.
-WHOLE = SMALL
-#: Sizes to which small islands are filled up, so that they form few batches.
-SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
-#: |A| f above this times the largest |b| is taken for forces that have run away, until no proof of it is found.
-HUGE = 1e9
-#: No d_ddot may be below this times the largest |b|, however large the forces and their rounding.
-SEEN = 1e-3
-#: Up to how many contacts the dense methods are tried, and A's eigenvalues looked at where all goes wrong.
-PIVOT_UP_TO, NNLS_UP_TO, CHECKED_UP_TO = 400, 1000, 2000
+#: Rounds of a system solved whole, before it is looked at more closely; of 20 it ever solves, 19 are solved by then.
+ROUNDS = 20
 
 
 def automatic(
@@ -47,261 +24,76 @@ def automatic(
 ) -> ContactSolution:
     """``solve`` with method "auto"; see there."""
     if start is not None:
-        kept = contact_solution(system, np.maximum(start, 0.0), 0, "auto: start", tolerance)
-        if np.all(kept.converged) and not np.any(_suspicious(system.A, kept.force, system.b)):
+        force = np.maximum(start, 0.0)
+        known = products(system.A, force)
+        kept = contact_solution(system, force, 0, "auto: start", tolerance, known=known)
+        if np.all(kept.converged) and not np.any(doubtful(*known, system.b)):
             return kept
     if system.b.ndim > 1:
         return _batch(system, tolerance, max_iterations)
-    parts = _Parts(system, tolerance, max_iterations)
+    found = _whole(system, tolerance, max_iterations) if len(system) <= SMALL else None
+    return _in_parts(system, tolerance, max_iterations) if found is None else found
+
+
+def _whole(system: ContactSystem, tolerance: float, limit: int | None) -> ContactSolution | None:
+    """A small system at one go; None where none pushes, where forces are in doubt, or where one moves nothing."""
+    a, b = dense(system.A), system.b
+    if not (b.min(initial=0.0) < 0 < a.diagonal().min()):
+        return None
+    found = block_pivot_one(a, b, max_iterations=ROUNDS if limit is None else min(limit, ROUNDS))
+    solution = _pivoted(found, b, tolerance)
+    believed = found.residual <= min(tolerance, EXACT) and not np.any(doubtful(found.product, found.size, b))
+    return solution if believed else None
+
+
+def _pivoted(found: Pivoted, b: Array, tolerance: float) -> ContactSolution:
+    """The same, as ``solve`` gives it."""
+    motion, residual, method = found.product + b, found.residual, "auto: block_pivot"
+    return ContactSolution(found.force, motion, residual, found.iterations, method, residual <= tolerance)
+
+
+def _in_parts(system: ContactSystem, tolerance: float, limit: int | None) -> ContactSolution:
+    """A system island by island, and by other methods where the first fails."""
+    parts = Parts(system, tolerance, limit)
     parts.solve()
-    solution = contact_solution(
-        system, parts.force, parts.iterations, parts.method, tolerance, matrix=parts.matrix
-    )
-    if np.any(parts.proof):
-        raise NoContactForce(_no_force(parts.proof, system.b), parts.proof)
-    _require_convergence(system, solution, tolerance)
+    require_solution(parts.proof, system.b)
+    known = products(parts.matrix, parts.force)
+    solution = contact_solution(system, parts.force, parts.iterations, parts.method, tolerance, known=known)
+    require_convergence(system, solution, tolerance)
     return solution
 
 
 def _batch(system: ContactSystem, tolerance: float, limit: int | None) -> ContactSolution:
-    a, b = system.A.reshape(-1, *system.A.shape[-2:]), system.b.reshape(-1, len(system))
-    if len(system) <= SMALL:
+    """All systems of a batch at once where they are small; one by one where that is in doubt."""
+    shape, count = system.b.shape, len(system)
+    a, b = system.A.reshape(prod(shape[:-1]), count, count), system.b.reshape(prod(shape[:-1]), count)
+    # With the batch as the fastest axis: reductions over the few contacts of each system are quicker by far.
+    b = np.asfortranarray(b)
+    used = set[str]()
+    if count <= SMALL:
         found = block_pivot(a, b, max_iterations=limit)
-        force, iterations, used = found.force, found.iterations, {"block_pivot"}
-        bad = (found.residual > tolerance) | np.any(_suspicious(a, force, b), axis=1)
+        bad = ~(found.residual <= tolerance) | doubtful(found.product, found.size, b).any(axis=1)
+        if not np.any(bad):
+            whole = _pivoted(found, b, tolerance)
+            arrays = {name: value for name, value in vars(whole).items() if name != "method"}
+            return replace(
+                whole, **{k: v.reshape(shape if v.ndim > 1 else shape[:-1]) for k, v in arrays.items()}
+            )
+        used.add("block_pivot")
+        force, iterations = found.force, found.iterations
     else:
-        force, iterations, used = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp), set()
+        force, iterations = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp)
         bad = np.ones(len(b), dtype=bool)
     proof = np.zeros(b.shape)
     for k in np.flatnonzero(bad):
-        parts = _Parts(ContactSystem(a[k], b[k]), tolerance, limit)
+        parts = Parts(ContactSystem(a[k], b[k]), tolerance, limit)
         parts.solve()
         force[k], proof[k], iterations[k] = parts.force, parts.proof, parts.iterations
         used.add(parts.method.removeprefix("auto: "))
-    shape = system.b.shape
+    require_solution(proof.reshape(shape), system.b)
     method = "auto: " + ", ".join(sorted(used))
     solution = contact_solution(
         system, force.reshape(shape), iterations.reshape(shape[:-1]), method, tolerance
     )
-    if np.any(proof):
-        raise NoContactForce(_no_force(proof, b), proof.reshape(shape))
-    _require_convergence(system, solution, tolerance)
+    require_convergence(system, solution, tolerance)
     return solution
-
-
-class _Parts:
-    """One system, its forces as they are found, and the proof where there are none."""
-
-    def __init__(self, system: ContactSystem, tolerance: float, limit: int | None) -> None:
-        self.system, self.tolerance, self.limit = system, tolerance, limit
-        # Small matrices are handled faster dense.
-        self.matrix = _dense(system.A) if system.b.size <= SMALL else system.A
-        self.force, self.proof = np.zeros(system.b.shape), np.zeros(system.b.shape)
-        self.iterations, self._used, self._factor = 0, set[str](), None
-        self._largest = float(np.abs(system.b).max(initial=0.0))
-
-    @property
-    def method(self) -> str:
-        return "auto: " + (", ".join(sorted(self._used)) or "nothing pushes")
-
-    def solve(self) -> None:
-        a, b = self.matrix, self.system.b
-        diagonal = a.diagonal()
-        nothing_helps = (diagonal == 0) & (b < 0)
-        if np.any(nothing_helps):
-            self.proof[nothing_helps] = 1.0
-            return
-        if not np.any(b < 0):
-            return
-        label = _islands(self.system.A)
-        size = np.bincount(label)
-        approaching = np.bincount(label, weights=b < 0) > 0
-        if size.size == 1 and b.size <= SMALL:
-            found = block_pivot(a[None], b[None], max_iterations=self.limit)
-            self._take(slice(None), found.force[0], int(found.iterations[0]), "block_pivot")
-        else:
-            self._small(self.system.A, label, size, approaching & (size <= SMALL))
-            for island in np.flatnonzero(approaching & (size > SMALL)):
-                index = slice(None) if size.size == 1 else np.flatnonzero(label == island)
-                self._take(index, *self._by_gauss(index, huge=10 * HUGE))
-        failing = self._failing(a, b, diagonal, label)
-        for island in np.unique(label[failing]) if np.any(failing) else ():
-            self._rescue(np.flatnonzero((label == island) & (diagonal > 0)))
-
-    def _small(self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray) -> None:
-        """All small islands, in batches of like size."""
-        if not np.any(chosen):
-            return
-        from scipy.sparse import csr_array
-
-        entries = csr_array(a).tocoo()
-        local = np.empty(label.size, dtype=np.intp)
-        order = np.argsort(label, kind="stable")
-        local[order] = np.arange(label.size) - np.repeat(np.cumsum(size) - size, size)
-        filled = SIZES[np.searchsorted(SIZES, np.minimum(size, SMALL))]
-        for count in np.unique(filled[chosen]):
-            islands = np.flatnonzero(chosen & (filled == count))
-            slot = np.full(size.size, -1)
-            slot[islands] = np.arange(islands.size)
-            # A contact with a = 1 and b = 0 fills up: it takes no force.
-            matrix, bias = np.tile(np.eye(count), (islands.size, 1, 1)), np.zeros((islands.size, count))
-            here = slot[label[entries.row]] >= 0
-            row, column = entries.row[here], entries.col[here]
-            matrix[slot[label[row]], local[row], local[column]] = entries.data[here]
-            contacts = np.flatnonzero(slot[label] >= 0)
-            where = (slot[label[contacts]], local[contacts])
-            bias[where] = self.system.b[contacts]
-            found = block_pivot(matrix, bias, max_iterations=self.limit)
-            self._take(contacts, found.force[where], int(found.iterations.max()), "block_pivot")
-
-    def _take(self, index: Any, force: Array, iterations: int, method: str) -> None:
-        self.force[index] = force
-        self.iterations = max(self.iterations, iterations)
-        self._used.add(method)
-
-    def _failing(self, a: Any, b: Array, diagonal: Array, label: IntArray) -> BoolArray:
-        """Which contacts miss the tolerance, or have forces that are not to be believed yet."""
-        product, size = a @ self.force, abs(a) @ self.force
-        push, motion = scaled_rows(diagonal, product, size, self.force, b)
-        largest = np.zeros(int(label.max()) + 1)
-        np.maximum.at(largest, label, np.abs(b))
-        missed = np.abs(np.minimum(push, motion)) > self.tolerance
-        return missed | _doubtful(product, size, b, largest[label])
-
-    def _rescue(self, index: IntArray) -> None:
-        """An island that the first method did not solve: a proof, or other methods, or the best there is."""
-        a, b = self.system.A[index][:, index], self.system.b[index]
-        _require_semidefinite(a)
-        proof = certificate(a, b, self.force[index], factor=self._rows(index))
-        if proof is not None:
-            self.proof[index] = proof
-            return
-        best, (least, approaches) = self.force[index], self._judged(a, b, self.force[index])
-        for attempt in (self._by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
-            if least <= self.tolerance and not approaches:
-                break
-            found = attempt(index)
-            if found is None:
-                continue
-            residual, still = self._judged(a, b, found[0])
-            if residual < least or (residual <= self.tolerance and not still):
-                best, least, approaches = found[0], residual, still
-                self._take(index, *found)
-        self.force[index] = best
-
-    def _judged(self, a: Any, b: Array, force: Array) -> tuple[float, bool]:
-        """The residual of an island by the scale of the whole system, and whether forces seem to run away."""
-        product, size = a @ force, abs(a) @ force
-        residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / (size + self._largest)
-        return float(residual.max()), bool(np.any(runs_away(product, size, b)))
-
-    def _rows(self, index: Any) -> Any:
-        """J M^-1/2 of these contacts, or None."""
-        if self._factor is None:
-            self._factor = mass_factor(self.system)
-        return None if self._factor is None else self._factor[index]
-
-    def _unit(self, index: Any) -> UnitSystem:
-        a = self.system.A if isinstance(index, slice) else self.system.A[index][:, index]
-        return UnitSystem(a, self.system.b[index], self._rows(index))
-
-    def _by_gauss(self, index: Any, huge: float = np.inf) -> tuple[Array, int, str]:
-        limit, unit = 100 if self.limit is None else self.limit, self._unit(index)
-        largest = huge * float(np.abs(unit.unit_bias).max())
-        found = solve_gauss(unit, tolerance=self.tolerance, max_iterations=limit, largest=largest)
-        return found.force, found.iterations, "gauss"
-
-    def _by_pivot(self, index: Any) -> tuple[Array, int, str] | None:
-        unit = self._unit(index)
-        if len(unit) > PIVOT_UP_TO:
-            return None
-        found = solve_pivot(_dense(unit.matrix), unit.bias)
-        return found.force, found.pivots, "pivot"
-
-    def _by_nnls(self, index: Any) -> tuple[Array, int, str] | None:
-        unit = self._unit(index)
-        if len(unit) > NNLS_UP_TO:
-            return None
-        found = solve_nnls(_dense(unit.matrix), unit.bias)
-        return found.force, int(np.count_nonzero(found.force)), "nnls"
-
-    def _by_qp(self, index: Any) -> tuple[Array, int, str] | None:
-        unit = self._unit(index)
-        size = float(np.abs(unit.unit_bias).max())
-        scaled = _dense(unit.matrix) / (unit.root[:, None] * unit.root)
-        found, count = solve_qp(scaled, unit.unit_bias / size, tolerance=1e-10)
-        if found is None:
-            return None
-        at = np.maximum(found * size, 0.0)
-        motion = unit.operator.times(at) + unit.unit_bias
-        better = settle(unit, at, at > motion, tolerance=self.tolerance)
-        chosen = better.force if better.residual < unit.residual(at) else at
-        return unit.force(chosen), count, "qp"
-
-
-def _islands(a: Any) -> IntArray:
-    """For each contact the number of the island it belongs to."""
-    if a.shape[0] <= WHOLE:
-        return np.zeros(a.shape[0], dtype=np.intp)
-    from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import connected_components
-
-    return connected_components(csr_array(a), directed=False)[1].astype(np.intp)
-
-
-def _dense(a: Any) -> Array:
-    return a.toarray() if hasattr(a, "toarray") else a
-
-
-def _suspicious(a: Any, force: Array, b: Array) -> BoolArray:
-    """``_doubtful`` of one system or of a batch."""
-    largest = np.abs(b).max(axis=-1, keepdims=True, initial=0)
-    if b.ndim == 1:
-        return _doubtful(a @ force, abs(a) @ force, b, largest)
-    product, size = (np.einsum("...ij,...j->...i", m, force) for m in (a, np.abs(a)))
-    return _doubtful(product, size, b, largest)
-
-
-def _doubtful(product: Array, size: Array, b: Array, largest: Array) -> BoolArray:
-    """Contacts that approach by more than rounding (``runs_away``), or whose forces are too large to be so sure."""
-    return runs_away(product, size, b, largest) | (size > HUGE * largest)
-
-
-def _no_force(proof: Array, b: Array) -> str:
-    y, bias = (proof, b) if proof.ndim == 1 else (proof[k := int(np.argmax(proof.any(axis=1)))], b[k])
-    which = "" if proof.ndim == 1 else f" of system {k} of the batch"
-    return (
-        f"no contact forces keep these contacts{which} from approaching: forces y on contacts "
-        f"{np.flatnonzero(y)[:8].tolist()} move no body (A y = 0), yet b.y = {bias @ y:.3g} m/s^2 is below 0 "
-        "(y is in .certificate). Something is squeezed or pried apart by its own motion; let the bodies "
-        "collide instead, or take contacts away"
-    )
-
-
-def _require_semidefinite(a: Any) -> None:
-    """Looked at only where methods fail, as it costs more than they do."""
-    if a.shape[0] > CHECKED_UP_TO:
-        return
-    matrix = _dense(a)
-    root = np.sqrt(matrix.diagonal())
-    scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
-    least = float(np.linalg.eigvalsh(matrix * (scale[:, None] * scale))[0])
-    if least < -1e-9:
-        raise failure("A", "a positive semidefinite matrix", f"eigenvalue {least:.3g} in units of its diagonal")
-
-
-def _require_convergence(system: ContactSystem, solution: ContactSolution, tolerance: float) -> None:
-    kept = "(what was reached is in .solution)"
-    if not np.all(solution.converged):
-        worst = float(np.max(solution.residual))
-        raise NotConverged(
-            f"no method reached the tolerance {tolerance:g}: the best residual is {worst:.3g} {kept}", solution
-        )
-    largest = np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
-    if np.any(hidden := solution.acceleration < -SEEN * largest):
-        raise NotConverged(
-            f"{np.count_nonzero(hidden)} contacts approach, at up to {-solution.acceleration.min():.3g} m/s^2, "
-            f"under forces so large that the residual, {float(np.max(solution.residual)):.3g}, does not see it; "
-            f"A is too nearly singular to tell in double precision whether forces exist {kept}",
-            solution,
-        )

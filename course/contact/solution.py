@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from course.arrays import Array
 from course.contact.contact_system import ContactSystem
-from course.contact.solvers.residual import residual_of
+from course.contact.solvers.residual import products, residual_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,17 +54,18 @@ class NoContactForce(RuntimeError):
 
 
 def contact_solution(
-    system: ContactSystem, force: Array, iterations: Any, method: str, tolerance: float, *, matrix: Any = None
+    system: ContactSystem,
+    force: Array,
+    iterations: Any,
+    method: str,
+    tolerance: float,
+    *,
+    known: tuple[Array, Array] | None = None,
 ) -> ContactSolution:
     """The solution of this force: its accelerations, its residual, and whether that is within the tolerance.
 
-    matrix: A in another form, if that is at hand.
+    known: A f and |A| |f| (``products``), if they are at hand.
     """
-    a = system.A if matrix is None else matrix
-    if a.ndim == 2:
-        product, size, diagonal = a @ force, abs(a) @ force, a.diagonal()
-    else:
-        product, size = (np.einsum("...ij,...j->...i", m, force) for m in (a, np.abs(a)))
-        diagonal = np.diagonal(a, axis1=-2, axis2=-1)
-    residual = residual_of(diagonal, product, size, force, system.b)
+    product, size = products(system.A, force) if known is None else known
+    residual = residual_of(system.diagonal, product, size, force, system.b)
     return ContactSolution(force, product + system.b, residual, iterations, method, residual <= tolerance)

@@ -5,7 +5,7 @@ import pytest
 
 import course.contact.solvers.block_pivot as module
 from course.contact.solvers import complementarity_residual
-from course.contact.solvers.block_pivot import block_pivot
+from course.contact.solvers.block_pivot import block_pivot, block_pivot_one
 
 
 def systems(count, contacts, rank, seed):
@@ -36,6 +36,33 @@ def test_one_by_one_is_the_same_as_together(monkeypatch):
     np.testing.assert_allclose(block_pivot(a, b).force, together.force, atol=1e-12 * together.force.max())
 
 
+@pytest.mark.parametrize("spare", [2, 0, -1])
+def test_what_the_forces_do_comes_with_them(spare):
+    """A f and |A| f of the forces as they are returned, clipped at 0, in a batch and alone."""
+    a, b = systems(200, 6, 6 + spare, [5, spare + 1])
+    found = block_pivot(a, b)
+    np.testing.assert_allclose(
+        found.product, np.einsum("sij,sj->si", a, found.force), atol=1e-14 * found.size.max()
+    )
+    np.testing.assert_allclose(found.size, np.einsum("sij,sj->si", np.abs(a), found.force), rtol=1e-13)
+    one = block_pivot_one(a[0], b[0])
+    assert np.array_equal(one.product, a[0] @ one.force)
+    assert np.array_equal(one.size, np.abs(a[0]) @ one.force)
+    assert one.residual == complementarity_residual(a[0], one.force, b[0])
+
+
+def test_any_first_guess_leads_there():
+    rng = np.random.default_rng(2)
+    a, b = systems(30, 8, 10, 17)
+    for k in range(30):
+        whole = block_pivot_one(a[k], b[k])
+        guess = rng.uniform(size=8) < 0.5
+        other = block_pivot_one(a[k], b[k], pushing=guess.copy())
+        np.testing.assert_allclose(other.force, whole.force, atol=1e-9 * whole.force.max())
+        again = block_pivot_one(a[k], b[k], pushing=whole.force > 0)
+        assert again.iterations == 1 and again.residual <= 1e-12
+
+
 def test_large_systems_by_lapack():
     a, b = systems(3, 90, 100, 9)
     found = block_pivot(a, b)
@@ -46,10 +73,15 @@ def test_large_systems_by_lapack():
 def test_nothing_to_do_and_nothing_that_helps():
     empty = block_pivot(np.zeros((0, 4, 4)), np.zeros((0, 4)))
     assert empty.force.shape == (0, 4)
+    assert block_pivot(np.zeros((9, 0, 0)), np.zeros((9, 0))).residual.tolist() == [0.0] * 9
     a = np.zeros((10, 2, 2))
     a[:, 1, 1] = 2.0
     found = block_pivot(a, np.full((10, 2), -1.0))
     np.testing.assert_allclose(found.force, np.tile([0, 0.5], (10, 1)))
+    still = [block_pivot(m, np.zeros((len(m), 2))).force for m in (a, a[:1])] + [
+        block_pivot_one(a[0], np.zeros(2)).force
+    ]
+    assert not any(np.any(f) or np.any(np.signbit(f)) for f in still)
     assert np.all(found.residual == 1), "a contact that no force moves approaches for ever"
 
 

@@ -5,8 +5,9 @@ Operations Research 21(5), 1994, after M. M. Kostreva): guess the set S of
 contacts that push, solve A_SS f_S = -b_S, and exchange every contact that
 pulls or approaches. Where their number has not fallen for some rounds, only
 the last one is exchanged (Murty's rule, which cannot cycle while A_SS is
-regular). A_SS is regularised by a small shift on its diagonal of ones, whose
-effect is refined away, so that redundant contacts do no harm.
+regular). The first guess is that all push: most contacts at rest do. A_SS is
+regularised by a small shift on its diagonal of ones, whose effect is refined
+away, so that redundant contacts do no harm.
 
 In a batch the arrays hold the system's own axes first and the batch last:
 each step of the elimination is one operation on all systems.
@@ -21,14 +22,15 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, BoolArray, IntArray
-from course.contact.solvers.residual import scaled_rows
+from course.contact.solvers.residual import products, residual_of, scaled_rows
 
 #: Added to a diagonal of ones.
 SHIFT = 1e-9
 #: How often the effect of the shift is refined away, in a batch and at most in a single system.
 REFINEMENTS = (1, 3)
-#: A single system is refined until a correction is smaller than this part of the forces; the next is smaller by far.
-REFINED = 1e-13
+#: A single system is refined until A_SS f_S + b_S is below these parts of the forces and of b, on a diagonal of ones:
+#: the first is rounding, the second keeps it small beside b where forces are enormous.
+REFINED = (1e-15, 1e-11)
 #: Residual above which a system of a batch is solved once more on its own.
 EXACT = 1e-12
 #: A contact is wrong if it pulls or approaches by more than this, relative to the forces on a diagonal of ones.
@@ -41,11 +43,13 @@ BLOCK = 2**14
 
 @dataclass(frozen=True)
 class Pivoted:
-    """Forces (s, c), their residuals (s,) and how often each system was solved (s,)."""
+    """Forces, A f and |A| f, (..., c); the residuals, and how often each system was solved, (...)."""
 
     force: Array
-    residual: Array
-    iterations: IntArray
+    product: Array
+    size: Array
+    residual: Any
+    iterations: Any
 
 
 def block_pivot(matrix: Array, bias: Array, *, max_iterations: int | None = None) -> Pivoted:
@@ -56,32 +60,34 @@ def block_pivot(matrix: Array, bias: Array, *, max_iterations: int | None = None
         bias: b, (s, c).
         max_iterations: how often a system is solved at most; 2 c + 20 if not given.
     Returns:
-        Forces, residuals and iterations. A large residual says that the
-        method failed there, or that there is no solution.
+        Forces, what they do, residuals and iterations. A large residual says
+        that the method failed there, or that there is no solution.
     """
     systems, count = bias.shape
     limit = 2 * count + 20 if max_iterations is None else max_iterations
-    result = Pivoted(np.zeros(bias.shape), np.zeros(systems), np.zeros(systems, dtype=np.intp))
-    diagonal = np.einsum("sii->si", matrix)
-    state = _State((bias <= 0) & (diagonal > 0), np.full(systems, count + 1), np.full(systems, PATIENCE))
+    force, product, size = np.zeros((3, count, systems))
+    found = Pivoted(force.T, product.T, size.T, np.zeros(systems), np.zeros(systems, dtype=np.intp))
+    state = _State(np.einsum("sii->is", matrix) > 0, np.full(systems, count + 1), np.full(systems, PATIENCE))
     block, round_ = max(256, BLOCK // max(count * count, 1)), 0
     todo = np.arange(systems)
     while round_ < limit and todo.size >= max(8, count**3 // 100):
         round_ += 1
         todo = np.concatenate([
-            _round(matrix, bias, todo[k : k + block], state, result, round_)
+            _round(matrix, bias, todo[k : k + block], state, found, round_)
             for k in range(0, todo.size, block)
         ])  # fmt: skip
-    inexact = (result.residual > EXACT) & (result.iterations > 0)
-    for k in np.concatenate([todo, inexact.nonzero()[0]]):
-        result.force[k], result.residual[k], more = _one(matrix[k], bias[k], state.pushing[k], limit)
-        result.iterations[k] = round_ + more
-    return result
+    again = ~(found.residual <= EXACT)
+    again[todo] = True
+    for k in again.nonzero()[0]:
+        one = block_pivot_one(matrix[k], bias[k], pushing=state.pushing[:, k], max_iterations=limit)
+        found.force[k], found.product[k], found.size[k] = one.force, one.product, one.size
+        found.residual[k], found.iterations[k] = one.residual, round_ + one.iterations
+    return found
 
 
 @dataclass
 class _State:
-    """For each system the guessed set (s, c), the fewest wrong contacts so far, and the rounds left to better it."""
+    """For each system the guessed set (c, s), the fewest wrong contacts so far, and the rounds left to better it."""
 
     pushing: BoolArray
     fewest: IntArray
@@ -89,38 +95,44 @@ class _State:
 
 
 def _round(
-    matrix: Array, bias: Array, index: IntArray, state: _State, result: Pivoted, round_: int
+    matrix: Array, bias: Array, index: IntArray, state: _State, found: Pivoted, round_: int
 ) -> IntArray:
-    """One round of the systems of the index; which of them go on."""
-    a, b, s = _batch_last(matrix[index]), _batch_last(bias[index]), _batch_last(state.pushing[index])
-    root = np.sqrt(np.einsum("iis->is", a))
-    scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
+    """One round of the systems of the index; which of them go on, with what is found for the others."""
+    # Indices without a gap, as in the first round, are read and written as a slice: that is faster.
+    where = slice(index[0], index[-1] + 1) if index[-1] - index[0] == index.size - 1 else index
+    a, b = matrix[where].transpose(1, 2, 0).copy(), bias[where].T.copy()
+    s = state.pushing[:, where]
+    scale = 1.0 / np.sqrt(np.where((diagonal := np.einsum("iis->is", a)) > 0, diagonal, np.inf))
     on, unit_b = np.where(s, scale, 0.0), scale * b
-    solve = _elimination(a * (on[:, None] * on), s)
-    unit = -solve(on * b)
+    solve = _elimination(a, on, s)
+    unit = 0.0 - solve(on * b)  # no -0
     for _ in range(REFINEMENTS[0]):
-        unit -= solve(on * (np.einsum("ijs,js->is", a, scale * unit) + b))
+        unit -= solve(on * (_times(a, scale * unit) + b))
     force = scale * unit
-    product = np.einsum("ijs,js->is", a, force)
+    product = _times(a, force)
     least = -WRONG * (np.abs(unit).sum(axis=0) + np.abs(unit_b).max(axis=0, initial=0.0))
-    wrong = (np.where(s, unit, scale * product + unit_b) < least) & (scale > 0)
+    wrong = np.where(s, unit, scale * product + unit_b) < least
+    going = wrong.any(axis=0)
+    if np.any(clipped := (force < 0).any(axis=0) & ~going):
+        force[:, clipped] = np.maximum(force[:, clipped], 0.0)
+        product[:, clipped] = _times(a[:, :, clipped], force[:, clipped])
+    size = _times(np.abs(a, out=a), force)
+    # What goes on is found anew, in a later round.
+    found.force.T[:, where], found.product.T[:, where], found.size.T[:, where] = force, product, size
+    rows = scaled_rows(diagonal, product, size, force, b, axis=0)
+    found.residual[where] = np.abs(np.minimum(*rows)).max(axis=0, initial=0.0)
+    found.iterations[where] = round_
+    return _exchange(state, index[going], wrong[:, going]) if np.any(going) else index[:0]
+
+
+def _times(a: Array, x: Array) -> Array:
+    """A x of systems (c, c, s) and (c, s)."""
+    return np.einsum("ijs,js->is", a, x)
+
+
+def _exchange(state: _State, index: IntArray, wrong: BoolArray) -> IntArray:
+    """The next guess of these systems, where these contacts are wrong; returns the index."""
     number = np.count_nonzero(wrong, axis=0)
-    if np.any(ended := number == 0):
-        done = index[ended]
-        force = np.maximum(force, 0.0)
-        result.force[done] = force[:, ended].T
-        result.residual[done] = _residual(a, force, b)[ended]
-        result.iterations[done] = round_
-    going = index[~ended]
-    _exchange(state, going, wrong[:, ~ended], number[~ended])
-    return going
-
-
-def _batch_last(x: Any) -> Any:
-    return np.ascontiguousarray(np.moveaxis(x, 0, -1))
-
-
-def _exchange(state: _State, index: IntArray, wrong: BoolArray, number: IntArray) -> None:
     fewer = number < state.fewest[index]
     state.patience[index] = patience = np.where(fewer, PATIENCE, state.patience[index] - 1)
     state.fewest[index] = np.where(fewer, number, state.fewest[index])
@@ -128,29 +140,25 @@ def _exchange(state: _State, index: IntArray, wrong: BoolArray, number: IntArray
     last = wrong.shape[0] - 1 - np.argmax(wrong[::-1, stuck], axis=0)
     wrong[:, stuck] = False
     wrong[last, stuck] = True
-    state.pushing[index] ^= wrong.T
+    state.pushing[:, index] ^= wrong
+    return index
 
 
-def _residual(a: Array, force: Array, b: Array) -> Array:
-    """``complementarity_residual`` of systems (c, c, s)."""
-    product, size = np.einsum("ijs,js->is", a, force), np.einsum("ijs,js->is", np.abs(a), force)
-    rows = scaled_rows(np.einsum("iis->is", a), product, size, force, b, axis=0)
-    return np.max(np.abs(np.minimum(*rows)), axis=0, initial=0.0)
+def _elimination(a: Array, on: Array, pushing: BoolArray) -> Callable[[Array], Array]:
+    """Solves (A_SS + shift) x = q for all systems, on a diagonal of ones: A = L D L' on vectors over the batch.
 
-
-def _elimination(a: Array, pushing: BoolArray) -> Callable[[Array], Array]:
-    """Solves (A + shift) x = q for all systems, in place: A = L D L' on vectors over the batch.
-
-    A and q are 0 outside S; a is overwritten.
+    A (c, c, s); on (c, s) brings its diagonal to ones and is 0 outside S, as
+    q must be; q is overwritten.
     """
     count = pushing.shape[0]
-    np.einsum("iis->is", a)[:] += np.where(pushing, SHIFT, 1.0)
+    column = [a[k:, k] * (on[k:] * on[k]) for k in range(count)]
     inverse, lower = np.empty(pushing.shape), np.empty(a.shape)
     for k in range(count):
-        np.divide(1.0, a[k, k], out=inverse[k])
-        np.multiply(a[k + 1 :, k], inverse[k], out=lower[k + 1 :, k])
+        column[k][0] += np.where(pushing[k], SHIFT, 1.0)
+        np.divide(1.0, column[k][0], out=inverse[k])
+        np.multiply(column[k][1:], inverse[k], out=lower[k + 1 :, k])
         for i in range(k + 1, count):
-            a[i:, i] -= lower[i, k] * a[i:, k]
+            column[i] -= lower[i, k] * column[k][i - k :]
 
     def solve(q: Array) -> Array:
         for k in range(count - 1):
@@ -163,18 +171,33 @@ def _elimination(a: Array, pushing: BoolArray) -> Callable[[Array], Array]:
     return solve
 
 
-def _one(matrix: Array, bias: Array, pushing: BoolArray, limit: int) -> tuple[Array, float, int]:
-    """A single system by LAPACK: force, residual, rounds."""
+def block_pivot_one(
+    matrix: Array, bias: Array, *, pushing: BoolArray | None = None, max_iterations: int | None = None
+) -> Pivoted:
+    """Contact forces of one system of c contacts, by LAPACK.
+
+    Args:
+        matrix: A, (c, c), symmetric positive semidefinite.
+        bias: b, (c,).
+        pushing: (c,), the contacts that push, as a first guess; all that a
+            force moves if not given.
+        max_iterations: how often it is solved at most; 2 c + 20 if not given.
+    Returns:
+        As ``block_pivot``, without the axis of the batch.
+    """
+    limit = 2 * bias.size + 20 if max_iterations is None else max_iterations
     diagonal = matrix.diagonal()
-    root = np.sqrt(diagonal)
-    scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
+    moves = diagonal > 0
+    scale = 1.0 / np.sqrt(np.where(moves, diagonal, np.inf))
     a, b = matrix * (scale[:, None] * scale), scale * bias
-    fewest, patience, bound = b.size + 1, PATIENCE, float(np.abs(b).max(initial=0.0))
-    unit, pushing, rounds = np.zeros(b.size), pushing.copy(), 0
+    bound = float(np.abs(b).max(initial=0.0)) or 1.0
+    b /= bound
+    pushing = moves if pushing is None else pushing.copy()
+    fewest, patience, rounds, unit = b.size + 1, PATIENCE, 0, np.zeros(b.size)
     while rounds < limit:
         rounds += 1
-        unit, w = _on_set(a, b, pushing.nonzero()[0])
-        wrong = (np.where(pushing, unit, w) < -WRONG * (float(np.abs(unit).sum()) + bound)) & (scale > 0)
+        unit, motion, total = _on_set(a, b, pushing)
+        wrong = np.where(pushing, unit, motion) < -WRONG * (total + 1.0)
         number = int(np.count_nonzero(wrong))
         if not number:
             break
@@ -182,28 +205,30 @@ def _one(matrix: Array, bias: Array, pushing: BoolArray, limit: int) -> tuple[Ar
         if patience < 0:
             wrong[: wrong.nonzero()[0][-1]] = False
         pushing ^= wrong
-    force = np.maximum(unit, 0.0) * scale
-    push, motion = scaled_rows(diagonal, matrix @ force, np.abs(matrix) @ force, force, bias)
-    return force, float(np.abs(np.minimum(push, motion)).max(initial=0.0)), rounds
+    force = np.maximum(unit, 0.0) * (scale * bound)
+    product, size = products(matrix, force)
+    residual = residual_of(diagonal, product, size, force, bias)
+    return Pivoted(force, product, size, residual, rounds)
 
 
-def _on_set(a: Array, b: Array, s: IntArray) -> tuple[Array, Array]:
-    """Forces with A_SS f_S = -b_S, 0 elsewhere, and A f + b."""
+def _on_set(a: Array, b: Array, pushing: BoolArray) -> tuple[Array, Array, float]:
+    """Forces with A_SS f_S = -b_S, 0 elsewhere; A f + b; and the sum of |f|. The largest |b| is 1."""
     from scipy.linalg.lapack import dpotrf, dpotrs
 
-    force = np.zeros(b.size)
+    s = pushing.nonzero()[0]
     if not s.size:
-        return force, b
-    columns = a[:, s]
-    small = columns[s]
-    small.flat[:: s.size + 1] += SHIFT
-    factor = dpotrf(small.T, lower=1, overwrite_a=1, clean=0)[0]
-    on, w = np.zeros(s.size), b
-    for _ in range(1 + REFINEMENTS[1]):
-        correction = dpotrs(factor, w[s], lower=1)[0]
-        on -= correction
-        w = columns @ on + b
-        if np.abs(correction).max() <= REFINED * np.abs(on).max():
+        return np.zeros(b.size), b, 0.0
+    columns = a if s.size == b.size else a[:, s]
+    matrix = columns[s]
+    matrix.flat[:: s.size + 1] += SHIFT
+    factor = dpotrf(matrix.T, lower=1, overwrite_a=1, clean=0)[0]
+    on = 0.0 - dpotrs(factor, b[s], lower=1)[0]  # no -0
+    for left in range(REFINEMENTS[1], -1, -1):
+        motion, total = columns @ on + b, float(np.abs(on).sum())
+        missing = motion[s]
+        if not left or float(np.abs(missing).max()) <= min(REFINED[0] * (total + 1.0), REFINED[1]):
             break
+        on -= dpotrs(factor, missing, lower=1)[0]
+    force = np.zeros(b.size)
     force[s] = on
-    return force, w
+    return force, motion, total

@@ -36,21 +36,29 @@ def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> 
         scalars("matrix", matrix.data)
         shaped("force", f, (count,))
         shaped("bias", b, (count,))
-        return residual_of(matrix.diagonal(), matrix @ f, abs(matrix) @ np.abs(f), f, b)
+        return residual_of(matrix.diagonal(), *products(matrix, f), f, b)
     a = scalars("matrix", matrix)
     if a.ndim < 2 or a.shape[-1] != a.shape[-2]:
         raise failure("matrix", "shape (..., c, c)", f"shape {a.shape}")
     for name, array in (("force", f), ("bias", b)):
         if array.ndim == 0 or array.shape[-1] != a.shape[-1]:
             raise failure(name, f"shape (..., {a.shape[-1]})", f"shape {array.shape}")
-    product = np.einsum("...ij,...j->...i", a, f)
-    size = np.einsum("...ij,...j->...i", np.abs(a), np.abs(f))
-    return residual_of(np.diagonal(a, axis1=-2, axis2=-1), product, size, f, b)
+    return residual_of(np.diagonal(a, axis1=-2, axis2=-1), *products(a, f), f, b)
+
+
+def products(matrix: Any, force: Array) -> tuple[Array, Array]:
+    """A f and |A| |f|, (..., c), of one system, sparse or dense, or of a batch; nothing is checked."""
+    magnitude = np.abs(force)
+    if matrix.ndim == 2 and force.ndim == 1:
+        return matrix @ force, abs(matrix) @ magnitude
+    return np.einsum("...ij,...j->...i", matrix, force), np.einsum("...ij,...j->...i", abs(matrix), magnitude)
 
 
 def residual_of(diagonal: Array, product: Array, size: Array, force: Array, bias: Array) -> Array:
     """``complementarity_residual`` from D, A f, |A| |f|, f and b; nothing is checked."""
-    return np.abs(np.minimum(*scaled_rows(diagonal, product, size, force, bias))).max(axis=-1, initial=0.0)[()]
+    return np.abs(np.minimum(*scaled_rows(diagonal, product, size, force, bias))).max(axis=-1, initial=0.0)[
+        ()
+    ]
 
 
 def scaled_rows(
@@ -61,10 +69,8 @@ def scaled_rows(
     From D, A f, |A| |f|, f and b, the contacts along the axis; nothing is checked.
     """
     scale = size + np.abs(bias).max(axis=axis, keepdims=True, initial=0)
-    some = scale > 0
-    push, motion = diagonal * force, product + bias
-    rows = [np.divide(row, scale, out=np.zeros(np.shape(row)), where=some) for row in (push, motion)]
-    return rows[0], rows[1]
+    scale = np.where(scale > 0, scale, np.inf)
+    return diagonal * force / scale, (product + bias) / scale
 
 
 def runs_away(product: Array, size: Array, bias: Array, largest: Array | None = None) -> BoolArray:
