@@ -51,6 +51,14 @@ def test_what_the_forces_do_comes_with_them(spare):
     assert one.residual == complementarity_residual(a[0], one.force, b[0])
 
 
+def test_sweeps_are_a_good_second_guess():
+    """Where not all push, a batch goes on with fewer rounds than by exchanges alone (measured: 0.4 times as many)."""
+    a, b = systems(300, 12, 14, 23)
+    together = block_pivot(a, b).iterations
+    alone = [block_pivot_one(a[k], b[k]).iterations for k in range(300)]
+    assert np.mean(together) - 1 <= 0.7 * (np.mean(alone) - 1)
+
+
 def test_any_first_guess_leads_there():
     rng = np.random.default_rng(2)
     a, b = systems(30, 8, 10, 17)

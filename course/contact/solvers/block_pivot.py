@@ -10,7 +10,8 @@ regularised by a small shift on its diagonal of ones, whose effect is refined
 away, so that redundant contacts do no harm.
 
 In a batch the arrays hold the system's own axes first and the batch last:
-each step of the elimination is one operation on all systems.
+each step of the elimination is one operation on all systems. There the second
+guess is that of a few sweeps of projected Gauss-Seidel, which cost little.
 """
 
 from __future__ import annotations
@@ -35,6 +36,8 @@ REFINED = (1e-15, 1e-11)
 EXACT = 1e-12
 #: A contact is wrong if it pulls or approaches by more than this, relative to the forces on a diagonal of ones.
 WRONG = 1e-13
+#: Sweeps for the second guess in a batch: random systems of 8 to 16 contacts then go on for 0.4 to 0.7 times the rounds.
+SWEEPS = 4
 #: Rounds in which the number of wrong contacts need not fall.
 PATIENCE = 3
 #: Numbers in the matrices worked on at a time: they fit a processor's cache.
@@ -101,8 +104,10 @@ def _round(
     # Indices without a gap, as in the first round, are read and written as a slice: that is faster.
     where = slice(index[0], index[-1] + 1) if index[-1] - index[0] == index.size - 1 else index
     a, b = matrix[where].transpose(1, 2, 0).copy(), bias[where].T.copy()
-    s = state.pushing[:, where]
     scale = 1.0 / np.sqrt(np.where((diagonal := np.einsum("iis->is", a)) > 0, diagonal, np.inf))
+    if round_ == 2:
+        state.pushing[:, where] = _swept(a, b, scale)
+    s = state.pushing[:, where]
     on, unit_b = np.where(s, scale, 0.0), scale * b
     solve = _elimination(a, on, s)
     unit = 0.0 - solve(on * b)  # no -0
@@ -128,6 +133,15 @@ def _round(
 def _times(a: Array, x: Array) -> Array:
     """A x of systems (c, c, s) and (c, s)."""
     return np.einsum("ijs,js->is", a, x)
+
+
+def _swept(a: Array, b: Array, scale: Array) -> BoolArray:
+    """The contacts that push after a few sweeps of projected Gauss-Seidel: a guess that suits where not all push."""
+    force = np.zeros(b.shape)
+    for i in SWEEPS * list(range(len(b))):
+        step = scale[i] * (scale[i] * (np.einsum("js,js->s", a[i], force) + b[i]))
+        np.maximum(force[i] - step, 0.0, out=force[i])
+    return force > 0
 
 
 def _exchange(state: _State, index: IntArray, wrong: BoolArray) -> IntArray:
