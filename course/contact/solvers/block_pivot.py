@@ -36,7 +36,7 @@ REFINED = (1e-15, 1e-11)
 EXACT = 1e-12
 #: A contact is wrong if it pulls or approaches by more than this, relative to the forces on a diagonal of ones.
 WRONG = 1e-13
-#: Sweeps for the second guess in a batch: random systems of 8 to 16 contacts then go on for 0.4 to 0.7 times the rounds.
+#: Sweeps for the second guess in a batch: random systems of 8 to 16 contacts then go on for about half the rounds.
 SWEEPS = 4
 #: Rounds in which the number of wrong contacts need not fall.
 PATIENCE = 3
