@@ -28,6 +28,8 @@ from course.contact.solvers.unit_system import Trial, UnitSystem
 START = 1e3
 #: Shift kept in every Newton system, relative to a diagonal of ones: rank deficient systems stay solvable.
 KEPT = 1e-13
+#: By how much a step must get longer for a correction to be worth it.
+LONGER = 0.01
 #: Fraction of the way to the boundary.
 FRACTION = 0.995
 #: Share of contacts that may be undecided when ``active_set`` is tried.
@@ -147,12 +149,13 @@ def _step(now: Trial, at: _Iterate) -> _Iterate:
     product = target - f * w - df * dw
     df, dw = direction(product)
     length = _length(at, df, dw)
-    aim = min(1.0, max(1.5 * length, length + 0.3))
-    ahead = (f + aim * df) * (w + aim * dw)
-    more = np.maximum(np.clip(ahead, 0.1 * target, 10 * target) - ahead, -10 * target)
-    df_2, dw_2 = direction(product + more)
-    if (length_2 := _length(at, df_2, dw_2)) > length + 0.01:
-        df, dw, length = df_2, dw_2, length_2
+    if length < 1.0 - LONGER:
+        aim = min(1.0, max(1.5 * length, length + 0.3))
+        ahead = (f + aim * df) * (w + aim * dw)
+        more = np.maximum(np.clip(ahead, 0.1 * target, 10 * target) - ahead, -10 * target)
+        df_2, dw_2 = direction(product + more)
+        if (length_2 := _length(at, df_2, dw_2)) > length + LONGER:
+            df, dw, length = df_2, dw_2, length_2
     length *= FRACTION
     return _Iterate(f + length * df, w + length * dw)
 
