@@ -13,7 +13,7 @@ from course.contact.solvers.residual import runs_away
 
 #: |A| f above this times the largest |b| is taken for forces that have run away, until no proof of it is found.
 HUGE = 1e9
-#: No d_ddot may be below this times the largest |b|, however large the forces and their rounding.
+#: No contact may approach, or part and push, by this times the largest |b|, however large the forces.
 SEEN = 1e-3
 #: Up to how many contacts A's eigenvalues are looked at where all goes wrong.
 CHECKED_UP_TO = 2000
@@ -72,11 +72,15 @@ def require_convergence(system: ContactSystem, solution: ContactSolution, tolera
             f"no method reached the tolerance {tolerance:g}: the best residual is {worst:.3g} {kept}",
             solution,
         )
-    largest = np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
-    if np.any(hidden := solution.acceleration < -SEEN * largest):
+    a = system.A
+    diagonal = a.diagonal() if a.ndim == 2 else np.diagonal(a, axis1=-2, axis2=-1)
+    violation = np.abs(np.minimum(diagonal * solution.force, solution.acceleration))
+    hidden = violation > SEEN * np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
+    if np.any(hidden):
         raise NotConverged(
-            f"{np.count_nonzero(hidden)} contacts approach, at up to {-solution.acceleration.min():.3g} m/s^2, "
-            f"under forces so large that the residual, {float(np.max(solution.residual)):.3g}, does not see it; "
-            f"A is too nearly singular to tell in double precision whether forces exist {kept}",
+            f"{np.count_nonzero(hidden)} contacts approach, or part although they push, at up to "
+            f"{violation.max():.3g} m/s^2, under forces so large that the residual, "
+            f"{float(np.max(solution.residual)):.3g}, does not see it; A is too nearly singular to tell in double "
+            f"precision whether forces exist {kept}",
             solution,
         )
