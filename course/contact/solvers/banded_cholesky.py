@@ -25,11 +25,10 @@ class BandedCholesky:
     """
 
     def __init__(self, pattern: Any) -> None:
+        self.order: IntArray = _order(pattern)
+        self.rank = np.argsort(self.order)
         row, column = pattern.nonzero()
-        ranked = [(order, np.argsort(order)) for order in _orders(pattern)]
-        widths = [int(np.max(np.abs(rank[row] - rank[column]), initial=0)) for _, rank in ranked]
-        self.width = min(widths)
-        self.order, self.rank = ranked[widths.index(self.width)]
+        self.width = int(np.max(np.abs(self.rank[row] - self.rank[column]), initial=0))
         self.seconds = A_PRODUCT * self.order.size * (self.width + WIDER) ** 2
         self._storage: Array | None = None
 
@@ -63,14 +62,14 @@ class BandedCholesky:
         return dpbtrs(self._cholesky, q, lower=1)[0]
 
 
-def _orders(pattern: Any) -> list[IntArray]:
-    """Reverse Cuthill-McKee as SciPy begins it, and begun at an end of the graph, which may be narrower."""
+def _order(pattern: Any) -> IntArray:
+    """Reverse Cuthill-McKee, begun at an end of the graph if it is of one piece; SciPy begins it anywhere."""
     from scipy.sparse.csgraph import breadth_first_order, reverse_cuthill_mckee
 
     reached = breadth_first_order(pattern, 0, return_predecessors=False)
+    if reached.size < pattern.shape[0]:
+        return reverse_cuthill_mckee(pattern, symmetric_mode=True).astype(np.intp)
+    # The row reached last is at an end, and what is farthest from it at another.
     reached = breadth_first_order(pattern, reached[-1], return_predecessors=False)
-    orders = [reverse_cuthill_mckee(pattern, symmetric_mode=True)]
-    if reached.size == pattern.shape[0]:
-        there = pattern[reached][:, reached]
-        orders.append(reached[reverse_cuthill_mckee(there, symmetric_mode=True)])
-    return [order.astype(np.intp) for order in orders]
+    there = pattern[reached][:, reached]
+    return reached[reverse_cuthill_mckee(there, symmetric_mode=True)].astype(np.intp)

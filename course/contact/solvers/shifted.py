@@ -17,6 +17,7 @@ alike. The matrix is factored dense, banded or, where the band is wide, sparse.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any, Protocol
 
 import numpy as np
@@ -29,7 +30,7 @@ from course.contact.solvers.sparse_cholesky import SparseCholesky
 DENSE = 96
 #: About how long a multiplication takes in a dense factor [s].
 A_PRODUCT = 4e-11
-#: A banded factor that takes less than this is not worth the search for a sparse one [s].
+#: A factor that takes less than this is not worth the search for a better one [s].
 QUICK = 3e-3
 
 
@@ -85,24 +86,40 @@ def shifted(matrix: Any, factor: Any = None) -> Shifted:
     from scipy.sparse import csr_array, issparse
 
     count = matrix.shape[0]
+    dense = partial(_dense, matrix)
     if count <= DENSE:
-        return ShiftedDense(matrix.toarray() if issparse(matrix) else matrix)
-    best: tuple[float, Callable[[], Shifted]] = (
-        A_PRODUCT * count**3 / 3,
-        lambda: ShiftedDense(matrix.toarray() if issparse(matrix) else matrix),
-    )
-    freedoms = count + 1
+        return dense()
+    ways: list[Callable[[], tuple[float, Callable[[], Shifted]]]] = []
+    if issparse(matrix):
+        ways.append(partial(_by_forces, csr_array(matrix), known=factor is not None))
     if factor is not None:
         rows = _without_empty_columns(csr_array(factor))
-        freedoms = rows.shape[1]
-        ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
-        bodies = _cheapest((ones.T @ ones).tocsr())
-        best = min(best, (bodies.seconds, lambda: ShiftedByAccelerations(rows, bodies)), key=lambda x: x[0])
-    if issparse(matrix) and freedoms > 0.9 * count:
-        # The graph of contacts is denser than that of bodies: no search for a sparse factor where the other is known.
-        contacts = _cheapest(csr_array(matrix)) if factor is None else BandedCholesky(csr_array(matrix))
-        best = min(best, (contacts.seconds, lambda: ShiftedByForces(matrix, contacts)), key=lambda x: x[0])
+        # Fewer freedoms than contacts, or more: the smaller matrix first.
+        ways.insert(0 if rows.shape[1] < count else len(ways), partial(_by_accelerations, rows))
+    best: tuple[float, Callable[[], Shifted]] = (A_PRODUCT * count**3 / 3, dense)
+    for way in ways:
+        best = min(best, way(), key=lambda one: one[0])
+        if best[0] < QUICK:
+            break
     return best[1]()
+
+
+def _dense(matrix: Any) -> Shifted:
+    return ShiftedDense(matrix.toarray() if hasattr(matrix, "toarray") else matrix)
+
+
+def _by_forces(matrix: Any, *, known: bool) -> tuple[float, Callable[[], Shifted]]:
+    # The graph of contacts is denser than that of bodies: no search for a sparse factor where the other is known.
+    contacts = BandedCholesky(matrix) if known else _cheapest(matrix)
+    return contacts.seconds, partial(ShiftedByForces, matrix, contacts)
+
+
+def _by_accelerations(rows: Any) -> tuple[float, Callable[[], Shifted]]:
+    from scipy.sparse import csr_array
+
+    ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
+    bodies = _cheapest((ones.T @ ones).tocsr())
+    return bodies.seconds, partial(ShiftedByAccelerations, rows, bodies)
 
 
 def _cheapest(pattern: Any) -> Cholesky:
