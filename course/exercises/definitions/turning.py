@@ -24,11 +24,24 @@ def rotation_matrices(rng: np.random.Generator, shape: tuple[int, ...]) -> np.nd
     return np.moveaxis(np.array(rows), (0, 1), (-2, -1)) / 25.0
 
 
+# An inertia is drawn by its second moments S, positive definite: I = tr(S) 1 - S (Goldstein, section 5.3). A positive
+# matrix drawn as I itself may have a principal moment above the sum of the other two, and no body has that.
+
+
 def inertias(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
-    """Symmetric, with moments of 1 to 4 and products that are not zero."""
+    """Symmetric, two decimals, unlike moments of 1.3 to 3.7 and products that are not zero."""
     upper = np.triu(rng.uniform(0.1, 0.3, (*shape, 3, 3)), 1).round(2)
-    moments = (np.array([1.0, 2.0, 3.0]) + rng.uniform(0.0, 0.8, (*shape, 3))).round(2)
-    return upper + np.swapaxes(upper, -1, -2) + moments[..., None] * np.eye(3)
+    second = (np.array([1.8, 0.9, 0.4]) + rng.uniform(0.0, 0.5, (*shape, 3))).round(2)
+    return (upper + np.swapaxes(upper, -1, -2) + _moments(second)[..., None] * np.eye(3)).round(2)
+
+
+def inverse_moments(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
+    """1/I about three principal axes, two decimals, from about 0.5 to 2 and all unlike."""
+    return np.asarray(np.round(1 / _moments(rng.uniform([0.1, 0.4, 0.8], [0.2, 0.6, 1.2], (*shape, 3))), 2))
+
+
+def _moments(second: np.ndarray) -> np.ndarray:
+    return np.asarray(second.sum(axis=-1, keepdims=True) - second)
 
 
 def drawn_vectors(rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0) -> np.ndarray:

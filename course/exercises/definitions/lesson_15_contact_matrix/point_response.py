@@ -11,7 +11,13 @@ from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_15_contact_matrix.touching import (
     response,
 )
-from course.exercises.definitions.turning import drawn_vectors, rotation_matrices, times, turned_inertia
+from course.exercises.definitions.turning import (
+    drawn_vectors,
+    inverse_moments,
+    rotation_matrices,
+    times,
+    turned_inertia,
+)
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -21,8 +27,8 @@ UP = np.array([0.0, 0.0, 1.0])
 
 def _responses(rng: np.random.Generator) -> Sequence[Case]:
     def push(shape: tuple[int, ...] = ()) -> dict[str, Any]:
-        moments = np.round(rng.uniform([0.2, 0.8, 1.5], [0.5, 1.2, 2.5], (*shape, 3)), 2)
-        inverse = np.round(turned_inertia(rotation_matrices(rng, shape), moments[..., None] * np.eye(3)), 3)
+        inverse = inverse_moments(rng, shape)[..., None] * np.eye(3)
+        inverse = np.round(turned_inertia(rotation_matrices(rng, shape), inverse), 3)
         return {
             "mass": np.round(rng.uniform(1.5, 5.0, shape), 1) if shape else float(np.round(rng.uniform(1.5, 5.0), 1)),
             "inverse_inertia": 0.5 * (inverse + np.swapaxes(inverse, -1, -2)),
@@ -30,7 +36,7 @@ def _responses(rng: np.random.Generator) -> Sequence[Case]:
         }  # fmt: skip
 
     corner = {
-        "mass": 4.0, "inverse_inertia": np.diag([2.0, 1.0, 0.5]), "arm": np.array([-0.5, -0.3, -0.7]),
+        "mass": 4.0, "inverse_inertia": np.diag([2.0, 1.0, 0.8]), "arm": np.array([-0.5, -0.3, -0.7]),
         "push_arm": np.array([0.5, 0.3, -0.7]), "push": UP,
     }  # fmt: skip
     along = drawn_vectors(rng, ())

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from course.exercises.definitions.turning import rotation_matrices
+from course.exercises.definitions.turning import inverse_moments, rotation_matrices
 
 Arms = Callable[..., tuple[Any, Any]]
 #: (pairs of bodies) one contact after the other, A first.
@@ -27,8 +27,7 @@ def drawn_contacts(
     count, c = int(np.max(pairs)) + 1, len(a)
     point, position = (np.round(rng.uniform(-1.5, 1.5, (k, 3)), 2) for k in (c, count))
     mass = np.round(rng.uniform(1.5, 5.0, count), 1)
-    moments = np.round(rng.uniform([0.2, 0.8, 1.5], [0.5, 1.2, 2.5], (count, 3)), 2)
-    inverse = moments[:, None] * np.eye(3)
+    inverse = inverse_moments(rng, (count,))[:, None] * np.eye(3)
     if fixed:
         mass[-1], inverse[-1] = np.inf, 0.0
     normal = rotation_matrices(rng, (c,))[:, :, 2]
