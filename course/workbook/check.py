@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import copy
+import dis
 import functools
 import inspect
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from course.exercises.answer import as_function, call_all, is_stub
-from course.exercises.definition import Exercise, Prediction, find_exercise, find_prediction
+from course.exercises.definition import Exercise, Lesson, Prediction, find_exercise, find_prediction
 from course.exercises.message import Message, Part, verdict_message
 from course.exercises.verdict import Verdict, judge
 from course.workbook import progress
@@ -31,6 +33,8 @@ def check(answer: Any, name: str | None = None) -> None:
     lesson, exercise = find_exercise(name)
     _refuse_borrowed(answer)
     verdict = judge_here(exercise, answer)
+    if not verdict.passed and verdict.state != "not attempted":
+        verdict = replace(verdict, reason=(*_unfinished_before(lesson, exercise, answer), *verdict.reason))
     progress.record("check", name, state=verdict.state)
     if not verdict.passed and verdict.state != "not attempted" and verdict.mistake is None:
         progress.record_unrecognised(name, _source(answer), str(verdict_message(exercise, verdict)))
@@ -66,6 +70,20 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
         display_message(Message("error", f"{exercise.name}: {told}", ()))
         raise
     return judge(exercise, cases, outcomes)
+
+
+def _unfinished_before(lesson: Lesson, exercise: Exercise, answer: Any) -> tuple[str, ...]:
+    """One line for each earlier exercise of the lesson whose function the answer calls and that is not right yet."""
+    if not inspect.isfunction(answer):
+        return ()
+    called = {step.argval for step in dis.get_instructions(answer) if step.opname == "LOAD_GLOBAL"}
+    earlier = lesson.exercises[: lesson.exercises.index(exercise)]
+    own = [(e, answer.__globals__[e.name]) for e in earlier if e.name in called and e.name in answer.__globals__]
+    return tuple(
+        f"It calls your {e.name}, which does not pass its own check yet: mend that first."
+        for e, function in own
+        if not _is_lent(function) and not judge_here(e, function).passed
+    )
 
 
 def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) -> Any:

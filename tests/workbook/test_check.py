@@ -93,6 +93,47 @@ def test_broken_answers_are_told_in_plain_words(capsys, body, words):
     assert "✗ Not yet" in text and words in text
 
 
+CALLING = """
+def free_point_acceleration(acceleration, angular_acceleration, angular_velocity, arm):
+    {point}
+
+def contact_bias(p, n, face, body_a, body_b):
+    (x_a, v_a, w_a, *a), (x_b, v_b, w_b, *b) = body_a, body_b
+    n_dot = np.cross(w_b if face == "face_b" else w_a, n)
+    p_dot = v_a + np.cross(w_a, p - x_a) - v_b - np.cross(w_b, p - x_b)
+    p_ddot = free_point_acceleration(*a, w_a, p - x_a) - free_point_acceleration(*b, w_b, p - x_b)
+    return np.sum(p_ddot * n, axis=-1) + {factor} * np.sum(p_dot * n_dot, axis=-1)
+"""
+POINT = "return acceleration + np.cross(angular_acceleration, arm) + {} * np.cross(angular_velocity, {})"
+TWICE = "np.cross(angular_velocity, arm)"
+
+
+@pytest.mark.parametrize(
+    ("point", "factor", "told"),
+    [
+        ("...", 2, True),  # the stub: contact_bias stops at NoneType - NoneType
+        (POINT.format(1, "arm"), 2, True),
+        (POINT.format(1, TWICE), 1, False),  # the slip is contact_bias's own
+    ],
+)
+def test_an_earlier_function_that_is_called_and_not_right_is_named(capsys, point, factor, told):
+    cell = {"np": np, "__name__": "__main__"}
+    exec(CALLING.format(point=point, factor=factor), cell)
+    check(cell["contact_bias"])
+    text = said(capsys)
+    assert ("It calls your free_point_acceleration, which does not pass its own check yet" in text) == told
+    assert "Right" not in text
+
+
+def test_an_earlier_function_that_is_only_named_alike_is_not_blamed(capsys):
+    """An attribute of the same name is no call of the student's function."""
+    cell = {"np": np, "__name__": "__main__"}
+    own = "def contact_bias(p, n, face, body_a, body_b):\n    return p.free_point_acceleration\n"
+    exec("def free_point_acceleration(a, b, c, d):\n    ...\n" + own, cell)
+    check(cell["contact_bias"])
+    assert "It calls" not in said(capsys)
+
+
 def test_writing_into_an_input_is_told(capsys):
     def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
         velocity_2 -= velocity_1
