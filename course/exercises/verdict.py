@@ -111,6 +111,11 @@ def general_advice(
             "`if` asks one question, a batch has many answers: use np.where(condition, this, that), which answers "
             "each element for itself."
         )
+    elif any("'...' ellipsis" in o.text for o in outcomes):  # einsum, of letters fewer than axes
+        advice.append(
+            "In np.einsum put ... before the letters, for the axes of the batch: \"...ij,...j->...i\" is matrix times "
+            "vector for one and for many."
+        )
     elif wrong_kinds == {"batch"} and exercise.kind == "function":
         advice.append(
             "Right for one, wrong for many at once: take sums over the last axis, np.sum(a * b, axis=-1), and give a "

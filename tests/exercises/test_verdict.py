@@ -64,6 +64,22 @@ def test_a_plain_number_that_is_indexed_and_an_if_on_a_batch_are_told(wrong, mes
     assert any(message in r for r in verdict_of("momentum_after", wrong).reason)
 
 
+@pytest.mark.parametrize("letters", ("ij,j->i", "ij,j", "ij,...j->...i"))
+def test_einsum_without_its_dots_is_told(letters):
+    def spin(inverse, momentum, omega, torque):
+        return np.einsum(letters, inverse, torque + np.cross(momentum, omega))
+
+    (reason,) = verdict_of("angular_acceleration_free", spin).reason
+    assert "put ... before the letters" in reason and "np.sum" not in reason
+
+
+def test_einsum_that_fails_for_another_reason_is_not_told_of_dots():
+    def spin(inverse, momentum, omega, torque):
+        return np.einsum("...ij,...k->...i", inverse, torque[..., :2])[..., :1, 9]
+
+    assert not any("before the letters" in r for r in verdict_of("angular_acceleration_free", spin).reason)
+
+
 def test_single_precision_is_told():
     def nearly(v, w, n, e):
         u = -closing(v, w, n)
