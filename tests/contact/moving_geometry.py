@@ -141,14 +141,23 @@ def draw_numbers(rng):
     }
 
 
+def drawn_inertias(rng, count):
+    """Moments of 1 kg m^2 and more, by second moments S: I = tr(S) 1 - S (H. Goldstein, section 5.3), as of a body.
+
+    A positive matrix drawn as I itself may have a principal moment above the sum of the other two: no body has that.
+    """
+    root = rng.normal(size=(count, 3, 3))
+    second = 0.5 * (root @ np.swapaxes(root, 1, 2) + EYE)
+    return np.trace(second, axis1=1, axis2=2)[:, None, None] * EYE - second
+
+
 class Flight:
     """n bodies under forces and torques, integrated to 1e-13; ``wrench(t)`` gives both, (n, 3)."""
 
     def __init__(self, rng, count):
         self.count = count
         self.mass = rng.uniform(0.5, 3, count)
-        root = rng.normal(size=(count, 3, 3))
-        self.inertia = root @ np.swapaxes(root, 1, 2) + EYE
+        self.inertia = drawn_inertias(rng, count)
         quaternion = np.array([unit(q) for q in rng.normal(size=(count, 4))])
         push = rng.normal(size=(4, count, 3))
         self.wrench = lambda t: (push[0] + t * push[1], push[2] + t * push[3])

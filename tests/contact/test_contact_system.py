@@ -8,6 +8,7 @@ from contact.moving_geometry import (
     Flight,
     capsules,
     draw_numbers,
+    drawn_inertias,
     sphere_capsule,
     sphere_sphere,
 )
@@ -33,15 +34,13 @@ ROUND = (sphere_sphere, sphere_capsule, capsules)
 def soup(seed, bodies=6, contacts=25):
     """Bodies anywhere, some of them fixed, with contacts of every feature between them."""
     rng = np.random.default_rng(seed)
-    root = rng.normal(size=(bodies, 3, 3))
+    inertia = drawn_inertias(rng, bodies)
     fixed = np.arange(bodies) < 2
     momentum, spin = np.where(fixed[:, None], 0, rng.normal(size=(2, bodies, 3)))
     quaternion = rng.normal(size=(bodies, 4))
     quaternion /= np.linalg.norm(quaternion, axis=1, keepdims=True)
     mass = np.where(fixed, np.inf, 10.0 ** rng.uniform(-2, 2, bodies))
-    made = Bodies(
-        mass, root @ np.swapaxes(root, 1, 2) + EYE, rng.normal(size=(bodies, 3)), quaternion, momentum, spin
-    )
+    made = Bodies(mass, inertia, rng.normal(size=(bodies, 3)), quaternion, momentum, spin)
     a = rng.integers(bodies, size=contacts)
     b = (a + rng.integers(1, bodies, size=contacts)) % bodies
     kept = ~(fixed[a] & fixed[b])
