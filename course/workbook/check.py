@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import dis
 import functools
 import inspect
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,10 +19,12 @@ from course.exercises.definition import Exercise, Lesson, Prediction, find_exerc
 from course.exercises.message import Message, Part, verdict_message
 from course.exercises.verdict import Verdict, judge
 from course.workbook import progress
-from course.workbook.notebook import display_message
+from course.workbook.notebook import display_message, in_notebook
 from course.workbook.numbers import show
 
 MARK = "__from_use__"
+#: Seconds after which a check says that the answer is still running; the longest right one takes a fifth of one.
+RUNS_ON = 10
 _lent: list[Any] = []  # reference expressions that use() has given out
 
 
@@ -64,12 +68,29 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
     except (TypeError, ValueError) as error:
         return Verdict(exercise.name, "error", reason=(str(error),))
     try:
-        outcomes = call_all(function, [c.arguments for c in cases], len(exercise.results))
+        with _told_if_it_runs_on(exercise.name):
+            outcomes = call_all(function, [c.arguments for c in cases], len(exercise.results))
     except KeyboardInterrupt:
         told = "Stopped by hand: it ran on. Look for a loop whose end is never reached."
         display_message(Message("error", f"{exercise.name}: {told}", ()))
         raise
     return judge(exercise, cases, outcomes)
+
+
+@contextlib.contextmanager
+def _told_if_it_runs_on(name: str) -> Iterator[None]:
+    """A word in the notebook after some seconds: a cell that only stays busy tells a student nothing."""
+    way = Part("stop it", "with the square button in the toolbar (interrupt the kernel)")
+    look = Part("look for", "a loop whose end is never reached")
+    message = Message("error", f"{name}: still running after {RUNS_ON} seconds", (way, look))
+    timer = threading.Timer(RUNS_ON, display_message, (message,))
+    timer.daemon = True
+    if in_notebook():
+        timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
 
 
 def _unfinished_before(lesson: Lesson, exercise: Exercise, answer: Any) -> tuple[str, ...]:

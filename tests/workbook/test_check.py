@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
@@ -55,6 +56,29 @@ def test_right_answer_names_the_next_exercise_and_the_minutes_left(capsys):
     text = said(capsys)
     assert text.startswith("✓ Right: impulse_central")
     assert "kinetic_energy_lost" in text and "minutes" in text
+
+
+def test_an_answer_that_runs_on_is_told_of_while_it_runs(monkeypatch):
+    """In a notebook, where a cell that stays busy would say nothing; a quick answer is told of nothing."""
+    module, shown, told = sys.modules["course.workbook.check"], threading.Event(), []
+
+    def display(message):
+        told.append(str(message))
+        shown.set()
+
+    monkeypatch.setattr(module, "display_message", display)
+    monkeypatch.setattr(module, "in_notebook", lambda: True)
+    monkeypatch.setattr(module, "RUNS_ON", 0.3)
+    exercise = find_exercise(NAME)[1]
+    assert judge_here(exercise, named(right)).passed
+    assert not shown.wait(0.6)
+
+    def waits(*given):
+        assert shown.wait(20)
+        return right(*given)
+
+    assert judge_here(exercise, named(waits)).passed
+    assert len(told) == 1 and "still running after" in told[0] and "loop whose end is never reached" in told[0]
 
 
 def test_wrong_answer_gives_a_counterexample_that_can_be_pasted(capsys):
