@@ -1,8 +1,9 @@
 """Cholesky factors of sparse matrices with one pattern and changing numbers, in LAPACK's band storage.
 
-Reverse Cuthill-McKee (A. George and J. W.-H. Liu, Computer Solution of Large
-Sparse Positive Definite Systems, 1981) brings the numbers close to the
-diagonal. Best for what is long: stacks, walls, chains.
+Orders that go through the graph level by level, reverse Cuthill-McKee among
+them (A. George and J. W.-H. Liu, Computer Solution of Large Sparse Positive
+Definite Systems, 1981, chapter 4), bring the numbers close to the diagonal.
+Best for what is long: stacks, walls, chains.
 """
 
 from __future__ import annotations
@@ -25,10 +26,11 @@ class BandedCholesky:
     """
 
     def __init__(self, pattern: Any) -> None:
-        self.order: IntArray = _order(pattern)
-        self.rank = np.argsort(self.order)
         row, column = pattern.nonzero()
-        self.width = int(np.max(np.abs(self.rank[row] - self.rank[column]), initial=0))
+        ranked = [(order, np.argsort(order)) for order in _orders(pattern)]
+        widths = [int(np.max(np.abs(rank[row] - rank[column]), initial=0)) for _, rank in ranked]
+        self.width = min(widths)
+        self.order, self.rank = ranked[widths.index(self.width)]
         self.seconds = A_PRODUCT * self.order.size * (self.width + WIDER) ** 2
         self._storage: Array | None = None
 
@@ -62,14 +64,21 @@ class BandedCholesky:
         return dpbtrs(self._cholesky, q, lower=1)[0]
 
 
-def _order(pattern: Any) -> IntArray:
-    """Reverse Cuthill-McKee, begun at an end of the graph if it is of one piece; SciPy begins it anywhere."""
+def _orders(pattern: Any) -> list[IntArray]:
+    """Orders to choose from: level by level from either end of the graph, and reverse Cuthill-McKee after that.
+
+    An end is the row reached last from anywhere, or from the other end. SciPy's reverse Cuthill-McKee begins
+    anywhere, so that it depends on how the rows come.
+    """
     from scipy.sparse.csgraph import breadth_first_order, reverse_cuthill_mckee
 
-    reached = breadth_first_order(pattern, 0, return_predecessors=False)
-    if reached.size < pattern.shape[0]:
-        return reverse_cuthill_mckee(pattern, symmetric_mode=True).astype(np.intp)
-    # The row reached last is at an end, and what is farthest from it at another.
-    reached = breadth_first_order(pattern, reached[-1], return_predecessors=False)
-    there = pattern[reached][:, reached]
-    return reached[reverse_cuthill_mckee(there, symmetric_mode=True)].astype(np.intp)
+    orders, at = [], 0
+    for _ in range(3):
+        orders.append(breadth_first_order(pattern, at, return_predecessors=False))
+        at = orders[-1][-1]
+    if orders[0].size < pattern.shape[0]:  # of several pieces
+        return [reverse_cuthill_mckee(pattern, symmetric_mode=True).astype(np.intp)]
+    levels = orders[-1]
+    there = pattern[levels][:, levels]
+    orders[0] = levels[reverse_cuthill_mckee(there, symmetric_mode=True)]
+    return [order.astype(np.intp) for order in orders]
