@@ -19,7 +19,7 @@ LESSON = Lesson(
     name="contact-forces",
     title="Contact forces",
     question="Four legs, five correct solvers, different forces: what do they agree on?",
-    minutes=75,
+    minutes=130,
     exercises=(SLOPE, COMPLEMENTARITY_RESIDUAL, SOLVE_CONTACT_QP, PROJECTED_GAUSS_SEIDEL, PIVOT),
     predictions=PREDICTIONS,
 )

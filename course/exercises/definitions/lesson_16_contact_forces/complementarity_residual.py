@@ -62,8 +62,9 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
     name="complementarity_residual",
     rows=(20, 25),
     points=3,
-    minutes=12,
-    task="Return max_i |min(D_i f_i, w_i)| / ((|A| f)_i + max_j |b_j|), w = A f + b, D = diag A; a row 0/0 is 0.",
+    minutes=15,
+    task="Return max_i |min(D_i f_i, w_i)| / ((|A| f)_i + max_j |b_j|), w = A f + b the "
+    "d_ddot, D = diag A; a row 0/0 is 0.",
     arguments=(
         Value("a", "(..., c, c)", "1/kg", "contact matrices"),
         Value("f", "(..., c)", "N", "forces to be judged, at or above 0"),
@@ -74,15 +75,16 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
     cases=_tried_forces,
     mistakes=(
         Mistake("no abs", _residual(judge=np.minimum),
-                "Without the absolute value a contact that sinks in, w < 0, has a residual below 0, and the largest "
-                "one hides it."),
+                "Without the absolute value a contact that sinks in, d_ddot < 0, has a residual below 0, and the "
+                "largest one hides it."),
         Mistake("abs too early", _residual(judge=lambda p, w: np.minimum(np.abs(p), np.abs(w))),
-                "The absolute values come too early: with f = 0 and w < 0 the smaller of |a_ii f| and |w| is 0, and "
-                "the contact sinks in unseen. First the minimum, then its absolute value."),
+                "The absolute values come too early: with f = 0 and d_ddot < 0 the smaller of |a_ii f| and "
+                "|d_ddot| is 0, and the contact sinks in unseen. First the minimum, then its absolute value."),
         Mistake("approach alone", _residual(judge=lambda p, w: np.maximum(-w, 0)),
                 "You see only the contacts that sink in. A contact that pushes although the bodies part is wrong too."),
         Mistake("product", _residual(judge=lambda p, w: np.abs(p * w)),
-                "You judge the product f w. It is 0 for f = 0 whatever w is: a contact that sinks in passes."),
+                "You judge the product f d_ddot. It is 0 for f = 0 whatever d_ddot is: a contact that sinks in "
+                "passes."),
         Mistake("no scale", _residual(scale=lambda a, f, size, largest: np.ones_like(size)),
                 "The scale is missing: m/s^2 would be judged alike for a crumb and for a ship."),
         Mistake("scale without b", _residual(scale=lambda a, f, size, largest: size),
@@ -103,13 +105,13 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
                 "You add the rows up. The residual is the worst of them."),
         Mistake("D missing", _residual(diagonal=False),
                 "The minimum is taken of newtons and m/s^2. a_ii f_i is in m/s^2, as d_ddot_i is."),
-        Mistake("sign of b", _residual(sign=-1.0), "The sign of b: w = A f + b is the acceleration of the gaps."),
+        Mistake("sign of b", _residual(sign=-1.0), "The sign of b: d_ddot = A f + b is the acceleration of the gaps."),
         Mistake("0/0", _without_guard,
                 "0/0 where nothing pushes and b = 0: there the residual is 0. np.divide(x, y, out=np.zeros(...), "
                 "where=y > 0) leaves such rows at 0."),
     ),
     hints=(
-        "Under Build: four arrays first (a_ii f_i, w = A f + b, |A| f, the largest |b|), then one line.",
+        "Under Build: four arrays first (a_ii f_i, d_ddot = A f + b, |A| f, the largest |b|), then one line.",
         "The a_ii are np.diagonal(a, axis1=-2, axis2=-1). A matrix times a vector in a batch is the einsum of lesson "
         "14. The largest |b| needs keepdims=True to be added to every row.",
         'w = np.einsum("...ij,...j->...i", a, f) + b\nwrong = np.abs(np.minimum(d * f, ____))\n'

@@ -64,6 +64,9 @@ PREDICTIONS = (
         wrong={
             10.43: "That is what the floor pushes with while the wall pulls. Without the wall it has another load: "
             "setting a force to 0 after solving is not enough.",
+            79.7: "That is the floor's force on the ladder just let go. Now it slides: b is another, and the wall lets "
+            "go.",
+            0.0: "Without a force at the foot d_ddot_1 = b_1 < 0: the foot falls through the floor.",
             98.1: "That is the weight. The foot is at the end of a turning ladder, not under its centre.",
         },
     ),

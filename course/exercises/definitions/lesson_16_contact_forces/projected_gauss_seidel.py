@@ -22,15 +22,17 @@ def _sweeps(
     backwards: bool = False,
     more: int = 0,
     once: bool = False,
+    single: bool = False,
     warm: bool = True,
 ) -> Any:
     """Sweeps over the contacts with one of their parts changed."""
 
     def function(a: Any, b: Any, start: Any, sweeps: Any) -> Any:
         f = np.array(start, dtype=float) if warm else np.zeros(len(b))
-        for _ in range(1 if once else int(sweeps) + more):
+        for k in range(1 if once else int(sweeps) + more):
             seen = f.copy() if jacobi else f
-            for i in reversed(range(len(b))) if backwards else range(len(b)):
+            whole = reversed(range(len(b))) if backwards else range(len(b))
+            for i in (k % len(b),) if single else whole:
                 w = a[i] @ seen + sign * b[i] + own * a[i, i] * f[i]
                 change = way * w / (a[i, i] if divide else 1.0)
                 if clip == "change":
@@ -62,8 +64,9 @@ PROJECTED_GAUSS_SEIDEL = Exercise(
     name="projected_gauss_seidel",
     rows=(25,),
     points=4,
-    minutes=14,
-    task="Sweep over the contacts in order, f_i <- max(0, f_i - w_i/a_ii) with w_i of the newest forces; return f.",
+    minutes=12,
+    task="Sweep over the contacts in order, f_i <- max(0, f_i - d_ddot_i/a_ii) with d_ddot_i of the newest "
+    "forces; return f.",
     arguments=(
         A,
         B,
@@ -83,25 +86,28 @@ PROJECTED_GAUSS_SEIDEL = Exercise(
         Mistake("Jacobi", _sweeps(jacobi=True),
                 "Each sweep uses only the forces of the sweep before it. That is Jacobi's method: slower, and it may "
                 "not converge. Gauss-Seidel uses each new force at once."),
-        Mistake("not divided", _sweeps(divide=False), "w_i is in m/s^2. Divided by a_ii it becomes a force."),
-        Mistake("sign of b", _sweeps(sign=-1.0), "The sign of b is turned round: w = A f + b."),
-        Mistake("b left out", _sweeps(sign=0.0), "b is missing: w is row i of A times f, plus b_i."),
+        Mistake("not divided", _sweeps(divide=False), "d_ddot_i is in m/s^2. Divided by a_ii it becomes a force."),
+        Mistake("sign of b", _sweeps(sign=-1.0), "The sign of b is turned round: d_ddot = A f + b."),
+        Mistake("b left out", _sweeps(sign=0.0), "b is missing: d_ddot_i is row i of A times f, plus b_i."),
+        Mistake("one contact a sweep", _sweeps(single=True),
+                "Each of your sweeps treats one contact. A sweep goes through all of them: a loop in a loop."),
         Mistake("sweeps ignored", _sweeps(once=True), "You go through the contacts once, whatever `sweeps` says."),
         Mistake("old force lost", _sweeps(own=1.0),
-                "The old force is lost: -w_i/a_ii is only the change. (Row i of A times f holds a_ii f_i already.)"),
+                "The old force is lost: -d_ddot_i/a_ii is only the change. (Row i of A times f holds a_ii f_i "
+                "already.)"),
         Mistake("wrong way", _sweeps(way=1.0),
-                "w_i/a_ii is added. Where a contact sinks in, w_i < 0, its force has to grow: subtract."),
+                "d_ddot_i/a_ii is added. Where a contact sinks in, d_ddot_i < 0, its force has to grow: subtract."),
         Mistake("own force left out", _sweeps(own=-1.0),
-                "w_i leaves out contact i's own force, and the old force is added all the same. Either f_i - w_i/a_ii "
-                "with all of row i, or the rest of the row alone without the old f_i."),
+                "d_ddot_i leaves out contact i's own force, and the old force is added all the same. Either "
+                "f_i - d_ddot_i/a_ii with all of row i, or the rest of the row alone without the old f_i."),
         Mistake("backwards", _sweeps(backwards=True), "The contacts are taken from the last to the first."),
         Mistake("a sweep too many", _sweeps(more=1), "One sweep too many: with sweeps = 0 the answer is start."),
         Mistake("start ignored", _sweeps(warm=False), "The forces begin at 0 and not at start."),
     ),
     hints=(
         "Two loops, one in the other: sweeps, contacts. Begin with a copy of start.",
-        "For contact i: w_i is row i of A times all forces, plus b_i. Subtract w_i / a_ii from f_i, and take the "
-        "larger of that and 0.",
+        "For contact i: d_ddot_i is row i of A times all forces, plus b_i. Subtract d_ddot_i / a_ii from f_i, and take "
+        "the larger of that and 0.",
         "f = np.array(start, dtype=float)\nfor _ in range(sweeps):\n    for i in range(len(b)):\n"
         "        w = a[i] @ f + b[i]\n        f[i] = max(0.0, ____)\nreturn f",
     ),

@@ -19,6 +19,15 @@ def _slope(*, own: float = 1.0, other: float = 1.0, sign: float = 1.0, bias: flo
     return function
 
 
+def _of_one_force(a_11: Any, a_12: Any, f_1: Any, f_2: Any, b_1: Any) -> Any:
+    return (a_11 + a_12) * f_1 + b_1
+
+
+def _objective(a_11: Any, a_12: Any, f_1: Any, f_2: Any, b_1: Any) -> Any:
+    """The terms of q that hold f_1; the others need a_22 and b_2, which are no arguments."""
+    return (a_11 * f_1 / 2 + a_12 * f_2 + b_1) * f_1
+
+
 def _slopes(rng: np.random.Generator) -> Sequence[Case]:
     names = ("a_11", "a_12", "f_1", "f_2", "b_1")
     draws = {name: np.round(rng.uniform(0.5, 3.0, 8), 2) for name in names}
@@ -57,6 +66,10 @@ SLOPE = Exercise(
                 "The mixed term is missing. It is how a force at contact 2 is felt at contact 1."),
         Mistake("b lost", _slope(bias=0.0), "b_1 is missing: the term b_1 f_1 is linear, its slope is b_1."),
         Mistake("sign of b", _slope(sign=-1.0), "The sign of b_1 is turned round: q has + b_1 f_1."),
+        Mistake("f_1 for f_2", _of_one_force,
+                "Both entries of row 1 multiply f_1. The mixed term is a_12 f_1 f_2: what is left of it is not f_1."),
+        Mistake("q itself", _objective,
+                "This is q, or its terms with f_1, and not yet its slope: differentiate each of them by f_1."),
         Mistake("half of the square", _slope(own=0.5), "The 2 of the square is lost: the slope of f_1^2/2 is f_1."),
     ),
     hints=(

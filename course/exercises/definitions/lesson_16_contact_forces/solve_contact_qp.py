@@ -18,6 +18,10 @@ from course.exercises.definitions.lesson_16_contact_forces.shared import (
     drawn_system,
 )
 
+#: Singular but for its last digits: they leave an eigenvalue of -1e-9, which cvxpy takes for a real one.
+ROUNDED = np.array([[1e4, 1e4], [1e4, 1e4 - 2e-9]])
+DOWN = np.array([-9.81, -9.81])
+
 
 def _solution(a: Any, b: Any) -> np.ndarray:
     """The least forces that solve; the shift makes them unique without being seen."""
@@ -45,6 +49,19 @@ def _limited_by_contacts(a: Any, b: Any) -> np.ndarray:
     return _unlimited(a, b) - _solution(a, 2.0 * np.asarray(b))
 
 
+def _in_cvxpy(objective: Any) -> Any:
+    """A programme with f >= 0 whose objective is written another way; some ways cvxpy refuses."""
+
+    def function(a: Any, b: Any) -> Any:
+        import cvxpy as cp
+
+        f = cp.Variable(len(b))
+        cp.Problem(cp.Minimize(objective(cp, f, a, b)), [f >= 0]).solve(solver=cp.CLARABEL)
+        return f.value
+
+    return function
+
+
 def _quadratic_programmes(rng: np.random.Generator) -> Sequence[Case]:
     drawn = drawn_system(rng, 3)[0]
     down = -np.round(rng.uniform(2, 9, 3), 1)
@@ -57,6 +74,7 @@ def _quadratic_programmes(rng: np.random.Generator) -> Sequence[Case]:
         Case("three drawn contacts", {"a": drawn, "b": down}),
         Case("nothing pushes", {"a": PAIR, "b": np.array([0.5, 0.2])}, "edge"),
         Case("one contact given twice", {"a": TWICE, "b": np.array([-9.81, -9.81])}, "edge"),
+        Case("a crumb of 0.1 g, its contact given twice and A rounded", {"a": ROUNDED, "b": DOWN}, "edge"),
     ]
 
 
@@ -85,7 +103,7 @@ SOLVE_CONTACT_QP = Exercise(
     name="solve_contact_qp",
     rows=(25,),
     points=3,
-    minutes=10,
+    minutes=12,
     task="Return the f that minimises f'A f/2 + b'f subject to f >= 0, by cvxpy with the solver CLARABEL.",
     arguments=(A, B),
     results=(Value("f", "(c,)", "N", "contact forces", relative=5e-4, absolute=5e-4),),
@@ -121,6 +139,12 @@ SOLVE_CONTACT_QP = Exercise(
                 "where a foot lifts, d_ddot is to be above 0, not small."),
         Mistake("A left out", lambda a, b: np.maximum(-np.asarray(b), 0.0),
                 "The quadratic part is f.f/2, without A: every contact is treated as a body of 1 kg by itself."),
+        Mistake("numpy's dot", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.dot(b, f)),
+                "If the error speaks of a sequence: numpy's own functions, such as np.dot and np.sum, do not know "
+                "cvxpy's variables. The linear term is b @ f."),
+        Mistake("no promise", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, a) + b @ f),
+                "psd_wrap is missing. Where contacts are redundant A has an eigenvalue 0, and rounding may leave it "
+                "just below: cvxpy then refuses the programme, unless cp.psd_wrap(a) promises that all is well."),
         Mistake("each contact alone", lambda a, b: np.maximum(-np.asarray(b) / np.diagonal(a), 0.0),
                 "Only the diagonal of A is used: each contact is solved as if there were no other."),
     ),
