@@ -45,7 +45,7 @@ class SparseCholesky:
             np.concatenate([first + np.arange(node.columns.size), np.sort(self.rank[node.rows])])
             for first, node in zip(self._first, nodes, strict=True)
         ]
-        height = np.array([rows.size for rows in self._rows])
+        self._height = height = np.array([rows.size for rows in self._rows])
         self._top = np.cumsum(height) - height
         self._start = np.cumsum(height * self._width) - height * self._width
         self._storage = np.zeros(int(np.sum(height * self._width)))
@@ -62,7 +62,14 @@ class SparseCholesky:
         keys = np.concatenate([rows + k * count for k, rows in enumerate(self._rows)])
         node = self._node[column]
         down = np.searchsorted(keys, node * count + row) - self._top[node]
-        return self._start[node] + down * self._width[node] + column - self._first[node]
+        return self._in_panel(node, down, column)
+
+    def _in_panel(self, node: Any, down: Any, column: Any) -> Any:
+        """Where an entry of this column, so many rows down its panel, stands: first the square, then what is below."""
+        width, across = self._width[node], column - self._first[node]
+        square = across * width + down
+        below = width * width + across * (self._height[node] - width) + down - width
+        return self._start[node] + np.where(down < width, square, below)
 
     def factor(self, place: Any, values: Array) -> None:
         """Factor the matrix with these values in these places; LinAlgError if it is not positive definite."""
@@ -77,13 +84,14 @@ class SparseCholesky:
         numbers[place] = values
         numbers[self._diagonal] += 1.0
         for panel in self._panels:
-            info = dpotrf(panel.diagonal, clean=0, overwrite_a=1)[1]
+            info = dpotrf(panel.square, lower=1, clean=0, overwrite_a=1)[1]
             if info:
                 raise np.linalg.LinAlgError(f"not positive definite to rounding at pivot {panel.first + info}")
             if panel.rows.size:
-                dtrsm(1.0, panel.diagonal, panel.below, trans_a=1, overwrite_b=1)
-                product = dsyrk(1.0, panel.below, trans=1)
-                numbers[panel.target] -= product.T.ravel()[panel.source]
+                # From the right: from the left takes twice as long.
+                dtrsm(1.0, panel.square, panel.below, side=1, lower=1, trans_a=1, overwrite_b=1)
+                products = dsyrk(1.0, panel.below, lower=1)
+                numbers[panel.target] -= products.T.ravel()[panel.source]
 
     def solve(self, q: Array) -> Array:
         """L L' x = q, in this order."""
@@ -92,50 +100,49 @@ class SparseCholesky:
         assert self._panels is not None, "factor comes first"
         x = q.copy()
         for panel in self._panels:
-            own = x[panel.first : panel.end] = dtrsv(panel.diagonal, x[panel.first : panel.end], trans=1)
+            own = x[panel.first : panel.end] = dtrsv(panel.square, x[panel.first : panel.end], lower=1)
             if panel.rows.size:
-                x[panel.rows] -= own @ panel.below
+                x[panel.rows] -= panel.below @ own
         for panel in reversed(self._panels):
             own = x[panel.first : panel.end]
             if panel.rows.size:
-                own = own - panel.below @ x[panel.rows]
-            x[panel.first : panel.end] = dtrsv(panel.diagonal, own)
+                own = own - x[panel.rows] @ panel.below
+            x[panel.first : panel.end] = dtrsv(panel.square, own, lower=1, trans=1)
         return x
 
     def _panel(self, k: int) -> _Panel:
-        first, width, rows, start = self._first[k], self._width[k], self._rows[k], self._start[k]
-        block = self._storage[start : start + rows.size * width].reshape(rows.size, width)
-        rows, target, source = rows[width:], [], []
-        node = self._node[rows]
+        first, width, height, start = self._first[k], self._width[k], self._height[k], self._start[k]
+        middle, end = start + width * width, start + height * width
+        rows, target, source = self._rows[k][width:], [], []
+        node, number = self._node[rows], np.arange(rows.size)
         edges = np.append(np.flatnonzero(np.diff(node, prepend=-1)), rows.size)
-        number = np.arange(rows.size)
         # The products with the rows that are columns of one later panel, on and below its diagonal.
         for i, j in pairwise(edges):
-            later = node[i]
-            down = np.searchsorted(self._rows[later], rows[i:])
-            across = self._start[later] + rows[i:j] - self._first[later]
+            down = np.searchsorted(self._rows[node[i]], rows[i:])[:, None]
             lower = number[i:, None] >= number[i:j]
-            target.append((down[:, None] * self._width[later] + across)[lower])
-            source.append((number[i:, None] * rows.size + number[i:j])[lower])
+            target.append(self._in_panel(node[i], down, rows[i:j])[lower])
+            source.append((number[i:j] * rows.size + number[i:, None])[lower])
         empty = np.zeros(0, dtype=np.intp)
         return _Panel(
-            int(first), int(first + width), rows, block[:width].T, block[width:].T,
+            int(first), int(first + width), rows,
+            self._storage[start:middle].reshape(width, width).T,
+            self._storage[middle:end].reshape(width, rows.size).T,
             np.concatenate([empty, *target]), np.concatenate([empty, *source]),
         )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class _Panel:
-    """Columns ``first`` to ``end`` of L, seen as LAPACK does, so transposed, and where its products go.
+    """Columns ``first`` to ``end`` of L and where its products go; both parts column by column, as LAPACK has them.
 
-    diagonal: (k, k), its upper triangle; below: (k, m); rows: (m,) those of below; source and target: which of the
+    square: (k, k), its lower triangle; below: (m, k); rows: (m,) those of below; source and target: which of the
     (m, m) products are subtracted, and where in the storage.
     """
 
     first: int
     end: int
     rows: IntArray
-    diagonal: Array
+    square: Array
     below: Array
     target: IntArray
     source: IntArray
