@@ -85,6 +85,21 @@ def test_dome_tells_both_angles():
     assert "48.2 degrees" in text(ax) and "36.9 degrees" in text(ax)
 
 
+def test_dome_looks_closer_where_the_printed_path_is_deepest_inside():
+    scene = Dome()
+    ax = plots.dome(scene)
+    times = np.linspace(0, 0.4, 4001)  # it comes out after 0.23 s, and meets the floor after 0.29 s
+    gaps = scene.gap(scene.leaving_angle_as_printed, times)
+    deepest = int(np.argmin(gaps))
+    out = scene.flight(scene.leaving_angle_as_printed, times[deepest + np.argmax(gaps[deepest:] > 0)])
+    assert f"up to {-1000 * gaps[deepest]:.0f} mm deep" in text(ax) and f"z = {out[1]:.2f} m" in text(ax)
+    (near,) = ax.child_axes
+    y, z = scene.flight(scene.leaving_angle_as_printed, times[deepest])
+    assert np.mean(near.get_xlim()) == pytest.approx(y, abs=1e-2)
+    assert np.mean(near.get_ylim()) == pytest.approx(z, abs=1e-2)
+    assert np.ptp(near.get_xlim()) < 12 * -gaps[deepest]  # 19 mm are a good part of it
+
+
 def test_dome_bias_draws_points_on_their_lines():
     scene, angles = Dome(), np.radians([20.0, 50.0])
     measured = {"gap": scene.bias(angles), "old point": scene.bias_as_printed(angles)}
@@ -105,6 +120,12 @@ def test_old_point_tells_both_gaps():
     for gap in (scene.gap(theta, 0.08), scene.gap_from_the_old_point(theta, 0.08)):
         assert f"{1000 * gap:.1f} mm" in text(ax)
     assert "sinks in" in ax.get_title(loc="left")
+    lines = {str(line.get_label()): np.transpose(line.get_data()) for line in ax.lines}
+    (bar,) = (points for label, points in lines.items() if label.startswith("gap from the old point"))
+    for end, name in zip(bar, ("through the old point", "through the particle"), strict=True):
+        (helper,) = (points for label, points in lines.items() if label.startswith(name))
+        along, off = helper[1] - helper[0], end - helper[0]
+        assert abs(along[0] * off[1] - along[1] * off[0]) < 1e-9  # the end lies on its helper line
     assert "lets it go" in plots.old_point(60.0, 0.05).get_title(loc="left")
 
 
@@ -116,6 +137,7 @@ def test_bias_terms_add_up():
     )
     heights = [bar.get_height() for bar in ax.patches]
     assert len(heights) == 6 and sum(heights[:5]) == pytest.approx(heights[5])
+    assert [label.get_text() for label in ax.texts] == [f"{h:.2f}" for h in heights]
 
 
 @pytest.mark.slow

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -23,35 +24,61 @@ TERMS = {
 
 
 def dome(scene: Dome, *, ax: Axes | None = None) -> Axes:
-    """A dome, the particle on it, where it leaves and where the printed formula lets it leave."""
+    """A dome, the particle on it, where it leaves and where the printed formula lets it leave; an inset looks closer.
+
+    The inset shows where the path of the printed formula runs deepest inside the dome.
+    """
     true, printed = scene.leaving_angle, scene.leaving_angle_as_printed
+    depth, there, out = _inside(scene, printed)
     with style():
-        ax = axes(ax, size=(6.6, 4.2))
-        ax.add_patch(Circle((0, 0), scene.radius, fc="0.9", ec="0.3"))
-        slid = scene.radius * _out(np.linspace(scene.start, true, 50))
-        ax.plot(*slid.T, color=PALETTE["blue"], lw=2.4, ls="-", marker="")
-        for angle, colour, line, mark, name in (
-            (true, "blue", "-", "o", "nature"),
-            (printed, "vermillion", "--", "s", "the printed formula"),
-        ):
-            drop = np.sqrt(2 * scene.radius / scene.gravity)
-            path = scene.flight(angle, np.linspace(0, 1.2 * drop, 60))
-            ax.plot(*path.T, color=PALETTE[colour], lw=1.8, ls=line, marker="")
-            foot = scene.radius * _out(angle)
-            label = f"{name}: leaves at {np.degrees(angle):.1f}°"
-            ax.plot(*foot, color=PALETTE[colour], ls=line, marker=mark, ms=8, label=label)
-            ax.plot([0, foot[0]], [0, foot[1]], color=PALETTE[colour], lw=1.0, ls=":", marker="")
-        ax.plot([0, 0], [0, scene.radius], color="0.5", lw=1.0, ls=":", marker="")
-        ax.set(xlim=(-0.7 * scene.radius, 2.1 * scene.radius), ylim=(0, 1.25 * scene.radius), aspect="equal")
+        ax = axes(ax, size=(8.2, 3.6))
+        near = ax.inset_axes((1.13, 0.0, 0.5, 0.74))
+        for part in (ax, near):
+            _dome_paths(part, scene)
+        ax.set(xlim=(-0.35 * scene.radius, 1.25 * scene.radius), ylim=(0, 1.1 * scene.radius), aspect="equal")
+        (y, z), half = there, 0.11 * scene.radius
+        near.set(xlim=(y - half, y + half), ylim=(z - half, z + half), aspect="equal")
+        near.tick_params(labelsize=8)
+        near.locator_params(nbins=4)
+        ax.indicate_inset_zoom(near, edgecolor="0.4")
         ax.set(xlabel="y [m]", ylabel="z [m]")
-        ax.legend(loc="upper right")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.05, 1.02))
     describe(
         ax,
         f"A dome of radius {scene.radius:g} m. A particle slides down from its top on the right. In nature it leaves "
         f"{np.degrees(true):.1f} degrees from the top and flies off; by the printed formula it leaves already at "
-        f"{np.degrees(printed):.1f} degrees.",
+        f"{np.degrees(printed):.1f} degrees and flies inside the dome, up to {1000 * depth:.0f} mm deep, until it "
+        f"comes out at z = {out[1]:.2f} m. An inset shows this larger.",
     )
     return ax
+
+
+def _dome_paths(ax: Axes, scene: Dome) -> None:
+    true, printed = scene.leaving_angle, scene.leaving_angle_as_printed
+    ax.add_patch(Circle((0, 0), scene.radius, fc="0.9", ec="0.3"))
+    slid = scene.radius * _out(np.linspace(scene.start, true, 50))
+    ax.plot(*slid.T, color=PALETTE["blue"], lw=2.4, ls="-", marker="")
+    drop = np.sqrt(2 * scene.radius / scene.gravity)
+    for angle, colour, line, mark, name in (
+        (true, "blue", "-", "o", "nature"),
+        (printed, "vermillion", "--", "s", "the printed formula"),
+    ):
+        path = scene.flight(angle, np.linspace(0, 1.2 * drop, 60))
+        ax.plot(*path.T, color=PALETTE[colour], lw=1.8, ls=line, marker="")
+        foot = scene.radius * _out(angle)
+        label = f"{name}: leaves at {np.degrees(angle):.1f}°"
+        ax.plot(*foot, color=PALETTE[colour], ls=line, marker=mark, ms=8, label=label)
+        ax.plot([0, foot[0]], [0, foot[1]], color=PALETTE[colour], lw=1.0, ls=":", marker="")
+    ax.plot([0, 0], [0, scene.radius], color="0.5", lw=1.0, ls=":", marker="")
+
+
+def _inside(scene: Dome, angle: float) -> tuple[float, np.ndarray, np.ndarray]:
+    """How deep the flight from this angle runs inside the dome [m], where that is, and where it comes out, (2,) [m]."""
+    times = np.linspace(0, np.sqrt(2 * scene.radius / scene.gravity), 2000)
+    gaps, places = scene.gap(angle, times), scene.flight(angle, times)
+    deepest = int(np.argmin(gaps))
+    outside = deepest + int(np.argmax(gaps[deepest:] >= 0))
+    return float(-gaps[deepest]), places[deepest], places[outside]
 
 
 def dome_bias(
@@ -114,7 +141,7 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
         touched = "point of the dome touched at 0 s"
         ax.plot(*p_b, marker="s", ms=8, color=PALETTE["vermillion"], ls="none", label=touched)
         place = f"particle after {ahead:.2f} s"
-        ax.plot(*p, marker="o", ms=10, color=PALETTE["blue"], mfc="none", ls="none", label=place)
+        ax.plot(*p, marker="o", ms=5, color="black", ls="none", zorder=5, label=place)
         look = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
         tip = p + 0.5 * half * n
         ax.annotate("", tuple(tip), tuple(p + 0.08 * half * n), arrowprops=look)
@@ -139,12 +166,15 @@ def _both_gaps(
 ) -> None:
     """The gap of a particle at p to a dome of 1 m, and beside it that from the level of the old point p_b."""
     across, (true, old) = np.array([n[1], -n[0]]), gaps
-    level = np.stack([p_b - 0.1 * half * across, p - old * n + 0.2 * half * across])
-    ax.plot(*level.T, color=PALETTE["vermillion"], lw=1.0, ls=":", marker="", label="old point, across N")
+    reach, aside = 0.34 * half * across, 0.26 * half * across
+    look: dict[str, Any] = {"color": PALETTE["vermillion"], "lw": 1.0, "ls": ":", "marker": ""}
+    level = np.stack([p_b - 0.1 * half * across, p - old * n + reach])
+    ax.plot(*level.T, label="through the old point, at right angles to N", **look)
+    ax.plot(*np.stack([p, p + reach]).T, label="through the particle, at right angles to N", **look | {"ls": "-."})
     label = f"gap to the dome: {1000 * true:.1f} mm"
     ax.plot(*np.stack([n, p]).T, color=PALETTE["blue"], lw=3, ls="-", marker="", zorder=4, label=label)
     label = f"gap from the old point: {1000 * old:.1f} mm"
-    beside = np.stack([p - old * n, p]) + 0.08 * half * across
+    beside = np.stack([p - old * n, p]) + aside
     ax.plot(*beside.T, color=PALETTE["vermillion"], lw=2.4, ls="--", marker="", label=label)
 
 
@@ -165,8 +195,12 @@ def bias_terms(
         ):
             heights = [*(v[row] for v in values.values()), total[row]]
             shift = (row - 0.5 * (len(labels) - 1)) * width
-            ax.bar(places + shift, heights, width, color=PALETTE[colour], hatch=hatch, ec="white", label=name)
+            bars = ax.bar(
+                places + shift, heights, width, color=PALETTE[colour], hatch=hatch, ec="white", label=name
+            )
+            ax.bar_label(bars, fmt="%.2f", fontsize=7, padding=1)
         ax.axhline(0, color="0.3", lw=0.8)
+        ax.margins(y=0.08)  # room for the numbers at the bars
         ax.set_xticks(places, [*values, "sum: b"])
         ax.set(ylabel=unit)
         ax.grid(axis="x", visible=False)

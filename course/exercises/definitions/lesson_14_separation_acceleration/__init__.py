@@ -18,7 +18,7 @@ LESSON = Lesson(
     name="separation-acceleration",
     title="The acceleration of the separation",
     question="The formula says the particle leaves the dome at 37 degrees, nature says 48: what was counted twice?",
-    minutes=80,
-    exercises=(TOP_ACCELERATION, ANGULAR_ACCELERATION_FREE, FREE_POINT_ACCELERATION, CONTACT_BIAS),
+    minutes=90,
+    exercises=(TOP_ACCELERATION, FREE_POINT_ACCELERATION, CONTACT_BIAS, ANGULAR_ACCELERATION_FREE),
     predictions=PREDICTIONS,
 )

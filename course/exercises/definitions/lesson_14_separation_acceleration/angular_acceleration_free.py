@@ -43,6 +43,7 @@ ANGULAR_ACCELERATION_FREE = Exercise(
     rows=(23,),
     points=2,
     minutes=7,
+    level="stretch",  # lesson 09 asks for the same in other words
     task="Return omega_dot without contact forces, I^-1 (tau + L x omega), for one body and for a batch.",
     arguments=(
         Value("inverse_inertia", "(..., 3, 3)", "1/(kg m^2)", "I^-1 in world axes"),
@@ -92,6 +93,12 @@ ANGULAR_ACCELERATION_FREE = Exercise(
             'have one: np.einsum("...ij,...j->...i", matrix, vector) does it for any batch.',
         ),
         Mistake(
+            "product with *",
+            lambda i, l_, w, tau: np.asarray(i) * (np.asarray(tau) + np.cross(l_, w)),
+            "With * each entry of the matrix is multiplied by itself alone, and a matrix comes out. Matrix times "
+            'vector also adds up: np.einsum("...ij,...j->...i", matrix, vector).',
+        ),
+        Mistake(
             "diagonal alone",
             lambda i, l_, w, tau: (
                 np.einsum("...ii->...i", np.asarray(i)) * (np.asarray(tau) + np.cross(l_, w))
@@ -101,7 +108,7 @@ ANGULAR_ACCELERATION_FREE = Exercise(
         ),
     ),
     hints=(
-        "See Derive, step 3. The torque and the gyroscopic term are added first and go through I^-1 together.",
+        "See Derive, step 3. The torque and L x omega are added first and go through I^-1 together.",
         "Add tau and L x omega, then multiply the matrix I^-1 by the sum. For a batch np.einsum names the axes: "
         '"...ij,...j->...i" is matrix times vector.',
         'twist = torque + np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, twist)',

@@ -27,11 +27,13 @@ def _bias_with(
     inward: float = 1.0,
     turning: float = 1.0,
     whole: float = 1.0,
+    pull: float = 0.0,
+    summed: bool = True,
 ) -> Any:
     """b with one of its parts changed.
 
     ``face(word, omega_a, omega_b)`` gives the omega that turns N; ``swung_b`` and ``moved_b`` multiply what B brings
-    to the accelerations and to the velocities alone.
+    to the accelerations and to the velocities alone; ``pull`` is added to A's acceleration along z.
     """
 
     def function(p: Any, n: Any, word: str, body_a: Any, body_b: Any) -> Any:
@@ -47,7 +49,10 @@ def _bias_with(
         of_face = face(word, body_a[2], body_b[2]) if face else body_b[2] if word == "face_b" else body_a[2]
         n_dot = np.cross(of_face, n)
         a_b, v_b = sign_b * swung_b * a_b, sign_b * moved_b * v_b
-        return whole * (dot(a_a + a_b, n) + factor * dot(v_a + v_b, n_dot))
+        p_ddot, p_dot = a_a + pull * UP + a_b, v_a + v_b
+        if not summed:
+            return p_ddot * n + factor * p_dot * n_dot
+        return whole * (dot(p_ddot, n) + factor * dot(p_dot, n_dot))
 
     return function
 
@@ -96,7 +101,7 @@ CONTACT_BIAS = Exercise(
     name="contact_bias",
     rows=(20, 23, 24),
     points=3,
-    minutes=13,
+    minutes=14,
     task="Return b = (p_A_ddot - p_B_ddot).N + 2 (p_A_dot - p_B_dot).N_dot for a contact of a face, p_A = p_B = p.",
     arguments=(
         Value("p", "(..., 3)", "m", "the point where they touch"),
@@ -122,7 +127,14 @@ CONTACT_BIAS = Exercise(
         Mistake(
             "sign of N_dot",
             _bias_with(factor=-2.0),
-            "The term with N_dot has the wrong sign: is it omega x N, in this order?",
+            "The term with N_dot has the wrong sign. N_dot is omega x N, in this order, and the velocities are A minus "
+            "B: p_A_dot - p_B_dot.",
+        ),
+        Mistake(
+            "minus for a face of A",
+            _bias_with(face=lambda word, a, b: b if word == "face_b" else -a),
+            "Right for a face of B. For a face of A it is omega_A x N too, without a minus: what turns the face's "
+            "outward normal -N turns N as well (lesson 13, step 3).",
         ),
         Mistake(
             "sign of body B",
@@ -187,6 +199,26 @@ CONTACT_BIAS = Exercise(
             "The arms run from the point to the centre. It is r = p - x.",
         ),
         Mistake(
+            "arms swapped",
+            _bias_with(arm_a=lambda p, x_a, x_b: p - x_b, arm_b=lambda p, x_a, x_b: p - x_a),
+            "Each body has the arm of the other. A point of A has r_A = p - x_A, a point of B r_B = p - x_B.",
+        ),
+        Mistake(
+            "r x omega",
+            _bias_with(turning=-1.0),
+            "In the term with N_dot the velocities have r x omega. It is omega x r, in this order.",
+        ),
+        Mistake(
+            "gravity once more",
+            _bias_with(pull=-9.81),
+            "You add gravity to A. It is in v_dot already, with all the other external forces.",
+        ),
+        Mistake(
+            "products not summed",
+            _bias_with(summed=False),
+            "a * b of two vectors is a vector of products. A dot product adds them up: np.sum(a * b, axis=-1).",
+        ),
+        Mistake(
             "no omega_dot",
             _bias_with(swing=0.0),
             "omega_dot x r is missing in the accelerations of the points.",
@@ -213,9 +245,9 @@ CONTACT_BIAS = Exercise(
         ),
     ),
     hints=(
-        "Three parts: velocity and acceleration of the point on each body (exercise 2 does the second), N_dot of the "
+        "Three parts: velocity and acceleration of the point on each body (exercise 1 does the second), N_dot of the "
         "face, then the two terms.",
-        "The point's velocity is v + omega x r and its acceleration is exercise 2. Subtract B "
+        "The point's velocity is v + omega x r and its acceleration is exercise 1. Subtract B "
         "from A; dot the acceleration with N and twice the velocity with N_dot.",
         "p_a_dot = v_a + np.cross(omega_a, ____)\n"
         "p_a_ddot = free_point_acceleration(v_a_dot, omega_a_dot, omega_a, r_a)\n"
