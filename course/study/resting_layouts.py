@@ -131,8 +131,8 @@ def wall(rows: int, columns: int, *, depth: int = 1, mass: ArrayLike = 1.0) -> R
 def tangle(count: int, contacts: int, rng: np.random.Generator) -> RestingScene:
     """Bodies pushed at random, with contacts anywhere and in any direction between any two or one and the ground.
 
-    No geometry would make it; solvers must bear it. Velocities are 0, so a
-    solution exists.
+    No geometry would make it, and no body has such inertias; solvers must
+    bear both. Velocities are 0, so a solution exists.
     """
     whole_number("count", count, minimum=1)
     whole_number("contacts", contacts)

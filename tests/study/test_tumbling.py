@@ -47,7 +47,8 @@ def tumbling_body(seed):
     rng = np.random.default_rng(seed)
     frame, turned = (rotations.from_rotation_vector(v) for v in rng.normal(size=(2, 3)))
     frame = rotations.to_matrix(frame)
-    inertia = frame @ np.diag(np.sort(rng.uniform(1, 3, 3))) @ frame.T
+    second = rng.uniform(0.5, 1.5, 3)
+    inertia = frame @ np.diag(np.sort(second.sum() - second)) @ frame.T
     place, momentum, spin = rng.normal(size=(3, 1, 3))
     return Bodies([2.0], inertia[None], place, turned[None], momentum, 4 * spin)
 
