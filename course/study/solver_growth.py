@@ -33,13 +33,18 @@ class SolverGrowth:
     residual: Array
 
     def exponent(self, name: str) -> float:
-        """p of seconds ~ contacts^p over the larger half of the systems that the method was asked."""
+        """p of seconds ~ contacts^p, least squares of the logarithms over every system that the method was asked.
+
+        Raises:
+            ValueError: a method that is not among them, or was asked fewer than two systems.
+        """
+        if name not in self.method:
+            raise ValueError(f"name: expected one of {', '.join(self.method)}; got {name!r}")
         row = self.seconds[self.method.index(name)]
-        asked = np.flatnonzero(np.isfinite(row))
-        last = asked[min(len(asked) // 2, max(len(asked) - 2, 0)) :]
-        if last.size < 2:
+        asked = np.isfinite(row)
+        if np.count_nonzero(asked) < 2:
             raise ValueError(f"name: expected a method asked at least twice; got {name!r}")
-        return float(np.polyfit(np.log(self.contacts[last]), np.log(row[last]), 1)[0])
+        return float(np.polyfit(np.log(self.contacts[asked]), np.log(row[asked]), 1)[0])
 
 
 def solver_growth(

@@ -20,12 +20,15 @@ def test_every_method_is_measured_up_to_its_limit():
     assert np.nanmax(found.residual) <= 1e-10
 
 
-def test_the_exponent_is_that_of_the_larger_half():
+def test_the_exponent_is_that_of_all_sizes():
     n = np.array([1.0, 10, 100, 1000])
-    rows = np.stack([1e-3 * np.maximum(n, 100) ** 2, n])
-    growth = SolverGrowth(n, ("square", "line"), rows, rows, rows)
+    rows = np.stack([1e-3 * n**2, n, np.array([1.0, 1.0, 1.0, 10.0])])
+    rows[0, 3] = np.nan  # not asked
+    growth = SolverGrowth(n, ("square", "line", "late"), rows, rows, rows)
     assert growth.exponent("square") == pytest.approx(2) and growth.exponent("line") == pytest.approx(1)
-    with pytest.raises(ValueError):
+    # logarithms 0, 0, 0, 1 over 0, 1, 2, 3: least squares slope (sum of (x - 1.5) y) / 5 = 0.3
+    assert growth.exponent("late") == pytest.approx(0.3)
+    with pytest.raises(ValueError, match="^name: expected one of square, line, late; got 'cube'"):
         growth.exponent("cube")
     rows[0, 1:] = np.nan
     with pytest.raises(ValueError, match="^name: expected"):

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from course.contact import solve
+from course.exercises.definition import find_exercise
 from course.study import SolverGrowth, loaded_plank
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
@@ -37,6 +38,14 @@ def test_force_plane_marks_the_solution_on_the_lines(load_at):
         np.testing.assert_allclose(a[i] @ points, -b[i], atol=1e-9)
     np.testing.assert_allclose(lines["least with f ≥ 0"][:, 0], solve(system).force, atol=1e-9)
     np.testing.assert_allclose(a @ lines["both forced to 0"][:, 0], -b, atol=1e-9)
+    swept = lines["three sweeps from 0"]
+    steps = np.diff(swept, axis=1)
+    assert swept.shape == (2, 7) and np.all(steps[1, ::2] == 0) and np.all(steps[0, 1::2] == 0)  # axis by axis
+    answer = find_exercise("projected_gauss_seidel")[1].reference(a, b, np.zeros(2), 3)
+    np.testing.assert_allclose(swept[:, -1], answer, rtol=1e-12)
+    lifted = np.abs(solve(system).acceleration).max() > 1e-9
+    named = [entry.get_text() for entry in ax.get_legend().get_texts()]
+    assert (r"slope of q there, $\ddot d$" in named) == lifted  # the arrow is drawn only where a slope is left
 
 
 def test_plank_says_which_foot_lifts():
@@ -60,6 +69,7 @@ def test_solver_growth_draws_time_and_steps():
     assert left is ax and len(left.lines) == len(right.lines) == 2
     np.testing.assert_array_equal(right.lines[0].get_ydata(), [10, 20])
     assert "10 to 100 contacts" in text(ax)
+    assert "a: 10 steps and 1 s at 10, 20 steps and 2 s at 100. b: 30 steps and 3 s at 10." in text(ax)
 
 
 @pytest.mark.slow

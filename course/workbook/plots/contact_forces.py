@@ -43,7 +43,7 @@ def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Ax
 def force_plane(
     a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2"), ax: Axes | None = None
 ) -> Axes:
-    """Two contacts: the level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0 and the solution."""
+    """Two contacts: level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0, sweeps, the solution."""
     matrix, bias = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     forced, f = np.linalg.solve(matrix, -bias), _solved(matrix, bias)
     w = matrix @ f + bias
@@ -58,6 +58,9 @@ def force_plane(
             ends = _zero_line(matrix[i], bias[i], (low, high))
             ax.plot(*ends, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
                     label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
+        path = _sweep_path(matrix, bias, 3)
+        ax.plot(*path.T, color=PALETTE["purple"], ls="-", lw=2.0, marker=".", ms=7, zorder=4,
+                label="three sweeps from 0")  # fmt: skip
         ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["vermillion"], zorder=5,
                 label="both forced to 0")  # fmt: skip
         ax.plot(*f, ls="none", marker="o", ms=11, mfc="none", mew=2.4, color=PALETTE["black"], zorder=6,
@@ -66,6 +69,8 @@ def force_plane(
             tip = f + 0.22 * reach * w / np.linalg.norm(w)
             look = {"arrowstyle": "-|>", "lw": 2.0, "shrinkA": 6, "shrinkB": 0}
             ax.annotate("", tuple(tip), tuple(f), arrowprops=look, zorder=6)
+            ax.plot([], [], ls="none", marker=r"$\rightarrow$", ms=13, color=PALETTE["black"],
+                    label=r"slope of q there, $\ddot d$")  # fmt: skip
         ax.axhline(0, color="0.3", lw=1.0, zorder=2)
         ax.axvline(0, color="0.3", lw=1.0, zorder=2)
         ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
@@ -76,7 +81,8 @@ def force_plane(
         f"The plane of two contact forces in newtons, with ellipses around ({forced[0]:.0f}, {forced[1]:.0f}), where "
         f"both d_ddot are 0, and the allowed quadrant. The least value in it is at ({f[0] + 0:.0f}, {f[1] + 0:.0f}), "
         "where d_ddot is "
-        f"({_plain(w[0])}, {_plain(w[1])}) m/s².",
+        f"({_plain(w[0])}, {_plain(w[1])}) m/s². Three sweeps from (0, 0), each step along one axis, lead to "
+        f"({path[-1, 0]:.0f}, {path[-1, 1]:.0f}).",
     )
     return ax
 
@@ -170,12 +176,21 @@ def solver_growth(result: SolverGrowth, *, ax: Axes | None = None) -> Axes:
                              label=name)  # fmt: skip
             panel.set(xlabel="contacts", ylabel=label)
         panels[-1][0].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    told = [_cost_told(result, k) for k in range(len(result.method))]
     describe(
         ax,
-        f"Time and counted steps of {', '.join(result.method)} over {result.contacts[0]:.0f} to "
-        f"{result.contacts[-1]:.0f} contacts, both axes logarithmic.",
+        f"Time and counted steps over {result.contacts[0]:.0f} to {result.contacts[-1]:.0f} contacts, both axes "
+        f"logarithmic. {' '.join(told)}",
     )
     return ax
+
+
+def _cost_told(result: SolverGrowth, k: int) -> str:
+    """What a method costs for the fewest and the most contacts that it was asked."""
+    first, last = np.flatnonzero(np.isfinite(result.seconds[k]))[[0, -1]]
+    each = [f"{result.steps[k, i]:.0f} steps and {result.seconds[k, i]:.2g} s at {result.contacts[i]:.0f}"
+            for i in dict.fromkeys((first, last))]  # fmt: skip
+    return f"{result.method[k]}: {', '.join(each)}."
 
 
 def _level_sets(
@@ -190,6 +205,16 @@ def _level_sets(
     touching = float(np.sqrt((through - least) @ matrix @ (through - least)))
     if touching > 1e-6:
         ax.contour(f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6, zorder=4)
+
+
+def _sweep_path(matrix: np.ndarray, bias: np.ndarray, sweeps: int) -> np.ndarray:
+    """The forces after each single step of projected Gauss-Seidel from 0, (2 sweeps + 1, 2) [N]."""
+    path = [np.zeros(2)]
+    for i in [0, 1] * sweeps:
+        f = path[-1].copy()
+        f[i] = max(0.0, f[i] - (matrix[i] @ f + bias[i]) / matrix[i, i])
+        path.append(f)
+    return np.array(path)
 
 
 def _zero_line(row: np.ndarray, bias: float, ends: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
