@@ -10,6 +10,7 @@ to find.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -163,7 +164,8 @@ class Parts:
 
     def _unit(self, index: Any) -> UnitSystem:
         a = self.system.A if isinstance(index, slice) else self.system.A[index][:, index]
-        return UnitSystem(a, self.system.b[index], self._rows(index))
+        rows = None if self.system.jacobian is None else partial(self._rows, index)
+        return UnitSystem(a, self.system.b[index], rows)
 
     def _by_gauss(self, index: Any, huge: float = np.inf) -> tuple[Array, int, str]:
         limit, unit = 100 if self.limit is None else self.limit, self._unit(index)

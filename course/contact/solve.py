@@ -213,7 +213,9 @@ def _sweeps(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
 
 def _gauss(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
     limit = 100 if options.limit is None else options.limit
-    found = solve_gauss(UnitSystem(a, b, options.factor), tolerance=options.tolerance, max_iterations=limit)
+    factor = options.factor
+    system = UnitSystem(a, b, None if factor is None else lambda: factor)
+    found = solve_gauss(system, tolerance=options.tolerance, max_iterations=limit)
     return found.force, found.iterations
 
 

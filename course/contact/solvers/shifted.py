@@ -32,6 +32,8 @@ DENSE = 96
 A_PRODUCT = 4e-11
 #: A factor that takes less than this is not worth the search for a better one [s].
 QUICK = 3e-3
+#: Up to so many entries a row of A the elimination by forces is tried first: the bodies have few contacts each.
+FEW = 12
 
 
 class Shifted(Protocol):
@@ -76,12 +78,12 @@ class Cholesky(Protocol):
         ...
 
 
-def shifted(matrix: Any, factor: Any = None) -> Shifted:
-    """The cheapest way for this A, (c, c) sparse or dense with a diagonal of ones.
+def shifted(matrix: Any, factor: Callable[[], Any] | None = None) -> Shifted:
+    """The cheapest way for this A, (c, c) sparse or dense with a diagonal of ones; the first that is quick enough.
 
     Args:
         matrix: A.
-        factor: None, or G', (c, m) sparse, with A = G'G.
+        factor: None, or what gives G', (c, m) sparse, with A = G'G, if it is needed.
     """
     from scipy.sparse import csr_array, issparse
 
@@ -93,9 +95,8 @@ def shifted(matrix: Any, factor: Any = None) -> Shifted:
     if issparse(matrix):
         ways.append(partial(_by_forces, csr_array(matrix), known=factor is not None))
     if factor is not None:
-        rows = _without_empty_columns(csr_array(factor))
-        # Fewer freedoms than contacts, or more: the smaller matrix first.
-        ways.insert(0 if rows.shape[1] < count else len(ways), partial(_by_accelerations, rows))
+        few = issparse(matrix) and matrix.nnz <= FEW * count
+        ways.insert(len(ways) if few else 0, partial(_by_accelerations, factor))
     best: tuple[float, Callable[[], Shifted]] = (A_PRODUCT * count**3 / 3, dense)
     for way in ways:
         best = min(best, way(), key=lambda one: one[0])
@@ -114,9 +115,10 @@ def _by_forces(matrix: Any, *, known: bool) -> tuple[float, Callable[[], Shifted
     return contacts.seconds, partial(ShiftedByForces, matrix, contacts)
 
 
-def _by_accelerations(rows: Any) -> tuple[float, Callable[[], Shifted]]:
+def _by_accelerations(factor: Callable[[], Any]) -> tuple[float, Callable[[], Shifted]]:
     from scipy.sparse import csr_array
 
+    rows = _without_empty_columns(csr_array(factor()))
     ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
     bodies = _cheapest((ones.T @ ones).tocsr())
     return bodies.seconds, partial(ShiftedByAccelerations, rows, bodies)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -19,10 +20,10 @@ class UnitSystem:
     Args:
         matrix: A, (c, c), sparse or dense, its diagonal above 0.
         bias: b, (c,).
-        factor: None, or sparse (c, m) with A = factor factor', such as J M^-1/2.
+        factor: None, or what gives a sparse (c, m) with A = factor factor', such as J M^-1/2, if it is needed.
     """
 
-    def __init__(self, matrix: Any, bias: Array, factor: Any = None) -> None:
+    def __init__(self, matrix: Any, bias: Array, factor: Callable[[], Any] | None = None) -> None:
         self.matrix, self.bias, self._factor = matrix, bias, factor
         self.diagonal: Array = matrix.diagonal()
         self.root = np.sqrt(self.diagonal)
@@ -40,7 +41,8 @@ class UnitSystem:
             return shifted(self.matrix * (inverse[:, None] * inverse))
         a = _scaled(self.matrix, inverse)
         a.data *= inverse[a.indices]
-        return shifted(a, None if self._factor is None else _scaled(self._factor, inverse))
+        factor = self._factor
+        return shifted(a, None if factor is None else lambda: _scaled(factor(), inverse))
 
     def force(self, unit_force: Array) -> Array:
         """f of the system it came from."""
