@@ -140,8 +140,12 @@ SOLVE_CONTACT_QP = Exercise(
         Mistake("A left out", lambda a, b: np.maximum(-np.asarray(b), 0.0),
                 "The quadratic part is f.f/2, without A: every contact is treated as a body of 1 kg by itself."),
         Mistake("numpy's dot", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.dot(b, f)),
-                "If the error speaks of a sequence: numpy's own functions, such as np.dot and np.sum, do not know "
-                "cvxpy's variables. The linear term is b @ f."),
+                "The error speaks of a sequence: np.dot does not know cvxpy's variables. The linear term is b @ f."),
+        Mistake("numpy's sum", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.sum(b * f)),
+                "np.sum does not know cvxpy's variables. The linear term is b @ f, or cp.sum(cp.multiply(b, f))."),
+        Mistake("f'A f written out", _in_cvxpy(lambda cp, f, a, b: 0.5 * f.T @ a @ f + b @ f),
+                "cvxpy does not see that f.T @ a @ f is convex, and refuses it (DCP: its rules for convex programmes). "
+                "Write it as cp.quad_form(f, cp.psd_wrap(a))."),
         Mistake("no promise", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, a) + b @ f),
                 "psd_wrap is missing. Where contacts are redundant A has an eigenvalue 0, and rounding may leave it "
                 "just below: cvxpy then refuses the programme, unless cp.psd_wrap(a) promises that all is well."),
