@@ -141,7 +141,8 @@ SOLVE_CONTACT_QP = Exercise(
                 "The quadratic part is f.f/2, without A: every contact is treated as a body of 1 kg by itself."),
         Mistake("numpy's dot", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.dot(b, f)),
                 "The error speaks of a sequence: np.dot does not know cvxpy's variables. The linear term is b @ f."),
-        Mistake("numpy's sum", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.sum(b * f)),
+        Mistake("numpy's sum",
+                _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.sum(cp.multiply(b, f))),
                 "np.sum does not know cvxpy's variables. The linear term is b @ f, or cp.sum(cp.multiply(b, f))."),
         Mistake("f'A f written out", _in_cvxpy(lambda cp, f, a, b: 0.5 * f.T @ a @ f + b @ f),
                 "cvxpy does not see that f.T @ a @ f is convex, and refuses it (DCP: its rules for convex programmes). "
