@@ -34,25 +34,44 @@ def tumbling_bodies(count: int, seed: int = 0, *, principal: bool = False) -> Bo
     if principal:
         moments.sort(axis=1)
     spin = rng.normal(size=(count, 3))
-    spin *= rng.uniform(2.0, 6.0, (count, 1)) / np.linalg.norm(spin, axis=1, keepdims=True)
+    spin *= rng.uniform(2.0, 6.0, (count, 1)) / np.linalg.norm(
+        spin, axis=1, keepdims=True
+    )
     at_rest = np.zeros((count, 3))
     inertia = moments[:, :, None] * np.eye(3)
-    return Bodies(np.ones(count), inertia, at_rest, identity(count), at_rest, moments * spin)
+    return Bodies(
+        np.ones(count), inertia, at_rest, identity(count), at_rest, moments * spin
+    )
 
 
 def _free(bodies: Bodies) -> Row:
     exact = torque_free_motion(bodies, DURATION).orientation
-    steps = _fewest_steps(lambda n: _angle(_batched(bodies, None, n).orientation, exact))
-    tolerance = _loosest_tolerance(lambda tol: _angle(_loop(bodies, 0.0, tol), exact[:SAMPLE]))
-    return _race(bodies, 0.0, steps, tolerance, "free bodies, largest error of all", 80.0)
+    steps = _fewest_steps(
+        lambda n: _angle(_batched(bodies, None, n).orientation, exact)
+    )
+    tolerance = _loosest_tolerance(
+        lambda tol: _angle(_loop(bodies, 0.0, tol), exact[:SAMPLE])
+    )
+    return _race(
+        bodies, 0.0, steps, tolerance, "free bodies, largest error of all", 80.0
+    )
 
 
 def _driven(bodies: Bodies) -> Row:
     sample = Bodies(*(getattr(bodies, field.name)[:SAMPLE] for field in fields(Bodies)))
     exact = _loop(bodies, FIELD, 1e-13)
-    steps = _fewest_steps(lambda n: _angle(_batched(sample, _needles(sample), n).orientation, exact))
+    steps = _fewest_steps(
+        lambda n: _angle(_batched(sample, _needles(sample), n).orientation, exact)
+    )
     tolerance = _loosest_tolerance(lambda tol: _angle(_loop(bodies, FIELD, tol), exact))
-    return _race(bodies, FIELD, steps, tolerance, f"driven by a field, largest error of {SAMPLE}", None)
+    return _race(
+        bodies,
+        FIELD,
+        steps,
+        tolerance,
+        f"driven by a field, largest error of {SAMPLE}",
+        None,
+    )
 
 
 def _needles(bodies: Bodies) -> Wrench:
@@ -69,7 +88,12 @@ def _needles(bodies: Bodies) -> Wrench:
 
 
 def _race(
-    bodies: Bodies, strength: float, steps: int, tolerance: float, name: str, goal: float | None
+    bodies: Bodies,
+    strength: float,
+    steps: int,
+    tolerance: float,
+    name: str,
+    goal: float | None,
 ) -> Row:
     loop = partial(_loop, bodies, strength, tolerance)
     ours = partial(_batched, bodies, _needles(bodies) if strength else None, steps)
@@ -78,11 +102,18 @@ def _race(
         f"{COUNT} bodies, {DURATION:g} s to {TARGET:g} rad: splitting of order 6, {steps} steps, {our_seconds:.2f} s; "
         f"DOP853 at tolerance {tolerance:.1g}, {loop_seconds / SAMPLE * 1e3:.1f} ms a body, {SAMPLE} timed and scaled"
     )
-    return Row(f"{name}: loop of DOP853 / batched", sampled * len(bodies) / SAMPLE, goal, remark)
+    return Row(
+        f"{name}: loop of DOP853 / batched",
+        sampled * len(bodies) / SAMPLE,
+        goal,
+        remark,
+    )
 
 
 def _batched(bodies: Bodies, wrench: Wrench | None, steps: int) -> Bodies:
-    return advance(bodies, wrench, DURATION / steps, steps, order=6, velocity_dependent=False)
+    return advance(
+        bodies, wrench, DURATION / steps, steps, order=6, velocity_dependent=False
+    )
 
 
 def _fewest_steps(error: Callable[[int], float]) -> int:
@@ -105,7 +136,9 @@ def _loosest_tolerance(error: Callable[[float], float]) -> float:
 
 def _angle(q: np.ndarray, exact: np.ndarray) -> float:
     """The largest angle between two sets of orientations [rad]."""
-    apart = np.minimum(np.linalg.norm(q - exact, axis=1), np.linalg.norm(q + exact, axis=1))
+    apart = np.minimum(
+        np.linalg.norm(q - exact, axis=1), np.linalg.norm(q + exact, axis=1)
+    )
     return float(np.max(4 * np.arcsin(apart / 2)))
 
 
@@ -120,14 +153,16 @@ def _loop(bodies: Bodies, field: float, tolerance: float) -> np.ndarray:
         moments = np.diagonal(bodies.inertia[i])
         start = np.concatenate([bodies.orientation[i], bodies.angular_momentum[i]])
         rates = _rates(*moments.tolist(), field * float(np.median(moments)))
-        end = solve_ivp(rates, (0, DURATION), start, method="DOP853", rtol=tolerance, atol=tolerance).y[
-            :4, -1
-        ]
+        end = solve_ivp(
+            rates, (0, DURATION), start, method="DOP853", rtol=tolerance, atol=tolerance
+        ).y[:4, -1]
         result.append(end / np.linalg.norm(end))
     return np.array(result)
 
 
-def _rates(i1: float, i2: float, i3: float, strength: float) -> Callable[[float, np.ndarray], list[float]]:
+def _rates(
+    i1: float, i2: float, i3: float, strength: float
+) -> Callable[[float, np.ndarray], list[float]]:
     def rates(time: float, state: np.ndarray) -> list[float]:
         x, y, z, w, l1, l2, l3 = state.tolist()
         a, b, c = l1 / i1, l2 / i2, l3 / i3
@@ -154,20 +189,29 @@ def _overhead() -> list[Row]:
     bodies = splitting(tumbling_bodies(COUNT, principal=True), None, 0.1)
     q = [np.ascontiguousarray(c) for c in bodies.orientation.T]
     momentum = [np.ascontiguousarray(c) for c in bodies.angular_momentum.T]
-    inverse = [1.0 / np.diagonal(bodies.inertia, axis1=1, axis2=2)[:, i] for i in range(3)]
+    inverse = [
+        1.0 / np.diagonal(bodies.inertia, axis1=1, axis2=2)[:, i] for i in range(3)
+    ]
     made, each = [], 1e9 / len(bodies)
     for order in (2, 6):
         bare = partial(_bare_step, q, momentum, inverse, 0.1, _turns(_CHAINS[order]))
         if not np.allclose(
-            np.array(bare()).T, splitting(bodies, None, 0.1, order=order).orientation, atol=1e-12
+            np.array(bare()).T,
+            splitting(bodies, None, 0.1, order=order).orientation,
+            atol=1e-12,
         ):
             raise AssertionError("the bare arithmetic is not that of the step")
-        quotient, ours, theirs = ratio(partial(splitting, bodies, None, 0.1, order=order), bare, repeats=20)
-        remark = (
-            f"{ours * each:.0f} ns a body against {theirs * each:.0f}, {len(bodies)} bodies in principal axes"
+        quotient, ours, theirs = ratio(
+            partial(splitting, bodies, None, 0.1, order=order), bare, repeats=20
         )
+        remark = f"{ours * each:.0f} ns a body against {theirs * each:.0f}, {len(bodies)} bodies in principal axes"
         made.append(
-            Row(f"cost of a free splitting step of order {order} / bare NumPy", quotient, None, remark)
+            Row(
+                f"cost of a free splitting step of order {order} / bare NumPy",
+                quotient,
+                None,
+                remark,
+            )
         )
     return made
 
@@ -183,7 +227,11 @@ def _bare_step(
     x, y, z, w = q
     L1, L2, L3 = momentum
     a, b, c = 2 * (z * L2 - y * L3), 2 * (x * L3 - z * L1), 2 * (y * L1 - x * L2)
-    body = [L1 + w * a + b * z - c * y, L2 + w * b + c * x - a * z, L3 + w * c + a * y - b * x]
+    body = [
+        L1 + w * a + b * z - c * y,
+        L2 + w * b + c * x - a * z,
+        L3 + w * c + a * y - b * x,
+    ]
     q = [x, y, z, w]
     for i, part in turns:
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -191,7 +239,10 @@ def _bare_step(
         cosine = 2 / (1 + t * t)
         sine = cosine * t
         cosine -= 1
-        body[j], body[k] = cosine * body[j] + sine * body[k], cosine * body[k] - sine * body[j]
+        body[j], body[k] = (
+            cosine * body[j] + sine * body[k],
+            cosine * body[k] - sine * body[j],
+        )
         q[i], q[3] = q[i] + t * q[3], q[3] - t * q[i]
         q[j], q[k] = q[j] + t * q[k], q[k] - t * q[j]
     x, y, z, w = q

@@ -16,12 +16,24 @@ WAIT = 0.1
 
 def rows() -> list[Row]:
     """The median over all exercises, for a right answer and for each planted mistake (a diagnosis costs more)."""
-    exercises = [e for lesson in all_lessons() for e in lesson.exercises if e.kind == "function"]
+    exercises = [
+        e for lesson in all_lessons() for e in lesson.exercises if e.kind == "function"
+    ]
     right = [_check(e, e.reference) for e in exercises]
     wrong = [_check(e, m.function) for e in exercises for m in e.mistakes]
     return [
-        Row("a tenth of a second / right answer, median", WAIT / statistics.median(right), 1.0, _remark(right)),
-        Row("a tenth of a second / wrong answer, median", WAIT / statistics.median(wrong), 1.0, _remark(wrong)),
+        Row(
+            "a tenth of a second / right answer, median",
+            WAIT / statistics.median(right),
+            1.0,
+            _remark(right),
+        ),
+        Row(
+            "a tenth of a second / wrong answer, median",
+            WAIT / statistics.median(wrong),
+            1.0,
+            _remark(wrong),
+        ),
     ]
 
 

@@ -33,16 +33,21 @@ def rows() -> list[Row]:
     rng = np.random.default_rng(15)
     small = [("table", table()), ("stack of 16, shaken", shaken(stack(16), rng))]
     made = [
-        _against_cvxpy(name, s.system(), goal) for (name, s), goal in zip(small, (15.0, 8.0), strict=True)
+        _against_cvxpy(name, s.system(), goal)
+        for (name, s), goal in zip(small, (15.0, 8.0), strict=True)
     ]
     bricks = wall(24, 24)
     for name, scene in (("wall", bricks), ("wall, shaken", shaken(bricks, rng))):
-        made += _against_peers(name, scene.system(), {"clarabel": 5.0, "piqp": 1.5}, both=True)
+        made += _against_peers(
+            name, scene.system(), {"clarabel": 5.0, "piqp": 1.5}, both=True
+        )
     heaps = [pile(count, rng) for count in (310, 1430)]
     for change, scenes in (("", heaps), (", shaken", [shaken(p, rng) for p in heaps])):
         systems = [s.system() for s in scenes]
         for system in systems:
-            made += _against_peers(f"pile{change}", system, {"clarabel": 1.0, "piqp": None})
+            made += _against_peers(
+                f"pile{change}", system, {"clarabel": 1.0, "piqp": None}
+            )
         made.append(_growth(f"pile{change}", systems))
     return [*made, _batch()]
 
@@ -51,11 +56,20 @@ def _against_cvxpy(name: str, system: ContactSystem, goal: float) -> Row:
     lecture = partial(solve_qp, system.A, system.b, tolerance=TOLERANCE)
     quotient, theirs, ours = ratio(lecture, partial(solve, system), repeats=30)
     remark = f"{theirs * 1e3:.2f} ms against {ours * 1e3:.2f} ms"
-    return Row(f"{name}, {len(system)} contacts: CVXPY with Clarabel / auto", quotient, goal, remark)
+    return Row(
+        f"{name}, {len(system)} contacts: CVXPY with Clarabel / auto",
+        quotient,
+        goal,
+        remark,
+    )
 
 
 def _against_peers(
-    name: str, system: ContactSystem, goals: dict[str, float | None], *, both: bool = False
+    name: str,
+    system: ContactSystem,
+    goals: dict[str, float | None],
+    *,
+    both: bool = False,
 ) -> list[Row]:
     """A row a peer: in the form it is faster with, or in ``both``."""
     made, name = [], f"{name}, {len(system)} contacts"
@@ -65,12 +79,19 @@ def _against_peers(
             made.append(_skipped(f"{name}: {peer} / auto", goal, peer))
             continue
         run = _PEERS[peer]
-        once = {form: _seconds(partial(run, problem)) for form, problem in forms.items()}
+        once = {
+            form: _seconds(partial(run, problem)) for form, problem in forms.items()
+        }
         for form in forms if both else [min(once, key=once.__getitem__)]:
-            quotient, theirs, ours = ratio(partial(run, forms[form]), partial(solve, system), repeats=5)
-            reached = complementarity_residual(system.A, np.maximum(run(forms[form]), 0.0), system.b)
+            quotient, theirs, ours = ratio(
+                partial(run, forms[form]), partial(solve, system), repeats=5
+            )
+            reached = complementarity_residual(
+                system.A, np.maximum(run(forms[form]), 0.0), system.b
+            )
             remark = (
-                f"{theirs * 1e3:.0f} ms, residual {reached:.0e}; auto {ours * 1e3:.0f} ms, {solve(system).residual:.0e}"
+                f"{theirs * 1e3:.0f} ms, residual {reached:.0e}; "
+                f"auto {ours * 1e3:.0f} ms, {solve(system).residual:.0e}"
             )
             made.append(Row(f"{name}: {peer} in {form} / auto", quotient, goal, remark))
     return made
@@ -81,7 +102,9 @@ def _growth(name: str, systems: list[ContactSystem]) -> Row:
     quotient, more, less = ratio(partial(solve, many), partial(solve, few), repeats=7)
     power = float(np.log(quotient) / np.log(len(many) / len(few)))
     remark = f"n^{power:.2f}: {less * 1e3:.0f} ms for {len(few)}, {more * 1e3:.0f} ms for {len(many)}"
-    return Row(f"{name}: 1.7 / exponent of the growth of the time", 1.7 / power, 1.0, remark)
+    return Row(
+        f"{name}: 1.7 / exponent of the growth of the time", 1.7 / power, 1.0, remark
+    )
 
 
 def _batch() -> Row:
@@ -90,8 +113,12 @@ def _batch() -> Row:
     if not _installed("daqp"):
         return _skipped(name, 8.0, "daqp")
     rng = np.random.default_rng(16)
-    feet = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) + rng.uniform(-0.4, 0.4, (SYSTEMS, 1, 2))
-    directions = np.concatenate([np.ones((SYSTEMS, 4, 1)), feet * rng.uniform(1, 3, (SYSTEMS, 1, 2))], axis=2)
+    feet = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) + rng.uniform(
+        -0.4, 0.4, (SYSTEMS, 1, 2)
+    )
+    directions = np.concatenate(
+        [np.ones((SYSTEMS, 4, 1)), feet * rng.uniform(1, 3, (SYSTEMS, 1, 2))], axis=2
+    )
     free = rng.normal(size=(SYSTEMS, 3)) - [9.81, 0, 0]
     matrix = directions @ np.swapaxes(directions, 1, 2)
     system = ContactSystem(matrix, np.einsum("scm,sm->sc", directions, free))
@@ -110,7 +137,10 @@ def _daqp_loop(directions: np.ndarray, free: np.ndarray) -> list[np.ndarray]:
 
     one, up, kind = np.eye(3), np.full(4, 1e30), np.zeros(4, dtype=np.int32)
     zeros = np.zeros(4)
-    return [daqp.solve(one, -a, g, up, zeros, kind)[0] for g, a in zip(directions, free, strict=True)]
+    return [
+        daqp.solve(one, -a, g, up, zeros, kind)[0]
+        for g, a in zip(directions, free, strict=True)
+    ]
 
 
 @dataclass(frozen=True)
@@ -127,7 +157,11 @@ class _Programme:
 def _in_forces(system: ContactSystem) -> _Programme:
     count = len(system)
     return _Programme(
-        csc_matrix(system.A), system.b, csc_matrix(eye_array(count)), np.zeros(count), lambda x, _: x
+        csc_matrix(system.A),
+        system.b,
+        csc_matrix(eye_array(count)),
+        np.zeros(count),
+        lambda x, _: x,
     )
 
 
@@ -136,7 +170,9 @@ def _in_accelerations(system: ContactSystem) -> _Programme:
     factor = mass_factor(system).tocsc()
     rows = csc_matrix(factor[:, np.flatnonzero(np.diff(factor.indptr))])
     size = rows.shape[1]
-    return _Programme(csc_matrix(eye_array(size)), np.zeros(size), rows, -system.b, lambda _, z: z)
+    return _Programme(
+        csc_matrix(eye_array(size)), np.zeros(size), rows, -system.b, lambda _, z: z
+    )
 
 
 def _clarabel(problem: _Programme) -> np.ndarray:
@@ -146,7 +182,9 @@ def _clarabel(problem: _Programme) -> np.ndarray:
     settings.verbose, settings.max_threads = False, 1
     settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = TOLERANCE
     cones = [clarabel.NonnegativeConeT(len(problem.s))]
-    found = clarabel.DefaultSolver(problem.P, problem.q, -problem.R, -problem.s, cones, settings).solve()
+    found = clarabel.DefaultSolver(
+        problem.P, problem.q, -problem.R, -problem.s, cones, settings
+    ).solve()
     return problem.force(np.array(found.x), np.array(found.z))
 
 
@@ -165,7 +203,10 @@ def _piqp(problem: _Programme) -> np.ndarray:
     return problem.force(solver.result.x, solver.result.z_l)
 
 
-_PEERS: dict[str, Callable[[_Programme], np.ndarray]] = {"clarabel": _clarabel, "piqp": _piqp}
+_PEERS: dict[str, Callable[[_Programme], np.ndarray]] = {
+    "clarabel": _clarabel,
+    "piqp": _piqp,
+}
 
 
 def _seconds(work: Callable[[], object]) -> float:
@@ -183,4 +224,6 @@ def _installed(name: str) -> bool:
 
 
 def _skipped(name: str, goal: float | None, peer: str) -> Row:
-    return Row(name, float("nan"), goal, f"skipped: {peer} is not installed (extra 'peers')")
+    return Row(
+        name, float("nan"), goal, f"skipped: {peer} is not installed (extra 'peers')"
+    )

@@ -22,18 +22,26 @@ BoolArray = NDArray[np.bool_]
 UNIT_TOLERANCE = 1e-9
 
 
-def failure(name: str, expected: str, got: str, index: tuple[Any, ...] = ()) -> ValueError:
+def failure(
+    name: str, expected: str, got: str, index: tuple[Any, ...] = ()
+) -> ValueError:
     """The one form of a complaint about an argument."""
     where = f" at index {tuple(int(i) for i in index)}" if len(index) else ""
     return ValueError(f"{name}: expected {expected}; got {got}{where}")
 
 
-def _require(name: str, good: Any, expected: str, value: NDArray[Any], what: str = "") -> None:
+def _require(
+    name: str, good: Any, expected: str, value: NDArray[Any], what: str = ""
+) -> None:
     """Raise for the first entry that is not good; value shows what came there."""
     if not np.all(good):
         index = tuple(np.argwhere(~np.asarray(good))[0])
         shown = np.asarray(value)[index]
-        got = repr(float(shown)) if shown.ndim == 0 else np.array2string(shown, separator=", ")
+        got = (
+            repr(float(shown))
+            if shown.ndim == 0
+            else np.array2string(shown, separator=", ")
+        )
         raise failure(name, expected, f"{what} {got}".strip(), index)
 
 
@@ -96,7 +104,9 @@ def in_range(name: str, value: ArrayLike, lower: float, upper: float) -> Array:
     return array
 
 
-def vectors(name: str, value: ArrayLike, *, size: int = 3, infinite: bool = False) -> Array:
+def vectors(
+    name: str, value: ArrayLike, *, size: int = 3, infinite: bool = False
+) -> Array:
     """Vectors along the last axis, shape (..., size)."""
     expected = f"vectors of shape (..., {size})"
     array = _real(name, value, expected, infinite)
@@ -139,7 +149,9 @@ def rotations(name: str, value: ArrayLike) -> Array:
     expected = "rotation matrices of shape (..., 3, 3)"
     array = matrices(name, value)
     error = np.abs(np.swapaxes(array, -1, -2) @ array - np.eye(3)).max(axis=(-2, -1))
-    _require(name, error <= UNIT_TOLERANCE, expected, error, "columns off orthonormal by")
+    _require(
+        name, error <= UNIT_TOLERANCE, expected, error, "columns off orthonormal by"
+    )
     handedness = np.linalg.det(array)
     _require(name, handedness > 0, expected, handedness, "determinant")
     return array
@@ -159,7 +171,11 @@ def inertias(name: str, value: ArrayLike) -> Array:
 
 def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:
     """Whole numbers from 0, below count where that is given."""
-    expected = "whole numbers from 0" if count is None else f"whole numbers from 0 to {count - 1}"
+    expected = (
+        "whole numbers from 0"
+        if count is None
+        else f"whole numbers from 0 to {count - 1}"
+    )
     array = np.asarray(value)
     if array.dtype.kind not in "iu" and array.size:
         raise failure(name, expected, f"{value!r:.60}")
@@ -199,14 +215,19 @@ def broadcast(**arguments: tuple[NDArray[Any], int]) -> tuple[int, ...]:
             result = np.broadcast_shapes(result, batch)
         except ValueError:
             other = next(pair for pair in known if not _fit(pair[1], batch))
-            expected = f"a batch that broadcasts with {other[0]} of batch shape {other[1]}"
+            expected = (
+                f"a batch that broadcasts with {other[0]} of batch shape {other[1]}"
+            )
             raise failure(name, expected, f"batch shape {batch}") from None
         known.append((name, batch))
     return result
 
 
 def _fit(first: tuple[int, ...], second: tuple[int, ...]) -> bool:
-    return all(a == b or 1 in (a, b) for a, b in zip(reversed(first), reversed(second), strict=False))
+    return all(
+        a == b or 1 in (a, b)
+        for a, b in zip(reversed(first), reversed(second), strict=False)
+    )
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:

@@ -24,8 +24,16 @@ app = typer.Typer(
     help="How bodies collide and rest on each other: the workbook. Without a command, opens it in JupyterLab.",
     invoke_without_command=True, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None,
 )  # fmt: skip
-Browser = Annotated[bool, typer.Option("--browser/--no-browser", help="Open the browser, or only print the address.")]
-Port = Annotated[int | None, typer.Option(min=1, max=65535, help="Port to serve on; a taken one gets the next.")]
+Browser = Annotated[
+    bool,
+    typer.Option(
+        "--browser/--no-browser", help="Open the browser, or only print the address."
+    ),
+]
+Port = Annotated[
+    int | None,
+    typer.Option(min=1, max=65535, help="Port to serve on; a taken one gets the next."),
+]
 
 
 def run(arguments: list[str]) -> int:
@@ -43,7 +51,9 @@ def run(arguments: list[str]) -> int:
 @app.callback()
 def main(context: typer.Context, browser: Browser = True, port: Port = None) -> None:
     """Without a command: open the workbook. Options before a command are that command's defaults."""
-    context.default_map = dict.fromkeys(("open", "demo"), {"browser": browser, "port": port})
+    context.default_map = dict.fromkeys(
+        ("open", "demo"), {"browser": browser, "port": port}
+    )
     if context.invoked_subcommand is None:
         open_workbook(None, browser=browser, port=port)
 
@@ -62,11 +72,15 @@ def open_workbook(
     with plainly():
         name = lesson or lesson_to_open(root)
         if name is None:
-            typer.echo("There is no lesson in lessons/ yet; JupyterLab opens at the project.")
+            typer.echo(
+                "There is no lesson in lessons/ yet; JupyterLab opens at the project."
+            )
         else:
             opened = open_lesson(name, root)
             notebook = opened.path
-            for line in filter(None, [opened.message, f"JupyterLab opens work/{notebook.name}."]):
+            for line in filter(
+                None, [opened.message, f"JupyterLab opens work/{notebook.name}."]
+            ):
                 typer.echo(line)
     typer.echo("Ctrl-C in this window ends it.")
     lab.start(root, notebook, port=port, browser=browser)
@@ -81,26 +95,41 @@ def lesson_to_open(root: Path) -> str | None:
     files = [path.stem for path in lesson_files(root)]
     begun = any((root / "work" / f"{name}.ipynb").exists() for name in files)
     passed = state(root / "work").passed if begun else frozenset()
-    unfinished = {Path(le.file_name).stem for le in all_lessons() if any(e.name not in passed for e in le.core)}
+    unfinished = {
+        Path(le.file_name).stem
+        for le in all_lessons()
+        if any(e.name not in passed for e in le.core)
+    }
     wanted = files if not begun else [name for name in files if name in unfinished]
     return next(iter([*wanted, *files]), None)
 
 
 @app.command()
 def test(
-    quick: Annotated[bool, typer.Option("--quick", help="Under a minute: unit tests, floors, lint.")] = False,
-    everything: Annotated[bool, typer.Option("--all", help="Also browser, peers, fresh clone, the long ones.")] = False,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Under a minute: unit tests, floors, lint.")
+    ] = False,
+    everything: Annotated[
+        bool,
+        typer.Option("--all", help="Also browser, peers, fresh clone, the long ones."),
+    ] = False,
 ) -> None:
     """Run the project's tests, stage by stage."""
     from course.testing import run_tests
 
     if quick and everything:
         fail("--quick and --all exclude each other")
-    raise typer.Exit(run_tests(checkout(), "quick" if quick else "all" if everything else "standard"))
+    raise typer.Exit(
+        run_tests(checkout(), "quick" if quick else "all" if everything else "standard")
+    )
 
 
 @app.command()
-def check(notebook: Annotated[Path, typer.Argument(help="A notebook, or the number of a lesson in work/.")]) -> None:
+def check(
+    notebook: Annotated[
+        Path, typer.Argument(help="A notebook, or the number of a lesson in work/.")
+    ],
+) -> None:
     """Check a notebook's exercises. Exit code 1 unless all are right, 2 if the file cannot be used."""
     from course.grading.grade import check_notebook
     from course.grading.sandbox import SandboxFailure
@@ -127,7 +156,12 @@ def progress() -> None:
 
 @app.command()
 def build(
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; exit code 1 where lessons/ differs.")] = False,
+    check: Annotated[
+        bool,
+        typer.Option(
+            "--check", help="Write nothing; exit code 1 where lessons/ differs."
+        ),
+    ] = False,
 ) -> None:
     """Make lessons/ from solutions/."""
     from course.workbook.build import build as build_lessons
@@ -136,7 +170,11 @@ def build(
         drift = build_lessons(check=check)
     for line in drift:
         typer.echo(line)
-    typer.echo(f"{len(drift)} lessons {'differ' if check else 'written'}" if drift else "lessons/ is as it should be")
+    typer.echo(
+        f"{len(drift)} lessons {'differ' if check else 'written'}"
+        if drift
+        else "lessons/ is as it should be"
+    )
     raise typer.Exit(1 if check and drift else 0)
 
 
@@ -191,7 +229,9 @@ def checkout() -> Path:
     """The project's folder; a sentence and exit code 2 where only the library is installed."""
     root = environment.project_root()
     if root is None:
-        fail("this needs the project's folder (lessons, solutions, work): clone it and start there")
+        fail(
+            "this needs the project's folder (lessons, solutions, work): clone it and start there"
+        )
     return Path(root)
 
 
@@ -225,9 +265,22 @@ def plainly(*more: type[Exception]) -> Iterator[None]:
 def bar(what: str) -> Iterator[Callable[[int, int | None, str], None]]:
     """A progress bar; the function it gives is called with how many are done, of how many, and the current name."""
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeElapsedColumn,
+    )
 
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
     with Progress(*columns, console=Console(stderr=True), transient=True) as shown:
         task = shown.add_task(what, total=None)
-        yield lambda done, total, name: shown.update(task, completed=done, total=total, description=f"{what} {name}")
+        yield lambda done, total, name: shown.update(
+            task, completed=done, total=total, description=f"{what} {name}"
+        )

@@ -11,6 +11,7 @@ Written so that Python 3.6 can read it: a ``.venv`` made by a newer Python
 serves even where ``python3`` is an old one, and where there is none the old one
 can say in a sentence what is missing.
 """
+
 import hashlib
 import json
 import os
@@ -22,9 +23,9 @@ import sys
 OLDEST_PYTHON = (3, 11)
 LOCK = "requirements.lock"
 LOCK_WITH_EXTRAS = "requirements-all.lock"
-MARKER = "made-by-collision-course"      # says that a .venv is ours; also locked while one is set up
-STAMP = "collision-course.json"          # written last: the set-up is complete
-ENTERED = "COLLISION_COURSE_ENTERED"     # set on the way into .venv, so that a broken one cannot loop
+MARKER = "made-by-collision-course"  # says that a .venv is ours; also locked while one is set up
+STAMP = "collision-course.json"  # written last: the set-up is complete
+ENTERED = "COLLISION_COURSE_ENTERED"  # set on the way into .venv, so that a broken one cannot loop
 START = "py -m course" if os.name == "nt" else "python3 -m course"
 
 
@@ -40,18 +41,24 @@ def ensure(arguments, make, root=None):
     ``root`` is the checkout (found from this file). Raises SetupError.
     """
     root = root or project_root()
-    if root is None:                     # installed as a library: pip has seen to the requirements
+    if root is None:  # installed as a library: pip has seen to the requirements
         return
     extras = "test" in arguments and "--all" in arguments
     venv = os.path.join(root, ".venv")
     entered = os.environ.pop(ENTERED, None)
     inside = os.path.realpath(sys.prefix) == os.path.realpath(venv)
     if not inside and entered == venv:
-        raise SetupError("%s starts a Python that does not belong to it. Delete that folder and run %s again."
-                         % (venv_python(venv), START))
+        raise SetupError(
+            "%s starts a Python that does not belong to it. Delete that folder and run %s again."
+            % (venv_python(venv), START)
+        )
     if state(root, extras) != "complete":
         renew_inside = inside and is_ours(venv)
-        if not renew_inside and is_new_enough() and not unmet_requirements(root, extras):
+        if (
+            not renew_inside
+            and is_new_enough()
+            and not unmet_requirements(root, extras)
+        ):
             return
         require_python()
         make(root, extras)
@@ -69,7 +76,11 @@ def project_root():
 
 def venv_python(venv):
     """The interpreter of a virtual environment."""
-    return os.path.join(venv, "Scripts", "python.exe") if os.name == "nt" else os.path.join(venv, "bin", "python")
+    return (
+        os.path.join(venv, "Scripts", "python.exe")
+        if os.name == "nt"
+        else os.path.join(venv, "bin", "python")
+    )
 
 
 def is_ours(venv):
@@ -93,7 +104,10 @@ def state(root, extras=False):
     if stamp is None:
         return "unfinished"
     interpreters = [venv_python(venv), stamp.get("base", "")]
-    if not (all(os.path.exists(path) for path in interpreters) and stamp_matches(stamp, root)):
+    if not (
+        all(os.path.exists(path) for path in interpreters)
+        and stamp_matches(stamp, root)
+    ):
         return "stale"
     return "complete" if stamp["extras"] or not extras else "stale"
 
@@ -101,8 +115,13 @@ def state(root, extras=False):
 def stamp_for(root, extras):
     """What the stamp of a ``.venv`` made here and now would say."""
     base = os.path.abspath(getattr(sys, "_base_executable", None) or sys.executable)
-    return {"lock": lock_hash(root, extras), "extras": bool(extras), "folder": os.path.realpath(root),
-            "base": base, "python": "%d.%d" % tuple(sys.version_info[:2])}
+    return {
+        "lock": lock_hash(root, extras),
+        "extras": bool(extras),
+        "folder": os.path.realpath(root),
+        "base": base,
+        "python": "%d.%d" % tuple(sys.version_info[:2]),
+    }
 
 
 def stamp_matches(stamp, root):
@@ -110,7 +129,9 @@ def stamp_matches(stamp, root):
     now = stamp_for(root, stamp.get("extras"))
     same = ["lock", "folder"]
     if os.path.realpath(sys.prefix) == os.path.realpath(os.path.join(root, ".venv")):
-        same.append("python")            # an upgrade of the system's Python shows only from inside
+        same.append(
+            "python"
+        )  # an upgrade of the system's Python shows only from inside
     return all(stamp.get(key) == now[key] for key in same)
 
 
@@ -121,7 +142,11 @@ def read_stamp(venv):
             stamp = json.load(file)
     except (OSError, ValueError):
         return None
-    return stamp if isinstance(stamp, dict) and isinstance(stamp.get("extras"), bool) else None
+    return (
+        stamp
+        if isinstance(stamp, dict) and isinstance(stamp.get("extras"), bool)
+        else None
+    )
 
 
 def lock_hash(root, extras):
@@ -140,18 +165,34 @@ def require_python():
     if is_new_enough():
         return
     wanted, found = "%d.%d" % OLDEST_PYTHON, "%d.%d" % tuple(sys.version_info[:2])
-    newer = [name for name in ("python3.%d" % minor for minor in (13, 12, 14, 11)) if works(name)]
-    cure = ("This machine has a newer one: run %s -m course" % newer[0] if newer
-            else "Get one from https://www.python.org/downloads and start with it: "
-            + ("py -%s -m course" % wanted if os.name == "nt" else "python%s -m course" % wanted))
-    raise SetupError("Python %s or newer is needed and this is Python %s. %s" % (wanted, found, cure))
+    newer = [
+        name
+        for name in ("python3.%d" % minor for minor in (13, 12, 14, 11))
+        if works(name)
+    ]
+    cure = (
+        "This machine has a newer one: run %s -m course" % newer[0]
+        if newer
+        else "Get one from https://www.python.org/downloads and start with it: "
+        + (
+            "py -%s -m course" % wanted
+            if os.name == "nt"
+            else "python%s -m course" % wanted
+        )
+    )
+    raise SetupError(
+        "Python %s or newer is needed and this is Python %s. %s" % (wanted, found, cure)
+    )
 
 
 def works(name):
     """Whether a program of this name is there and starts (a version manager leaves names that do not)."""
     path = shutil.which(name)
     try:
-        return bool(path) and subprocess.call([path, "-c", ""], stderr=subprocess.DEVNULL) == 0
+        return (
+            bool(path)
+            and subprocess.call([path, "-c", ""], stderr=subprocess.DEVNULL) == 0
+        )
     except OSError:
         return False
 
@@ -179,21 +220,30 @@ def requirements(root, extras=False):
     with open(os.path.join(root, "pyproject.toml"), "rb") as file:
         project = tomllib.load(file)["project"]
     optional = project.get("optional-dependencies", {}) if extras else {}
-    return project["dependencies"] + [line for lines in optional.values() for line in lines]
+    return project["dependencies"] + [
+        line for lines in optional.values() for line in lines
+    ]
 
 
 def parse_requirement(requirement):
     """("name", [(">=", (1, 2)), ...]) from "name>=1.2,<2"; ValueError for a form this project does not use."""
-    match = re.match(r"^([A-Za-z0-9._-]+)\s*((?:(?:>=|<=|==|!=|<|>)\s*[0-9.]+\s*,?\s*)*)$", requirement)
+    match = re.match(
+        r"^([A-Za-z0-9._-]+)\s*((?:(?:>=|<=|==|!=|<|>)\s*[0-9.]+\s*,?\s*)*)$",
+        requirement,
+    )
     if match is None:
         raise ValueError("requirement: expected name>=X,<Y, got %r" % requirement)
     bounds = re.findall(r"(>=|<=|==|!=|<|>)\s*([0-9.]+)", match.group(2))
-    return match.group(1), [(operator, release(version)) for operator, version in bounds]
+    return match.group(1), [
+        (operator, release(version)) for operator, version in bounds
+    ]
 
 
 def release(version):
     """The release numbers at the start of a version, trailing zeros gone: "2.10.0rc1" -> (2, 10)."""
-    numbers = [int(part) for part in re.sub(r"[^0-9.].*", "", version).split(".") if part]
+    numbers = [
+        int(part) for part in re.sub(r"[^0-9.].*", "", version).split(".") if part
+    ]
     while numbers and numbers[-1] == 0:
         numbers.pop()
     return tuple(numbers)
@@ -202,8 +252,14 @@ def release(version):
 def within(version, bounds):
     """Whether a version keeps every bound."""
     here = release(version)
-    compare = {">=": here.__ge__, "<=": here.__le__, "==": here.__eq__,
-               "!=": here.__ne__, "<": here.__lt__, ">": here.__gt__}
+    compare = {
+        ">=": here.__ge__,
+        "<=": here.__le__,
+        "==": here.__eq__,
+        "!=": here.__ne__,
+        "<": here.__lt__,
+        ">": here.__gt__,
+    }
     return all(compare[operator](bound) for operator, bound in bounds)
 
 
@@ -224,7 +280,9 @@ def go_on_in(venv, arguments):
     activate(venv)
     os.environ[ENTERED] = venv
     for leak in ("PYTHONHOME", "PYTHONPATH", "__PYVENV_LAUNCHER__"):
-        os.environ.pop(leak, None)       # they would mix another Python's packages into the locked ones
+        os.environ.pop(
+            leak, None
+        )  # they would mix another Python's packages into the locked ones
     command = [venv_python(venv), "-m", "course"] + list(arguments)
     sys.stdout.flush()
     sys.stderr.flush()
@@ -234,5 +292,7 @@ def go_on_in(venv, arguments):
     while True:
         try:
             sys.exit(child.wait())
-        except KeyboardInterrupt:        # Ctrl-C reaches the child as well, which ends in its own way
+        except (
+            KeyboardInterrupt
+        ):  # Ctrl-C reaches the child as well, which ends in its own way
             continue

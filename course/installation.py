@@ -5,6 +5,7 @@ a folder without one is made anew by the next call, and one that only lags
 behind its lock is brought up to date in place (pip fetches everything before it
 changes anything, so that without a network the old packages stay whole).
 """
+
 from __future__ import annotations
 
 import contextlib
@@ -36,42 +37,69 @@ from course.environment import (
 
 LOG = "setup.log"
 PYTHON = f"{sys.version_info.major}.{sys.version_info.minor}"
-BEGINNING = {"absent": "Setting up", "unfinished": "Completing the set-up of", "stale": "Renewing"}
-SPACE_NEEDED = 1.5e9               # bytes: 1.1 GB stay, the rest is pip's while it unpacks
-LONGEST_FILE = 160                 # characters below .venv on Windows (JupyterLab's fonts), see test_environment
+BEGINNING = {
+    "absent": "Setting up",
+    "unfinished": "Completing the set-up of",
+    "stale": "Renewing",
+}
+SPACE_NEEDED = 1.5e9  # bytes: 1.1 GB stay, the rest is pip's while it unpacks
+LONGEST_FILE = (
+    160  # characters below .venv on Windows (JupyterLab's fonts), see test_environment
+)
 WINDOWS_LIMIT = 259
 COMPILE_NOT = r"[\\/](tests|benchmarks)[\\/]"
 
-MODULES = (f"on Debian and Ubuntu run sudo apt install python{PYTHON}-venv, elsewhere install Python from "
-           "https://www.python.org")
-IN_USE = ("Files in {venv} are in use or may not be changed: close every JupyterLab of this workbook and leave the "
-          "environment (deactivate); if the project lies where you may not write, copy it to your home folder.")
+MODULES = (
+    f"on Debian and Ubuntu run sudo apt install python{PYTHON}-venv, elsewhere install Python from "
+    "https://www.python.org"
+)
+IN_USE = (
+    "Files in {venv} are in use or may not be changed: close every JupyterLab of this workbook and leave the "
+    "environment (deactivate); if the project lies where you may not write, copy it to your home folder."
+)
 
 # What pip's output tells, in the order in which it is looked for, and the sentence for it.
 FAILURES = [
-    (r"No space left on device|\[Errno 28\]|WinError 112|not enough space on the disk|[Qq]uota exceeded",
-     "The disk is full: the set-up needs about 1.5 GB in {venv} and some in the temporary folder. "
-     "Make room and run {start} again."),
-    (r"DO NOT MATCH THE HASHES",
-     "A downloaded package is not the one this project was tested with ({detail}), so nothing was installed. "
-     "Run {start} again; if it stays, your package index serves altered files: use another."),
-    (r"[Ll]ong [Pp]ath support|WinError 206|[Ff]ile ?name too long",
-     "The folder's path is too long: move the project to a shorter one, such as {short}, and run {start} again."),
-    (r"Failed to establish a new connection|NameResolutionError|Temporary failure in name resolution|getaddrinfo failed"
-     r"|ConnectionError|Connection refused|Connection reset|ConnectTimeout|ReadTimeout|Read timed out|ProxyError"
-     r"|CERTIFICATE_VERIFY_FAILED|SSLError",
-     "The package index could not be reached: connect to the network (behind a proxy set HTTPS_PROXY) "
-     "and run {start} again. Only the first start needs it."),
-    (r"satisfies the requirement (?P<detail>\S+) [^\n]*from versions: none",
-     "Nothing was found of {detail}: check the network and run {start} again; if that is well, start with 64-bit "
-     "Python 3.11 to 3.13 from https://www.python.org instead of {python}."),
-    (r"No matching distribution found for (?P<detail>\S+)",
-     "There is no ready-made package of {detail} for this Python ({python}): start with 64-bit Python 3.11 to 3.13 "
-     "from https://www.python.org."),
-    (r"ensurepip is not available|No module named '?(ensurepip|venv)|ensurepip is disabled",
-     "This Python cannot make virtual environments: {modules}, then run {start} again."),
-    (r"WinError 5|WinError 32|Access is denied|Permission denied",
-     "{in_use} Then run {start} again."),
+    (
+        r"No space left on device|\[Errno 28\]|WinError 112|not enough space on the disk|[Qq]uota exceeded",
+        "The disk is full: the set-up needs about 1.5 GB in {venv} and some in the temporary folder. "
+        "Make room and run {start} again.",
+    ),
+    (
+        r"DO NOT MATCH THE HASHES",
+        "A downloaded package is not the one this project was tested with ({detail}), so nothing was installed. "
+        "Run {start} again; if it stays, your package index serves altered files: use another.",
+    ),
+    (
+        r"[Ll]ong [Pp]ath support|WinError 206|[Ff]ile ?name too long",
+        "The folder's path is too long: move the project to a shorter one, such as {short}, and run {start} again.",
+    ),
+    (
+        r"Failed to establish a new connection|NameResolutionError"
+        r"|Temporary failure in name resolution|getaddrinfo failed"
+        r"|ConnectionError|Connection refused|Connection reset|ConnectTimeout|ReadTimeout|Read timed out|ProxyError"
+        r"|CERTIFICATE_VERIFY_FAILED|SSLError",
+        "The package index could not be reached: connect to the network (behind a proxy set HTTPS_PROXY) "
+        "and run {start} again. Only the first start needs it.",
+    ),
+    (
+        r"satisfies the requirement (?P<detail>\S+) [^\n]*from versions: none",
+        "Nothing was found of {detail}: check the network and run {start} again; if that is well, start with 64-bit "
+        "Python 3.11 to 3.13 from https://www.python.org instead of {python}.",
+    ),
+    (
+        r"No matching distribution found for (?P<detail>\S+)",
+        "There is no ready-made package of {detail} for this Python ({python}): start with 64-bit Python 3.11 to 3.13 "
+        "from https://www.python.org.",
+    ),
+    (
+        r"ensurepip is not available|No module named '?(ensurepip|venv)|ensurepip is disabled",
+        "This Python cannot make virtual environments: {modules}, then run {start} again.",
+    ),
+    (
+        r"WinError 5|WinError 32|Access is denied|Permission denied",
+        "{in_use} Then run {start} again.",
+    ),
 ]
 
 
@@ -86,7 +114,9 @@ def make(root: str | Path, extras: bool = False) -> None:
         venv.mkdir(exist_ok=True)
         with only_one(venv):
             now = state(str(root), extras)
-            if now != "complete":        # another set-up may have finished while this one waited
+            if (
+                now != "complete"
+            ):  # another set-up may have finished while this one waited
                 _set_up(root, venv, now, extras)
     except KeyboardInterrupt:
         say(f"\nThe set-up was interrupted. {START} completes it.")
@@ -100,14 +130,22 @@ def _set_up(root: Path, venv: Path, now: str, extras: bool) -> None:
     stamp = read_stamp(str(venv)) or {}
     extras = extras or stamp.get("extras", False)
     want = stamp_for(str(root), extras)
-    in_place = now == "stale" and same_place(stamp, want) and os.path.exists(venv_python(str(venv)))
+    in_place = (
+        now == "stale"
+        and same_place(stamp, want)
+        and os.path.exists(venv_python(str(venv)))
+    )
     started = time.monotonic()
     if in_place:
-        say(f"Bringing {venv} up to date with the packages that this version of the project needs.")
+        say(
+            f"Bringing {venv} up to date with the packages that this version of the project needs."
+        )
     else:
         require_space(venv)
-        say(f"{BEGINNING[now]} {venv}: about 1 GB of packages, one to three minutes, only this once. "
-            "Ctrl-C is safe, the next start completes it.")
+        say(
+            f"{BEGINNING[now]} {venv}: about 1 GB of packages, one to three minutes, only this once. "
+            "Ctrl-C is safe, the next start completes it."
+        )
         create(venv, want["base"])
     lock = root / (LOCK_WITH_EXTRAS if extras else LOCK)
     python = Path(venv_python(str(venv)))
@@ -120,35 +158,47 @@ def _set_up(root: Path, venv: Path, now: str, extras: bool) -> None:
 
 def same_place(stamp: dict, want: dict) -> bool:
     """Whether an environment was made here by the Python that would make it now (under whatever name)."""
-    same_python = os.path.realpath(stamp.get("base", "")) == os.path.realpath(want["base"])
-    return same_python and all(stamp.get(key) == want[key] for key in ("folder", "python"))
+    same_python = os.path.realpath(stamp.get("base", "")) == os.path.realpath(
+        want["base"]
+    )
+    return same_python and all(
+        stamp.get(key) == want[key] for key in ("folder", "python")
+    )
 
 
 # Before anything is touched
+
 
 def refuse_foreign(venv: Path) -> None:
     """Raise SetupError for a ``.venv`` that this project did not make."""
     if is_ours(str(venv)):
         return
-    activate = rf"{venv}\Scripts\activate" if os.name == "nt" else f". {venv}/bin/activate"
+    activate = (
+        rf"{venv}\Scripts\activate" if os.name == "nt" else f". {venv}/bin/activate"
+    )
     raise SetupError(
         f"{venv} was not made by this project and is left alone. Rename or delete it and run {START} again, "
-        f"or, to use it, install the project into it yourself: {activate} && pip install -e .")
+        f"or, to use it, install the project into it yourself: {activate} && pip install -e ."
+    )
 
 
 def require_modules() -> None:
     """Raise SetupError where Debian and its kin left the venv module out."""
     if all(importlib.util.find_spec(name) for name in ("venv", "ensurepip")):
         return
-    raise SetupError(f"This Python cannot make virtual environments: {MODULES}, then run {START} again.")
+    raise SetupError(
+        f"This Python cannot make virtual environments: {MODULES}, then run {START} again."
+    )
 
 
 def require_short_path(venv: Path, *, windows: bool = os.name == "nt") -> None:
     """Raise SetupError where Windows could not hold the longest file name."""
     excess = len(str(venv)) + LONGEST_FILE - WINDOWS_LIMIT
     if windows and excess > 0 and not long_paths_enabled():
-        raise SetupError(f"The path {venv.parent} is {excess} characters too long for Windows. Move the project to "
-                         rf"a shorter one, such as C:\course, and run {START} again.")
+        raise SetupError(
+            f"The path {venv.parent} is {excess} characters too long for Windows. Move the project to "
+            rf"a shorter one, such as C:\course, and run {START} again."
+        )
 
 
 def long_paths_enabled() -> bool:
@@ -157,8 +207,8 @@ def long_paths_enabled() -> bool:
         import winreg
 
         where = r"SYSTEM\CurrentControlSet\Control\FileSystem"
-        with winreg.OpenKey(winreg.HKEY_LOCAL_MACHINE, where) as key:          # type: ignore[attr-defined]
-            return bool(winreg.QueryValueEx(key, "LongPathsEnabled")[0])      # type: ignore[attr-defined]
+        with winreg.OpenKey(winreg.HKEY_LOCAL_MACHINE, where) as key:  # type: ignore[attr-defined]
+            return bool(winreg.QueryValueEx(key, "LongPathsEnabled")[0])  # type: ignore[attr-defined]
     except (ImportError, OSError):
         return False
 
@@ -167,8 +217,10 @@ def require_space(venv: Path) -> None:
     """Raise SetupError when the disk has too little room to begin with."""
     free = shutil.disk_usage(venv).free
     if free < SPACE_NEEDED:
-        raise SetupError(f"The set-up needs {SPACE_NEEDED / 1e9:.1f} GB and the disk that holds {venv.parent} has "
-                         f"{free / 1e9:.1f} GB free. Make room and run {START} again.")
+        raise SetupError(
+            f"The set-up needs {SPACE_NEEDED / 1e9:.1f} GB and the disk that holds {venv.parent} has "
+            f"{free / 1e9:.1f} GB free. Make room and run {START} again."
+        )
 
 
 @contextlib.contextmanager
@@ -182,7 +234,9 @@ def only_one(venv: Path) -> Iterator[None]:
             waiting = True
             time.sleep(0.3)
         if os.name != "nt":
-            os.set_inheritable(marker.fileno(), True)     # so that pip, should we be killed, keeps the lock
+            os.set_inheritable(
+                marker.fileno(), True
+            )  # so that pip, should we be killed, keeps the lock
         yield
 
 
@@ -193,7 +247,7 @@ def _locked(marker) -> bool:
             import msvcrt
 
             marker.seek(0)
-            msvcrt.locking(marker.fileno(), msvcrt.LK_NBLCK, 1)    # type: ignore[attr-defined]
+            msvcrt.locking(marker.fileno(), msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined]
         else:
             import fcntl
 
@@ -205,6 +259,7 @@ def _locked(marker) -> bool:
 
 # The steps
 
+
 def create(venv: Path, base: str) -> None:
     """An empty environment in ``venv``; all but the marker that was there goes."""
     for entry in venv.iterdir():
@@ -215,17 +270,37 @@ def create(venv: Path, base: str) -> None:
         else:
             entry.unlink()
     run(venv, [base, "-I", "-m", "venv", "--without-pip", str(venv)])
-    run(venv, [venv_python(str(venv)), "-I", "-m", "ensurepip", "--default-pip"])   # apart, so that it can say why not
+    run(
+        venv, [venv_python(str(venv)), "-I", "-m", "ensurepip", "--default-pip"]
+    )  # apart, so that it can say why not
 
 
-def install(venv: Path, python: Path, lock: Path, old_stamp: dict | None = None) -> None:
+def install(
+    venv: Path, python: Path, lock: Path, old_stamp: dict | None = None
+) -> None:
     """Install the lock with hashes from the index that the user's pip knows.
 
     ``old_stamp``, where packages are replaced in place, is taken away meanwhile
     and put back when pip gave up before it changed anything.
     """
-    pip = [str(python), "-I", "-u", "-m", "pip", "install", "--require-hashes", "--only-binary", ":all:",
-           "--no-compile", "--no-input", "--disable-pip-version-check", "--progress-bar", "off", "-r", str(lock)]
+    pip = [
+        str(python),
+        "-I",
+        "-u",
+        "-m",
+        "pip",
+        "install",
+        "--require-hashes",
+        "--only-binary",
+        ":all:",
+        "--no-compile",
+        "--no-input",
+        "--disable-pip-version-check",
+        "--progress-bar",
+        "off",
+        "-r",
+        str(lock),
+    ]
     progress = Progress(lock, python)
     (venv / STAMP).unlink(missing_ok=True)
     try:
@@ -238,8 +313,23 @@ def install(venv: Path, python: Path, lock: Path, old_stamp: dict | None = None)
 
 def link_project(venv: Path, python: Path, root: Path) -> None:
     """Install the project itself, editable; its build backend came with the lock."""
-    run(venv, [str(python), "-I", "-m", "pip", "install", "--no-deps", "--no-build-isolation", "--no-index",
-               "--no-input", "--disable-pip-version-check", "-e", str(root)])
+    run(
+        venv,
+        [
+            str(python),
+            "-I",
+            "-m",
+            "pip",
+            "install",
+            "--no-deps",
+            "--no-build-isolation",
+            "--no-index",
+            "--no-input",
+            "--disable-pip-version-check",
+            "-e",
+            str(root),
+        ],
+    )
 
 
 def compile_ahead(venv: Path, python: Path, root: Path) -> None:
@@ -248,8 +338,23 @@ def compile_ahead(venv: Path, python: Path, root: Path) -> None:
     A package may hold a file that does not compile on purpose: no reason to stop.
     """
     show("compiling")
-    run(venv, [str(python), "-I", "-m", "compileall", "-q", "-j", "0", "-x", COMPILE_NOT,
-               str(site_packages(python)), str(root / "course")], may_fail=True)
+    run(
+        venv,
+        [
+            str(python),
+            "-I",
+            "-m",
+            "compileall",
+            "-q",
+            "-j",
+            "0",
+            "-x",
+            COMPILE_NOT,
+            str(site_packages(python)),
+            str(root / "course"),
+        ],
+        may_fail=True,
+    )
     show("compiled", end=True)
 
 
@@ -269,15 +374,28 @@ def site_packages(python: Path) -> Path:
 
 # Running pip, seeing how far it is, and what went wrong
 
-def run(venv: Path, command: list[str], *, progress: Progress | None = None, may_fail: bool = False) -> None:
+
+def run(
+    venv: Path,
+    command: list[str],
+    *,
+    progress: Progress | None = None,
+    may_fail: bool = False,
+) -> None:
     """Run a step with its whole output in the log; SetupError with the cure when it fails."""
     log = venv / LOG
     with open(log, "ab") as out:
         begin = out.tell()
         # close_fds=False: the child inherits the marker's lock, so that no second set-up starts beside
         # a pip that has outlived us. Python's other files are not inheritable.
-        child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
-                                 env=quiet_environment(), close_fds=os.name == "nt")
+        child = subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=out,
+            stderr=subprocess.STDOUT,
+            env=quiet_environment(),
+            close_fds=os.name == "nt",
+        )
         try:
             while child.poll() is None:
                 time.sleep(0.2)
@@ -297,8 +415,17 @@ def run(venv: Path, command: list[str], *, progress: Progress | None = None, may
 
 def quiet_environment() -> dict[str, str]:
     """The user's environment, with the index that pip knows, without what would install elsewhere."""
-    drop = {"PYTHONDONTWRITEBYTECODE", "PYTHONHOME", "PYTHONPATH", "__PYVENV_LAUNCHER__", "VIRTUAL_ENV",
-            "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PIP_REQUIRE_VIRTUALENV"}
+    drop = {
+        "PYTHONDONTWRITEBYTECODE",
+        "PYTHONHOME",
+        "PYTHONPATH",
+        "__PYVENV_LAUNCHER__",
+        "VIRTUAL_ENV",
+        "PIP_TARGET",
+        "PIP_PREFIX",
+        "PIP_ROOT",
+        "PIP_REQUIRE_VIRTUALENV",
+    }
     kept = {key: value for key, value in os.environ.items() if key not in drop}
     return {**kept, "PIP_USER": "0", "PIP_REQUIRE_HASHES": "0"}
 
@@ -311,13 +438,22 @@ def _text(log: Path, begin: int) -> str:
 
 def explain(output: str, venv: Path) -> str:
     """The sentence for what pip said."""
-    words = {"venv": venv, "start": START, "python": PYTHON,
-             "short": r"C:\course" if os.name == "nt" else "a folder in your home",
-             "modules": MODULES, "in_use": IN_USE.format(venv=venv)}
+    words = {
+        "venv": venv,
+        "start": START,
+        "python": PYTHON,
+        "short": r"C:\course" if os.name == "nt" else "a folder in your home",
+        "modules": MODULES,
+        "in_use": IN_USE.format(venv=venv),
+    }
     for pattern, sentence in FAILURES:
         found = re.search(pattern, output)
         if found:
-            detail = found.groupdict().get("detail") or _first(r"^\s+(\S+==\S+) from", output) or "see the log"
+            detail = (
+                found.groupdict().get("detail")
+                or _first(r"^\s+(\S+==\S+) from", output)
+                or "see the log"
+            )
             return sentence.format(detail=detail.split("==")[0], **words)
     return f"The set-up of {venv} failed. Run {START} again."
 
@@ -338,7 +474,13 @@ class Progress:
     """How far pip is, read from what it says and from what lies in the packages' folder."""
 
     def __init__(self, lock: Path, python: Path) -> None:
-        self.locked = len(re.findall(r"^[A-Za-z0-9._-]+==", lock.read_text(encoding="utf-8"), flags=re.MULTILINE))
+        self.locked = len(
+            re.findall(
+                r"^[A-Za-z0-9._-]+==",
+                lock.read_text(encoding="utf-8"),
+                flags=re.MULTILINE,
+            )
+        )
         self.packages = site_packages(python)
         self.shown = ""
         self.changing = False
@@ -346,15 +488,20 @@ class Progress:
     def update(self, output: str) -> None:
         """Show a new line when something moved."""
         total = self.locked - len(re.findall(r"^Ignoring ", output, flags=re.MULTILINE))
-        fetched = re.findall(r"^(?:Collecting|Processing|Requirement already satisfied:?) (\S+)", output,
-                             flags=re.MULTILINE)
+        fetched = re.findall(
+            r"^(?:Collecting|Processing|Requirement already satisfied:?) (\S+)",
+            output,
+            flags=re.MULTILINE,
+        )
         if "Installing collected packages" in output:
             self.changing = True
             done = min(total, sum(1 for _ in self.packages.glob("*.dist-info")))
             self.show(f"installing {done} of {total} packages")
         elif fetched:
             name = re.split(r"[=<>\[]", os.path.basename(fetched[-1]))[0].split("-")[0]
-            self.show(f"fetching {min(len(fetched), total)} of {total} packages: {name}")
+            self.show(
+                f"fetching {min(len(fetched), total)} of {total} packages: {name}"
+            )
 
     def show(self, line: str) -> None:
         if line != self.shown:
@@ -375,6 +522,11 @@ def show(text: str, end: bool = False) -> None:
     """A line that the next one replaces; where nobody watches, only the last of them."""
     if sys.stderr.isatty():
         width = shutil.get_terminal_size().columns - 1
-        print("\r  " + text[:width - 2].ljust(width - 2), end="\n" if end else "", file=sys.stderr, flush=True)
+        print(
+            "\r  " + text[: width - 2].ljust(width - 2),
+            end="\n" if end else "",
+            file=sys.stderr,
+            flush=True,
+        )
     elif end:
         say("  " + text)

@@ -8,9 +8,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, broadcast, rotations, unit_quaternions, vectors
+from course.arrays import (
+    Array,
+    ArrayLike,
+    broadcast,
+    rotations,
+    unit_quaternions,
+    vectors,
+)
 
-__all__ = ["from_matrix", "from_rotation_vector", "identity", "rotate", "to_matrix", "turned"]
+__all__ = [
+    "from_matrix",
+    "from_rotation_vector",
+    "identity",
+    "rotate",
+    "to_matrix",
+    "turned",
+]
 
 
 def identity(*batch: int) -> Array:
@@ -43,7 +57,11 @@ def from_matrix(rotation: ArrayLike) -> Array:
     matrix = rotations("rotation", rotation)
     if not matrix.size:
         return np.empty((*matrix.shape[:-2], 4))
-    return Rotation.from_matrix(matrix.reshape(-1, 3, 3)).as_quat().reshape(*matrix.shape[:-2], 4)
+    return (
+        Rotation.from_matrix(matrix.reshape(-1, 3, 3))
+        .as_quat()
+        .reshape(*matrix.shape[:-2], 4)
+    )
 
 
 def from_rotation_vector(rotation_vector: ArrayLike) -> Array:
@@ -57,7 +75,11 @@ def from_rotation_vector(rotation_vector: ArrayLike) -> Array:
     theta = vectors("rotation_vector", rotation_vector)
     if not theta.size:
         return np.empty((*theta.shape[:-1], 4))
-    return Rotation.from_rotvec(theta.reshape(-1, 3)).as_quat().reshape(*theta.shape[:-1], 4)
+    return (
+        Rotation.from_rotvec(theta.reshape(-1, 3))
+        .as_quat()
+        .reshape(*theta.shape[:-1], 4)
+    )
 
 
 def rotate(orientation: ArrayLike, vector: ArrayLike) -> Array:
@@ -87,5 +109,7 @@ def turned(orientation: ArrayLike, rotation_vector: ArrayLike) -> Array:
     axis, w = turn[..., :3], turn[..., 3:]
     product = np.empty(q.shape)
     product[..., :3] = w * q[..., :3] + q[..., 3:] * axis + np.cross(axis, q[..., :3])
-    product[..., 3:] = w * q[..., 3:] - np.sum(axis * q[..., :3], axis=-1, keepdims=True)
+    product[..., 3:] = w * q[..., 3:] - np.sum(
+        axis * q[..., :3], axis=-1, keepdims=True
+    )
     return product / np.linalg.norm(product, axis=-1, keepdims=True)

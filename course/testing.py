@@ -19,9 +19,11 @@ from xml.etree import ElementTree
 
 Tier = Literal["quick", "standard", "all"]
 TIERS: tuple[Tier, ...] = ("quick", "standard", "all")
-ELSEWHERE = "browser or peers or fresh or long"        # markers of the tests that only --all runs
+ELSEWHERE = (
+    "browser or peers or fresh or long"  # markers of the tests that only --all runs
+)
 CELL_SECONDS = 60
-NOTHING_COLLECTED = 5                                  # pytest's exit code
+NOTHING_COLLECTED = 5  # pytest's exit code
 
 
 @dataclass(frozen=True)
@@ -31,8 +33,10 @@ class Stage:
     name: str
     command: tuple[str, ...]
     tier: Tier = "standard"
-    needs: str = ""                # a glob below the project; without a match the stage is passed over
-    may_be_empty: bool = False     # whether it may collect no test
+    needs: str = (
+        ""  # a glob below the project; without a match the stage is passed over
+    )
+    may_be_empty: bool = False  # whether it may collect no test
 
     @property
     def by_pytest(self) -> bool:
@@ -49,7 +53,11 @@ class Count:
     skipped: int = 0
 
     def __add__(self, other: Count) -> Count:
-        return Count(self.passed + other.passed, self.failed + other.failed, self.skipped + other.skipped)
+        return Count(
+            self.passed + other.passed,
+            self.failed + other.failed,
+            self.skipped + other.skipped,
+        )
 
     def __str__(self) -> str:
         return f"{self.passed} passed, {self.failed} failed, {self.skipped} skipped"
@@ -58,9 +66,21 @@ class Count:
 def stages(tier: Tier) -> list[Stage]:
     """The stages of a tier, the quick ones first."""
     processes = ("-n", str(min(2, os.cpu_count() or 1)))
-    workers = (*processes, "--dist", "worksteal", "--durations", "5", "--durations-min", "2")
+    workers = (
+        *processes,
+        "--dist",
+        "worksteal",
+        "--durations",
+        "5",
+        "--durations-min",
+        "2",
+    )
     notebook_runner = ("-m", "pytest", "-q", "--no-header", "-rs")
-    pytest = (*notebook_runner, "-p", "no:nbval")      # its import takes longer than many a test
+    pytest = (
+        *notebook_runner,
+        "-p",
+        "no:nbval",
+    )  # its import takes longer than many a test
     notebooks = (*notebook_runner, *processes, "--dist", "loadfile", "-p", "no:doctest", "--nbval-current-env",
                  "--nbval-cell-timeout", str(CELL_SECONDS),
                  "--nbval-sanitize-with", "tests/nbval_sanitize.cfg")  # fmt: skip
@@ -79,7 +99,9 @@ def stages(tier: Tier) -> list[Stage]:
         Stage("peers", (*pytest, "-m", "peers", "tests"), "all", may_be_empty=True),
         Stage("fresh clone", (*pytest, "-m", "fresh", "tests"), "all", may_be_empty=True),
     ]  # fmt: skip
-    return [stage for stage in everything if TIERS.index(stage.tier) <= TIERS.index(tier)]
+    return [
+        stage for stage in everything if TIERS.index(stage.tier) <= TIERS.index(tier)
+    ]
 
 
 def run_tests(root: Path, tier: Tier, *, chosen: list[Stage] | None = None,
@@ -87,7 +109,9 @@ def run_tests(root: Path, tier: Tier, *, chosen: list[Stage] | None = None,
     """Run a tier (or the ``chosen`` stages); returns 0 when nothing failed, else 1. The last line sums up."""
     say = say or (lambda line: print(line, flush=True))
     total, times = Count(), []
-    with tempfile.TemporaryDirectory(prefix="course-test-", ignore_cleanup_errors=True) as scratch:
+    with tempfile.TemporaryDirectory(
+        prefix="course-test-", ignore_cleanup_errors=True
+    ) as scratch:
         for stage in stages(tier) if chosen is None else chosen:
             if stage.needs and not any(root.glob(stage.needs)):
                 say(f"== {stage.name}: nothing at {stage.needs} yet")
@@ -96,7 +120,9 @@ def run_tests(root: Path, tier: Tier, *, chosen: list[Stage] | None = None,
             started = time.monotonic()
             count = run_stage(stage, root, Path(scratch))
             total += count
-            times.append(f"{stage.name:<24}{time.monotonic() - started:7.1f} s   {count}")
+            times.append(
+                f"{stage.name:<24}{time.monotonic() - started:7.1f} s   {count}"
+            )
             say(f"   {times[-1]}\n")
     for line in times:
         say(line)
@@ -111,13 +137,17 @@ def run_stage(stage: Stage, root: Path, scratch: Path) -> Count:
     command = [sys.executable, *stage.command]
     if stage.by_pytest:
         command.append(f"--junitxml={report}")
-    code = subprocess.run(command, cwd=root, env=environment_for_tests(root, scratch), check=False).returncode
+    code = subprocess.run(
+        command, cwd=root, env=environment_for_tests(root, scratch), check=False
+    ).returncode
     if not stage.by_pytest:
         return Count(passed=1) if code == 0 else Count(failed=1)
     if code == NOTHING_COLLECTED and stage.may_be_empty:
         return Count()
     count = read_report(report)
-    return count if code == 0 or count.failed else count + Count(failed=1)     # pytest itself broke down
+    return (
+        count if code == 0 or count.failed else count + Count(failed=1)
+    )  # pytest itself broke down
 
 
 def read_report(report: Path) -> Count:
@@ -127,7 +157,8 @@ def read_report(report: Path) -> Count:
     except (OSError, ElementTree.ParseError):
         return Count()
     tests, failures, errors, skipped = (
-        sum(int(suite.get(key, 0)) for suite in suites) for key in ("tests", "failures", "errors", "skipped")
+        sum(int(suite.get(key, 0)) for suite in suites)
+        for key in ("tests", "failures", "errors", "skipped")
     )
     return Count(tests - failures - errors - skipped, failures + errors, skipped)
 
@@ -138,7 +169,9 @@ def environment_for_tests(root: Path, scratch: Path) -> dict[str, str]:
                              "VECLIB_MAXIMUM_THREADS", "NUMEXPR_NUM_THREADS"), "1")  # fmt: skip
     folders = {name: str(scratch / name.lower()) for name in
                ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR")}  # fmt: skip
-    kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}  # nbval minds it
+    kept = {
+        name: value for name, value in os.environ.items() if name != "MPLBACKEND"
+    }  # nbval minds it
     path = os.pathsep.join(filter(None, [str(root), os.environ.get("PYTHONPATH", "")]))
     return {**kept, **threads, **folders, "PYTHONPATH": path, "JUPYTER_PREFER_ENV_PATH": "1",
             "MPLCONFIGDIR": str(root / ".pytest_cache" / "matplotlib")}  # fmt: skip

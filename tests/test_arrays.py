@@ -77,8 +77,16 @@ def test_range_count_and_choice_say_what_they_allow():
         0,
         1,
     )
-    refused("body: expected whole numbers from 0 to 2; got 3 at index (0,)", arrays.indices, "body", [3], 3)
-    refused("law: expected one of 'a', 'b'; got 'c'", arrays.choice, "law", "c", ("a", "b"))
+    refused(
+        "body: expected whole numbers from 0 to 2; got 3 at index (0,)",
+        arrays.indices,
+        "body",
+        [3],
+        3,
+    )
+    refused(
+        "law: expected one of 'a', 'b'; got 'c'", arrays.choice, "law", "c", ("a", "b")
+    )
     assert arrays.choice("law", "b", ("a", "b")) == "b"
 
 

@@ -39,6 +39,7 @@ def started(monkeypatch):
 
 # open
 
+
 def test_without_a_command_the_first_lesson_is_opened(project, started, capsys):
     assert cli.run([]) == 0
     assert started == [(project, "work/00-start-here.ipynb", None, True)]
@@ -53,28 +54,50 @@ def test_without_a_command_the_first_lesson_is_opened(project, started, capsys):
         (["--port", "8899", "--no-browser"], 8899, False),
         (["open", "10", "--port", "8899"], 8899, True),
         (["--no-browser", "open", "10"], None, False),
-        (["--no-browser", "--port", "8899", "open", "10", "--port", "9000"], 9000, False),
+        (
+            ["--no-browser", "--port", "8899", "open", "10", "--port", "9000"],
+            9000,
+            False,
+        ),
     ],
 )
-def test_options_stand_before_or_after_the_command(project, started, arguments, port, browser):
+def test_options_stand_before_or_after_the_command(
+    project, started, arguments, port, browser
+):
     assert cli.run(arguments) == 0
     assert (started[0].port, started[0].browser) == (port, browser)
 
 
 def test_afterwards_the_first_unfinished_lesson_is_opened(project, started):
     cli.run([])
-    passed = [exercise.name for lesson in all_lessons() if lesson.number == "00" for exercise in lesson.exercises]
-    lines = [json.dumps({"kind": "check", "name": name, "state": "passed"}) for name in passed]
+    passed = [
+        exercise.name
+        for lesson in all_lessons()
+        if lesson.number == "00"
+        for exercise in lesson.exercises
+    ]
+    lines = [
+        json.dumps({"kind": "check", "name": name, "state": "passed"})
+        for name in passed
+    ]
     (project / "work" / "progress.jsonl").write_text("\n".join(lines) + "\n")
     cli.run([])
-    assert [call.notebook for call in started] == ["work/00-start-here.ipynb", "work/10-impulse.ipynb"]
+    assert [call.notebook for call in started] == [
+        "work/00-start-here.ipynb",
+        "work/10-impulse.ipynb",
+    ]
 
 
 def test_when_the_unfinished_lesson_is_not_there_the_first_is_opened(project, started):
     cli.run([])
     (project / "lessons" / "10-impulse.ipynb").unlink()
-    everything = [exercise.name for lesson in all_lessons() for exercise in lesson.exercises]
-    lines = [json.dumps({"kind": "check", "name": name, "state": "passed"}) for name in everything]
+    everything = [
+        exercise.name for lesson in all_lessons() for exercise in lesson.exercises
+    ]
+    lines = [
+        json.dumps({"kind": "check", "name": name, "state": "passed"})
+        for name in everything
+    ]
     (project / "work" / "progress.jsonl").write_text("\n".join(lines) + "\n")
     cli.run([])
     assert started[1].notebook == "work/00-start-here.ipynb"
@@ -92,13 +115,18 @@ def test_without_lessons_jupyterlab_opens_all_the_same(project, started, capsys)
     for path in (project / "lessons").iterdir():
         path.unlink()
     assert cli.run([]) == 0
-    assert started[0].notebook is None and "no lesson in lessons/ yet" in capsys.readouterr().out
+    assert (
+        started[0].notebook is None
+        and "no lesson in lessons/ yet" in capsys.readouterr().out
+    )
 
 
 def test_an_unknown_lesson_ends_with_2_and_a_sentence(project, started, capsys):
     assert cli.run(["open", "inpulse"]) == 2
     said = capsys.readouterr().err
-    assert "did you mean 'impulse'?" in said and "Traceback" not in said and started == []
+    assert (
+        "did you mean 'impulse'?" in said and "Traceback" not in said and started == []
+    )
 
 
 def test_a_place_to_work_that_cannot_be_made_is_a_sentence(project, started, capsys):
@@ -114,6 +142,7 @@ def test_a_port_that_is_none_is_refused(project, started, port):
 
 
 # The others
+
 
 @pytest.mark.parametrize("arguments", [["--help"], *[[name, "--help"] for name in
                          ("open", "test", "check", "progress", "build", "grade", "syllabus", "demo")]])  # fmt: skip
@@ -131,8 +160,16 @@ def test_the_tiers_of_test(monkeypatch):
     from course import testing
 
     ran = []
-    monkeypatch.setattr(testing, "run_tests", lambda root, tier: ran.append((root, tier)) or len(ran) - 1)
-    assert [cli.run(["test"]), cli.run(["test", "--quick"]), cli.run(["test", "--all"])] == [0, 1, 2]
+    monkeypatch.setattr(
+        testing,
+        "run_tests",
+        lambda root, tier: ran.append((root, tier)) or len(ran) - 1,
+    )
+    assert [
+        cli.run(["test"]),
+        cli.run(["test", "--quick"]),
+        cli.run(["test", "--all"]),
+    ] == [0, 1, 2]
     assert ran == [(ROOT, "standard"), (ROOT, "quick"), (ROOT, "all")]
     assert cli.run(["test", "--quick", "--all"]) == 2
 
@@ -162,7 +199,9 @@ def test_progress_reads_the_place_to_work(project, capsys):
     line = json.dumps({"kind": "check", "name": "impulse_central", "state": "passed"})
     (project / "work" / "progress.jsonl").write_text(line + "\n")
     assert cli.run(["progress"]) == 0
-    ten = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("10"))
+    ten = next(
+        line for line in capsys.readouterr().out.splitlines() if line.startswith("10")
+    )
     assert "1/5" in ten
 
 
@@ -174,7 +213,10 @@ def test_build_reports_drift(monkeypatch, capsys):
     monkeypatch.setattr(build, "build", lambda *, check: asked.append(check) or drift)
     assert cli.run(["build", "--check"]) == 1
     assert cli.run(["build"]) == 0
-    assert asked == [True, False] and "lessons/10-impulse.ipynb: missing" in capsys.readouterr().out
+    assert (
+        asked == [True, False]
+        and "lessons/10-impulse.ipynb: missing" in capsys.readouterr().out
+    )
     drift.clear()
     assert cli.run(["build", "--check"]) == 0
 
@@ -184,15 +226,27 @@ def test_grade_writes_the_table_and_says_what_it_did(tmp_path, capsys):
     folder = tmp_path / "submitted"
     folder.mkdir()
     (folder / "broken.ipynb").write_text("not a notebook")
-    (folder / "ann.ipynb").write_bytes((ROOT / "lessons" / "10-impulse.ipynb").read_bytes())
-    assert cli.run(["grade", str(folder), "--out", str(tmp_path / "grades.csv"), "--seed", "1"]) == 0
+    (folder / "ann.ipynb").write_bytes(
+        (ROOT / "lessons" / "10-impulse.ipynb").read_bytes()
+    )
+    assert (
+        cli.run(
+            ["grade", str(folder), "--out", str(tmp_path / "grades.csv"), "--seed", "1"]
+        )
+        == 0
+    )
     table = (tmp_path / "grades.csv").read_text()
     assert "broken" in table and "ann" in table
     assert "2 submissions" in capsys.readouterr().out
 
 
 def test_grade_of_no_folder_ends_with_2(tmp_path, capsys):
-    assert cli.run(["grade", str(tmp_path / "nowhere"), "--out", str(tmp_path / "grades.csv")]) == 2
+    assert (
+        cli.run(
+            ["grade", str(tmp_path / "nowhere"), "--out", str(tmp_path / "grades.csv")]
+        )
+        == 2
+    )
     assert "nowhere" in capsys.readouterr().err
 
 
@@ -201,7 +255,11 @@ def test_syllabus_and_demos_are_listed(capsys):
     assert cli.run(["demo", "--list"]) == 0
     assert cli.run(["demo", "no-such-demo"]) == 2
     told = capsys.readouterr()
-    assert "row 25, slide 24" in told.out and "impulse" in told.out and "Traceback" not in told.err
+    assert (
+        "row 25, slide 24" in told.out
+        and "impulse" in told.out
+        and "Traceback" not in told.err
+    )
 
 
 def test_without_a_checkout_it_is_said(monkeypatch, capsys):
@@ -229,8 +287,10 @@ def test_main_ends_with_the_code_of_the_command(monkeypatch):
 
 
 def test_help_waits_for_no_heavy_library():
-    code = "import sys; from course import cli; cli.run(['--help']); " \
+    code = (
+        "import sys; from course import cli; cli.run(['--help']); "
         "print([n for n in ('numpy', 'scipy', 'matplotlib', 'jupyterlab', 'nbformat') if n in sys.modules])"
+    )
     out = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True,
                          env={**os.environ, "COLUMNS": "80"}).stdout  # fmt: skip
     assert out.splitlines()[-1] == "[]"

@@ -25,6 +25,7 @@ OLD_PYTHON = ["course/__init__.py", "course/__main__.py", "course/environment.py
 
 # Requirements and locks
 
+
 @pytest.mark.parametrize(
     "requirement, version, met",
     [
@@ -48,7 +49,10 @@ def test_a_version_keeps_its_bounds(requirement, version, met):
     assert environment.within(version, bounds) is met
 
 
-@pytest.mark.parametrize("requirement", ["a~=1.2", "a>=1; python_version<'3.12'", "a[more]>=1", "a @ file:///x", ">=1"])
+@pytest.mark.parametrize(
+    "requirement",
+    ["a~=1.2", "a>=1; python_version<'3.12'", "a[more]>=1", "a @ file:///x", ">=1"],
+)
 def test_a_requirement_in_a_form_not_used_here_is_refused(requirement):
     with pytest.raises(ValueError, match="expected name>=X,<Y, got"):
         environment.parse_requirement(requirement)
@@ -59,8 +63,13 @@ def test_unmet_requirements_are_those_missing_or_too_old(tmp_path):
         '[project]\ndependencies = ["pytest>=1", "numpy>=999", "no-such-thing>=1"]\n'
         '[project.optional-dependencies]\nmore = ["another-missing"]\n'
     )
-    assert environment.unmet_requirements(tmp_path) == ["numpy>=999", "no-such-thing>=1"]
-    assert environment.unmet_requirements(tmp_path, extras=True)[-1] == "another-missing"
+    assert environment.unmet_requirements(tmp_path) == [
+        "numpy>=999",
+        "no-such-thing>=1",
+    ]
+    assert (
+        environment.unmet_requirements(tmp_path, extras=True)[-1] == "another-missing"
+    )
 
 
 def test_this_interpreter_meets_the_project_s_requirements():
@@ -73,7 +82,9 @@ def locked(name):
     return text, pins
 
 
-@pytest.mark.parametrize("name, extras", [("requirements.lock", False), ("requirements-all.lock", True)])
+@pytest.mark.parametrize(
+    "name, extras", [("requirements.lock", False), ("requirements-all.lock", True)]
+)
 def test_the_lock_holds_what_the_project_requires(name, extras):
     text, pins = locked(name)
     versions = {}
@@ -83,19 +94,24 @@ def test_the_lock_holds_what_the_project_requires(name, extras):
         package, bounds = environment.parse_requirement(requirement)
         found = versions.get(package.lower().replace("_", "-"), [])
         assert found, f"{requirement} is not in {name}"
-        assert all(environment.within(version, bounds) for version in found), f"{requirement}: {name} has {found}"
+        assert all(environment.within(version, bounds) for version in found), (
+            f"{requirement}: {name} has {found}"
+        )
     assert text.count("--hash=sha256:") >= len(pins)
-    assert "://" not in text                                  # no index addresses
+    assert "://" not in text  # no index addresses
     assert "--index" not in text
-    for system in ("'win32'", "'darwin'"):                    # universal: for Windows and macOS as well
+    for system in ("'win32'", "'darwin'"):  # universal: for Windows and macOS as well
         assert system in text
 
 
 def test_the_lock_with_extras_holds_the_other():
-    assert set(locked("requirements.lock")[1]) <= set(locked("requirements-all.lock")[1])
+    assert set(locked("requirements.lock")[1]) <= set(
+        locked("requirements-all.lock")[1]
+    )
 
 
 # Old Pythons
+
 
 @pytest.mark.parametrize("name", OLD_PYTHON)
 def test_an_old_python_can_read_the_starting_code(name):
@@ -103,15 +119,28 @@ def test_an_old_python_can_read_the_starting_code(name):
     tree = ast.parse(source, feature_version=(3, 6))
     newer = (ast.NamedExpr, ast.Match, ast.TryStar)
     assert not [node for node in ast.walk(tree) if isinstance(node, newer)]
-    top_level = {alias.name for node in tree.body if isinstance(node, ast.Import) for alias in node.names}
+    top_level = {
+        alias.name
+        for node in tree.body
+        if isinstance(node, ast.Import)
+        for alias in node.names
+    }
     assert top_level <= {"hashlib", "json", "os", "re", "shutil", "subprocess", "sys"}
-    annotated = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.returns]
-    assert not annotated                                      # `X | None` would be evaluated
+    annotated = [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef) and node.returns
+    ]
+    assert not annotated  # `X | None` would be evaluated
 
 
 def test_even_python_2_can_read_what_it_meets_first():
     tree = ast.parse((ROOT / "course/__main__.py").read_text(encoding="utf-8"))
-    assert not [node for node in ast.walk(tree) if isinstance(node, (ast.JoinedStr, ast.AnnAssign))]
+    assert not [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.JoinedStr, ast.AnnAssign))
+    ]
     for name in ("__init__", "__main__"):
         (ROOT / f"course/{name}.py").read_bytes().decode("ascii")
 
@@ -124,7 +153,9 @@ def test_a_python_that_is_too_old_is_told_in_a_sentence(monkeypatch):
     assert str(said.value) == ("Python 3.11 or newer is needed and this is Python 3.9. "
                                "This machine has a newer one: run python3.12 -m course")  # fmt: skip
     monkeypatch.setattr(environment, "works", lambda name: False)
-    with pytest.raises(SetupError, match="Get one from https://www.python.org/downloads"):
+    with pytest.raises(
+        SetupError, match="Get one from https://www.python.org/downloads"
+    ):
         environment.require_python()
 
 
@@ -151,6 +182,7 @@ def old_pythons(version):
 
 # The states of .venv
 
+
 @pytest.fixture
 def project(tmp_path):
     return tiny_project.make(tmp_path / "project")
@@ -173,7 +205,7 @@ def test_states(project):
     venv = project / ".venv"
     assert state() == "absent"
     venv.mkdir()
-    assert state() == "absent"                                # killed between mkdir and the marker
+    assert state() == "absent"  # killed between mkdir and the marker
     (venv / MARKER).write_text("")
     assert state() == "absent"
     (venv / "pyvenv.cfg").write_text("")
@@ -210,7 +242,9 @@ def test_a_lost_interpreter_and_a_changed_lock_make_it_stale(project):
 
 def test_from_inside_another_python_version_is_seen(project, monkeypatch):
     venv = pretend_complete(project, python="3.99")
-    assert environment.state(str(project)) == "complete"      # from outside it cannot be seen
+    assert (
+        environment.state(str(project)) == "complete"
+    )  # from outside it cannot be seen
     monkeypatch.setattr(sys, "prefix", str(venv))
     assert environment.state(str(project)) == "stale"
 
@@ -240,24 +274,35 @@ def test_a_foreign_environment_is_never_touched(project, kind, monkeypatch):
     venv = make_foreign(project, kind)
     before = snapshot(project)
     monkeypatch.setattr(environment, "unmet_requirements", lambda *arguments: ["tiny"])
-    with pytest.raises(SetupError, match="was not made by this project and is left alone. Rename or delete it"):
+    with pytest.raises(
+        SetupError,
+        match="was not made by this project and is left alone. Rename or delete it",
+    ):
         environment.ensure([], installation.make, root=str(project))
     assert environment.state(str(project)) == "foreign"
     assert snapshot(project) == before and os.path.lexists(venv)
 
 
 def snapshot(folder):
-    return {path: path.read_bytes() if path.is_file() else None for path in sorted(folder.rglob("*"))}
+    return {
+        path: path.read_bytes() if path.is_file() else None
+        for path in sorted(folder.rglob("*"))
+    }
 
 
 # What ensure decides
+
 
 @pytest.fixture
 def decided(monkeypatch):
     """Replaces the ways on by notes of which was taken."""
     taken = []
-    monkeypatch.setattr(environment, "go_on_in", lambda venv, arguments: taken.append(("enter", venv)))
-    monkeypatch.setattr(installation, "make", lambda root, extras: taken.append(("make", extras)))
+    monkeypatch.setattr(
+        environment, "go_on_in", lambda venv, arguments: taken.append(("enter", venv))
+    )
+    monkeypatch.setattr(
+        installation, "make", lambda root, extras: taken.append(("make", extras))
+    )
     monkeypatch.setattr(environment, "unmet_requirements", lambda root, extras: [])
     for name in ("VIRTUAL_ENV", "PATH"):
         monkeypatch.setenv(name, os.environ.get(name, ""))
@@ -279,7 +324,9 @@ def test_where_all_is_met_the_running_interpreter_is_used(project, decided):
 
 
 def test_otherwise_it_is_made_and_entered(project, decided, monkeypatch):
-    monkeypatch.setattr(environment, "unmet_requirements", lambda root, extras: ["tiny"])
+    monkeypatch.setattr(
+        environment, "unmet_requirements", lambda root, extras: ["tiny"]
+    )
     environment.ensure(["test", "--all"], installation.make, root=str(project))
     assert decided == [("make", True), ("enter", str(project / ".venv"))]
 
@@ -289,7 +336,9 @@ def test_inside_a_complete_one_the_program_just_goes_on(project, decided, monkey
     monkeypatch.setattr(sys, "prefix", str(venv))
     environment.ensure([], installation.make, root=str(project))
     assert decided == [] and os.environ["VIRTUAL_ENV"] == str(venv)
-    assert os.environ["PATH"].startswith(str(Path(environment.venv_python(str(venv))).parent))
+    assert os.environ["PATH"].startswith(
+        str(Path(environment.venv_python(str(venv))).parent)
+    )
 
 
 def test_inside_a_stale_one_it_is_renewed(project, decided, monkeypatch):
@@ -299,10 +348,15 @@ def test_inside_a_stale_one_it_is_renewed(project, decided, monkeypatch):
     assert decided == [("make", False), ("enter", str(venv))]
 
 
-def test_an_environment_whose_python_is_another_s_does_not_loop(project, decided, monkeypatch):
+def test_an_environment_whose_python_is_another_s_does_not_loop(
+    project, decided, monkeypatch
+):
     venv = pretend_complete(project)
     monkeypatch.setenv(environment.ENTERED, str(venv))
-    with pytest.raises(SetupError, match="starts a Python that does not belong to it. Delete that folder"):
+    with pytest.raises(
+        SetupError,
+        match="starts a Python that does not belong to it. Delete that folder",
+    ):
         environment.ensure([], installation.make, root=str(project))
     assert environment.ENTERED not in os.environ
 
@@ -313,7 +367,7 @@ def test_going_on_leaves_other_pythons_behind(project, monkeypatch):
 
     def execv(*command):
         called.append((command, dict(os.environ)))
-        raise SystemExit                                      # the real one does not return either
+        raise SystemExit  # the real one does not return either
 
     monkeypatch.setattr(os, "execv", execv)
     for name in ("PYTHONHOME", "PYTHONPATH", "VIRTUAL_ENV", environment.ENTERED):
@@ -343,7 +397,9 @@ class FakeRun:
         step = next(name for word, name in [("venv", "venv"), ("ensurepip", "ensurepip"), ("-e", "link"),
                                             ("compileall", "compile"), ("install", "install")]
                     if word in command)  # fmt: skip
-        assert not (venv / environment.STAMP).exists(), f"{step}: the stamp would be untrue meanwhile"
+        assert not (venv / environment.STAMP).exists(), (
+            f"{step}: the stamp would be untrue meanwhile"
+        )
         if step == "venv":
             python = Path(environment.venv_python(str(venv)))
             python.parent.mkdir(parents=True)
@@ -372,11 +428,14 @@ def test_the_steps_and_the_stamp(project, fake, capsys):
     assert environment.state(str(project)) == "complete"
     assert "Setting up" in capsys.readouterr().err
     installation.make(project)
-    assert run.done == STEPS                                  # complete: nothing more is done
+    assert run.done == STEPS  # complete: nothing more is done
 
 
 @pytest.mark.parametrize("step", STEPS)
-@pytest.mark.parametrize("problem", [KeyboardInterrupt(), SetupError("cut off"), OSError(errno.EIO, "cut off")])
+@pytest.mark.parametrize(
+    "problem",
+    [KeyboardInterrupt(), SetupError("cut off"), OSError(errno.EIO, "cut off")],
+)
 def test_a_set_up_cut_off_anywhere_is_completed(project, fake, step, problem, capsys):
     fake(at=step, problem=problem)
     with pytest.raises((KeyboardInterrupt, SetupError)):
@@ -391,7 +450,9 @@ def test_a_set_up_cut_off_anywhere_is_completed(project, fake, step, problem, ca
 
 def test_cut_off_before_the_stamp_is_in_place(project, fake, monkeypatch):
     fake()
-    monkeypatch.setattr(os, "replace", lambda *names: (_ for _ in ()).throw(KeyboardInterrupt))
+    monkeypatch.setattr(
+        os, "replace", lambda *names: (_ for _ in ()).throw(KeyboardInterrupt)
+    )
     with pytest.raises(KeyboardInterrupt):
         installation.make(project)
     assert environment.state(str(project)) == "unfinished"
@@ -409,7 +470,9 @@ def test_a_changed_lock_is_followed_in_place(project, fake):
 
 
 @pytest.mark.parametrize("changing, left", [(False, "stale"), (True, "unfinished")])
-def test_an_update_that_fails_keeps_the_old_packages_if_they_are_whole(project, fake, changing, left):
+def test_an_update_that_fails_keeps_the_old_packages_if_they_are_whole(
+    project, fake, changing, left
+):
     fake()
     installation.make(project)
     tiny_project.lock(project, {"tiny-dependency": "1.1"})
@@ -421,7 +484,10 @@ def test_an_update_that_fails_keeps_the_old_packages_if_they_are_whole(project, 
     assert environment.state(str(project)) == left
 
 
-@pytest.mark.parametrize("changed", [{"folder": "/elsewhere"}, {"base": "/no/such/python"}, {"python": "3.99"}])
+@pytest.mark.parametrize(
+    "changed",
+    [{"folder": "/elsewhere"}, {"base": "/no/such/python"}, {"python": "3.99"}],
+)
 def test_a_moved_checkout_or_another_python_is_made_anew(project, fake, changed):
     venv = pretend_complete(project, lock="0", **changed)
     (venv / "left-over").mkdir()
@@ -435,13 +501,18 @@ def test_a_moved_checkout_or_another_python_is_made_anew(project, fake, changed)
 def test_extras_are_remembered(project, fake):
     fake()
     installation.make(project, extras=True)
-    assert environment.state(str(project), extras=True) == environment.state(str(project)) == "complete"
+    assert (
+        environment.state(str(project), extras=True)
+        == environment.state(str(project))
+        == "complete"
+    )
     tiny_project.lock(project, {"tiny-dependency": "1.1"})
     installation.make(project)
     assert environment.read_stamp(str(project / ".venv"))["extras"] is True
 
 
 # What goes wrong, and its sentence
+
 
 def test_without_the_venv_module_the_cure_is_named(project, monkeypatch):
     real = installation.importlib.util.find_spec
@@ -455,8 +526,12 @@ def test_without_the_venv_module_the_cure_is_named(project, monkeypatch):
 def test_too_little_room_is_said_before_the_start(project, fake, monkeypatch):
     run = fake()
     usage = namedtuple("usage", "total used free")
-    monkeypatch.setattr(installation.shutil, "disk_usage", lambda path: usage(9e9, 8e9, 4e8))
-    with pytest.raises(SetupError, match=r"needs 1\.5 GB .* has 0\.4 GB free\. Make room"):
+    monkeypatch.setattr(
+        installation.shutil, "disk_usage", lambda path: usage(9e9, 8e9, 4e8)
+    )
+    with pytest.raises(
+        SetupError, match=r"needs 1\.5 GB .* has 0\.4 GB free\. Make room"
+    ):
         installation.make(project)
     assert run.done == []
 
@@ -464,10 +539,14 @@ def test_too_little_room_is_said_before_the_start(project, fake, monkeypatch):
 @pytest.mark.parametrize("number, said", [(errno.ENOSPC, "The disk is full"), (errno.EDQUOT, "The disk is full"),
                                           (errno.EACCES, "may not be changed"), (errno.EROFS, "may not be changed"),
                                           (errno.ENAMETOOLONG, "path is too long")])  # fmt: skip
-def test_an_error_of_the_disk_becomes_a_sentence(project, fake, monkeypatch, number, said):
+def test_an_error_of_the_disk_becomes_a_sentence(
+    project, fake, monkeypatch, number, said
+):
     fake()
     problem = OSError(number, os.strerror(number), str(project))
-    monkeypatch.setattr(installation, "write_stamp", lambda *arguments: (_ for _ in ()).throw(problem))
+    monkeypatch.setattr(
+        installation, "write_stamp", lambda *arguments: (_ for _ in ()).throw(problem)
+    )
     with pytest.raises(SetupError, match=said):
         installation.make(project)
     assert environment.state(str(project)) == "unfinished"
@@ -501,7 +580,11 @@ def test_an_error_of_the_disk_becomes_a_sentence(project, fake, monkeypatch, num
 def test_what_pip_says_becomes_a_sentence_with_a_cure(output, said):
     sentence = installation.explain(output, Path("/project/.venv"))
     assert re.search(said, sentence) and "{" not in sentence
-    assert "python3 -m course" in sentence or "py -m course" in sentence or "python.org" in sentence
+    assert (
+        "python3 -m course" in sentence
+        or "py -m course" in sentence
+        or "python.org" in sentence
+    )
 
 
 def test_a_path_too_long_for_windows_is_said_with_the_number(monkeypatch):
@@ -520,12 +603,22 @@ def test_the_longest_installed_file_is_as_reckoned():
     if not (packages / "jupyterlab").is_dir():
         pytest.skip("JupyterLab is not installed in this interpreter's own folder")
     below = len(r"\Lib\site-packages") + 1
-    longest = max(below + len(str(path.relative_to(packages))) for path in packages.rglob("*") if path.suffix != ".pyc")
+    longest = max(
+        below + len(str(path.relative_to(packages)))
+        for path in packages.rglob("*")
+        if path.suffix != ".pyc"
+    )
     assert longest <= installation.LONGEST_FILE
 
 
 def test_pip_keeps_the_user_s_index_and_loses_what_installs_elsewhere(monkeypatch):
-    for name in ("PIP_INDEX_URL", "PIP_TARGET", "PIP_USER", "PYTHONPATH", "PYTHONDONTWRITEBYTECODE"):
+    for name in (
+        "PIP_INDEX_URL",
+        "PIP_TARGET",
+        "PIP_USER",
+        "PYTHONPATH",
+        "PYTHONDONTWRITEBYTECODE",
+    ):
         monkeypatch.setenv(name, "1")
     kept = installation.quiet_environment()
     assert kept["PIP_INDEX_URL"] == "1" and kept["PIP_USER"] == "0"
@@ -533,16 +626,25 @@ def test_pip_keeps_the_user_s_index_and_loses_what_installs_elsewhere(monkeypatc
 
 
 def test_progress_counts_out_of_the_lock_s_total(project, capsys):
-    progress = installation.Progress(project / "requirements-all.lock", Path(environment.venv_python(sys.prefix)))
-    progress.update("Ignoring absent: markers\nCollecting tiny-dependency==1.0 (from -r x)\n  Downloading\n")
+    progress = installation.Progress(
+        project / "requirements-all.lock", Path(environment.venv_python(sys.prefix))
+    )
+    progress.update(
+        "Ignoring absent: markers\nCollecting tiny-dependency==1.0 (from -r x)\n  Downloading\n"
+    )
     assert progress.shown == "fetching 1 of 2 packages: tiny"
-    progress.update("Ignoring absent: markers\nCollecting a==1\nProcessing /x/b_c-1.0-py3.whl (from -r x)\n")
+    progress.update(
+        "Ignoring absent: markers\nCollecting a==1\nProcessing /x/b_c-1.0-py3.whl (from -r x)\n"
+    )
     assert progress.shown == "fetching 2 of 2 packages: b_c" and not progress.changing
-    progress.update("Ignoring absent: markers\nCollecting a==1\nInstalling collected packages: a\n")
+    progress.update(
+        "Ignoring absent: markers\nCollecting a==1\nInstalling collected packages: a\n"
+    )
     assert progress.shown == "installing 2 of 2 packages" and progress.changing
 
 
 # The whole, for real, on a tiny project (seconds each: a real venv and a real pip, no network)
+
 
 @pytest.mark.slow
 def test_first_start_second_start_and_a_changed_lock(project):
@@ -551,7 +653,9 @@ def test_first_start_second_start_and_a_changed_lock(project):
     python = environment.venv_python(str(project / ".venv"))
     assert out.split() == ["ran", "1.0", python, "hello"]
     assert "Setting up" in err and "Ready after" in err
-    assert any((project / ".venv").rglob("tiny_dependency.*.pyc"))      # compiled ahead all the same
+    assert any(
+        (project / ".venv").rglob("tiny_dependency.*.pyc")
+    )  # compiled ahead all the same
     assert tiny_project.run(project, "again") == (7, f"ran 1.0 {python} again\n", "")
     tiny_project.lock(project, {"tiny-dependency": "1.1"})
     code, out, err = tiny_project.run(project)
@@ -589,7 +693,10 @@ def test_two_set_ups_at_once(project):
             break
         time.sleep(0.02)
     second = tiny_project.start(project, "second")
-    ends = [process.communicate(timeout=180) + (process.returncode,) for process in (first, second)]
+    ends = [
+        process.communicate(timeout=180) + (process.returncode,)
+        for process in (first, second)
+    ]
     assert [code for _, _, code in ends] == [7, 7], ends
     assert "Setting up" in ends[0][1] and "Waiting for it" in ends[1][1]
     assert "Setting up" not in ends[1][1]
@@ -598,7 +705,9 @@ def test_two_set_ups_at_once(project):
 @pytest.mark.slow
 def test_a_wrong_hash_installs_nothing(project):
     lock = project / "requirements.lock"
-    lock.write_text(re.sub(r"sha256:\w{64}", "sha256:" + "1" * 64, lock.read_text(), count=1))
+    lock.write_text(
+        re.sub(r"sha256:\w{64}", "sha256:" + "1" * 64, lock.read_text(), count=1)
+    )
     code, out, err = tiny_project.run(project)
     assert code == 2 and out == "" and "Traceback" not in err
     assert "not the one this project was tested with (tiny-dependency)" in err
@@ -612,7 +721,7 @@ def test_no_network(project):
     code, out, err = tiny_project.run(project, **nowhere)
     assert code == 2 and out == "" and "Traceback" not in err
     assert "The package index could not be reached: connect to the network" in err
-    code, out, err = tiny_project.run(project)                # the network is back
+    code, out, err = tiny_project.run(project)  # the network is back
     assert code == 7 and "Completing the set-up" in err
 
 

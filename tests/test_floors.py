@@ -29,17 +29,43 @@ SHARED = {                                               # rooms of several modu
     "arrays": "foundation", "rotations": "foundation",
     "cli": "entrance", "__main__": "entrance", "testing": "entrance",
 }  # fmt: skip
-GROUND = {"environment", "installation"}                 # standard library only; for the upper floors alone
-NUMERICS = 5                                             # floors 0-5: NumPy and SciPy, no printing
+GROUND = {
+    "environment",
+    "installation",
+}  # standard library only; for the upper floors alone
+NUMERICS = 5  # floors 0-5: NumPy and SciPy, no printing
 NUMERIC_LIBRARIES = {"numpy", "scipy"}
 # What else a numeric module may import, and only inside a function.
 WHEN_CALLED = {
     "course.contact.solvers.qp": {"cvxpy"},
-    "course.study.engines": {"fcl", "coal", "trimesh", "mujoco", "pybullet", "pymunk", "piqp", "daqp", "osqp"},
+    "course.study.engines": {
+        "fcl",
+        "coal",
+        "trimesh",
+        "mujoco",
+        "pybullet",
+        "pymunk",
+        "piqp",
+        "daqp",
+        "osqp",
+    },
 }
 # The lecture's solver, and the exercise on it, whose planted mistakes are what cvxpy itself refuses.
-CVXPY = {"course.contact.solvers.qp", "course.exercises.definitions.lesson_16_contact_forces.solve_contact_qp"}
-HEAVY = {"scipy", "matplotlib", "cvxpy", "sympy", "ipywidgets", "IPython", "k3d", "pandas", "jupyterlab"}
+CVXPY = {
+    "course.contact.solvers.qp",
+    "course.exercises.definitions.lesson_16_contact_forces.solve_contact_qp",
+}
+HEAVY = {
+    "scipy",
+    "matplotlib",
+    "cvxpy",
+    "sympy",
+    "ipywidgets",
+    "IPython",
+    "k3d",
+    "pandas",
+    "jupyterlab",
+}
 
 
 def imports(source, module, *, package=False):
@@ -61,8 +87,14 @@ def imports(source, module, *, package=False):
             home = parts[: len(parts) - node.level + package] if node.level else []
             base = ".".join([*home, *([node.module] if node.module else [])])
             # "from course import x": x may be a room; "from course.shapes import Sphere": shapes is
-            found += [(f"{base}.{alias.name}" if base == "course" else base, top) for alias in node.names]
-        elif isinstance(node, ast.Call) and ast.unparse(node.func) in ("importlib.import_module", "__import__"):
+            found += [
+                (f"{base}.{alias.name}" if base == "course" else base, top)
+                for alias in node.names
+            ]
+        elif isinstance(node, ast.Call) and ast.unparse(node.func) in (
+            "importlib.import_module",
+            "__import__",
+        ):
             if node.args and isinstance(node.args[0], ast.Constant):
                 found.append((str(node.args[0].value), top))
     return found
@@ -91,11 +123,21 @@ def faults(source, module, *, package=False):
         elif outer in sys.stdlib_module_names:
             continue
         elif bare:
-            said.append(f"{module} imports {name}, which is not in the standard library")
-        elif numeric and outer not in NUMERIC_LIBRARIES and (top or outer not in WHEN_CALLED.get(module, ())):
-            said.append(f"{module} imports {name}{' at module level' if top else ''}: numerics use NumPy and SciPy")
+            said.append(
+                f"{module} imports {name}, which is not in the standard library"
+            )
+        elif (
+            numeric
+            and outer not in NUMERIC_LIBRARIES
+            and (top or outer not in WHEN_CALLED.get(module, ()))
+        ):
+            said.append(
+                f"{module} imports {name}{' at module level' if top else ''}: numerics use NumPy and SciPy"
+            )
         elif outer == "cvxpy" and (top or module not in CVXPY):
-            said.append(f"{module} imports cvxpy; only {' and '.join(sorted(CVXPY))} may, when called")
+            said.append(
+                f"{module} imports cvxpy; only {' and '.join(sorted(CVXPY))} may, when called"
+            )
     if numeric:
         said += [f"{module} prints (line {line})" for line in prints(source)]
     return said
@@ -106,15 +148,29 @@ def house_faults(module, here, there, numeric):
     if module == "course":
         return [f"course/__init__ imports course.{there}"]
     if here in GROUND:
-        return [] if there in GROUND | {""} else [f"{module} imports course.{there}: it must run before all else"]
+        return (
+            []
+            if there in GROUND | {""}
+            else [f"{module} imports course.{there}: it must run before all else"]
+        )
     if there in GROUND:
-        return [f"{module} imports course.{there}: numerics need no environment"] if numeric else []
+        return (
+            [f"{module} imports course.{there}: numerics need no environment"]
+            if numeric
+            else []
+        )
     if there == here or there == "":
         return []
     if there not in FLOOR:
-        return [] if there.startswith("__") else [f"{module} imports course.{there}, which has no floor"]
+        return (
+            []
+            if there.startswith("__")
+            else [f"{module} imports course.{there}, which has no floor"]
+        )
     if FLOOR[there] >= FLOOR[here]:
-        return [f"{module} (floor {FLOOR[here]}) imports course.{there} (floor {FLOOR[there]})"]
+        return [
+            f"{module} (floor {FLOOR[here]}) imports course.{there} (floor {FLOOR[there]})"
+        ]
     return []
 
 
@@ -123,7 +179,9 @@ def prints(source):
     return [
         node.lineno
         for node in ast.walk(ast.parse(source))
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print"
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id == "print"
     ]
 
 
@@ -134,48 +192,123 @@ def modules():
         yield ".".join(parts[:-1] if parts[-1] == "__init__" else parts), path
 
 
-@pytest.mark.parametrize("module, path", list(modules()), ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(
+    "module, path",
+    list(modules()),
+    ids=lambda value: value if isinstance(value, str) else "",
+)
 def test_floors_are_kept(module, path):
-    assert faults(path.read_text(encoding="utf-8"), module, package=path.name == "__init__.py") == []
+    assert (
+        faults(
+            path.read_text(encoding="utf-8"), module, package=path.name == "__init__.py"
+        )
+        == []
+    )
 
 
 def test_every_module_is_looked_at():
-    assert {"course", "course.__main__", "course.environment", "course.dynamics.impulse"} <= dict(modules()).keys()
+    assert {
+        "course",
+        "course.__main__",
+        "course.environment",
+        "course.dynamics.impulse",
+    } <= dict(modules()).keys()
 
 
 # The test above must be able to fail.
 
+
 @pytest.mark.parametrize(
     "module, source, said",
     [
-        ("course.shapes.sphere", "from course.overlap import gap", "floor 1) imports course.overlap (floor 2"),
-        ("course.overlap.gjk", "def f():\n    from course.contact import solve", "imports course.contact (floor 3"),
-        ("course.overlap.gjk", "import course.dynamics.bodies", "imports course.dynamics (floor 2"),
-        ("course.overlap.gjk", "from course import dynamics", "imports course.dynamics (floor 2"),
-        ("course.overlap.gjk", "from ..dynamics import Bodies", "imports course.dynamics (floor 2"),
-        ("course.overlap.gjk", "if TYPE_CHECKING:\n    from course.dynamics import Bodies", "imports course.dynamics"),
-        ("course.grading.judge", "from course.workbook import check", "imports course.workbook (floor 7"),
-        ("course.workbook.check", "from course.cli import app", "imports course.entrance (floor 8"),
+        (
+            "course.shapes.sphere",
+            "from course.overlap import gap",
+            "floor 1) imports course.overlap (floor 2",
+        ),
+        (
+            "course.overlap.gjk",
+            "def f():\n    from course.contact import solve",
+            "imports course.contact (floor 3",
+        ),
+        (
+            "course.overlap.gjk",
+            "import course.dynamics.bodies",
+            "imports course.dynamics (floor 2",
+        ),
+        (
+            "course.overlap.gjk",
+            "from course import dynamics",
+            "imports course.dynamics (floor 2",
+        ),
+        (
+            "course.overlap.gjk",
+            "from ..dynamics import Bodies",
+            "imports course.dynamics (floor 2",
+        ),
+        (
+            "course.overlap.gjk",
+            "if TYPE_CHECKING:\n    from course.dynamics import Bodies",
+            "imports course.dynamics",
+        ),
+        (
+            "course.grading.judge",
+            "from course.workbook import check",
+            "imports course.workbook (floor 7",
+        ),
+        (
+            "course.workbook.check",
+            "from course.cli import app",
+            "imports course.entrance (floor 8",
+        ),
         ("course.workbook.check", "from course.attic import ghost", "has no floor"),
         ("course.arrays", "import course.shapes", "imports course.shapes (floor 1"),
         ("course.attic", "import numpy", "no floor is given to attic"),
-        ("course.dynamics.impulse", "def f():\n    import matplotlib.pyplot as plt", "imports matplotlib"),
-        ("course.study.stability", "from ipywidgets import IntSlider", "imports ipywidgets"),
+        (
+            "course.dynamics.impulse",
+            "def f():\n    import matplotlib.pyplot as plt",
+            "imports matplotlib",
+        ),
+        (
+            "course.study.stability",
+            "from ipywidgets import IntSlider",
+            "imports ipywidgets",
+        ),
         ("course.study.stability", "import IPython", "imports IPython"),
         ("course.simulation.scene", "def f():\n    import k3d", "imports k3d"),
         ("course.contact.solvers.qp", "import cvxpy", "imports cvxpy at module level"),
         ("course.contact.solvers.nnls", "def f():\n    import cvxpy", "imports cvxpy"),
         ("course.workbook.plots", "def f():\n    import cvxpy", "imports cvxpy; only"),
         ("course.study.engines", "import pymunk", "imports pymunk at module level"),
-        ("course.arrays", "from course.environment import project_root", "numerics need no environment"),
+        (
+            "course.arrays",
+            "from course.environment import project_root",
+            "numerics need no environment",
+        ),
         ("course.arrays", "def f(x):\n    print(x)", "prints (line 2)"),
         ("course", "import numpy", "not in the standard library"),
-        ("course", "from course.dynamics import Bodies", "course/__init__ imports course.dynamics"),
-        ("course.__main__", "def main():\n    import typer", "not in the standard library"),
+        (
+            "course",
+            "from course.dynamics import Bodies",
+            "course/__init__ imports course.dynamics",
+        ),
+        (
+            "course.__main__",
+            "def main():\n    import typer",
+            "not in the standard library",
+        ),
         ("course.environment", "import packaging", "not in the standard library"),
-        ("course.environment", "def f():\n    from course.cli import app", "it must run before all else"),
+        (
+            "course.environment",
+            "def f():\n    from course.cli import app",
+            "it must run before all else",
+        ),
         ("course.workbook.check", "import solutions.tools", "imports from solutions"),
-        ("course.workbook.check", "import importlib\nimportlib.import_module('lessons.x')", "imports from lessons"),
+        (
+            "course.workbook.check",
+            "import importlib\nimportlib.import_module('lessons.x')",
+            "imports from lessons",
+        ),
     ],
 )
 def test_a_broken_floor_is_reported(module, source, said):
@@ -188,12 +321,27 @@ def test_a_broken_floor_is_reported(module, source, said):
         ("course.contact.solvers.qp", "def solve():\n    import cvxpy"),
         ("course.rotations", "from course.arrays import vectors"),
         ("course.contact.solve", "from course.contact.solvers.nnls import solve"),
-        ("course.contact.collisions", "from course.dynamics import Bodies\nimport scipy.optimize"),
-        ("course.grading.judge", "from course.exercises.definition import all_lessons\nimport rich"),
-        ("course.cli", "import typer\nfrom course import environment\nfrom course.workbook import build"),
-        ("course.__main__", "from course import environment\ndef main():\n    from course import cli"),
+        (
+            "course.contact.collisions",
+            "from course.dynamics import Bodies\nimport scipy.optimize",
+        ),
+        (
+            "course.grading.judge",
+            "from course.exercises.definition import all_lessons\nimport rich",
+        ),
+        (
+            "course.cli",
+            "import typer\nfrom course import environment\nfrom course.workbook import build",
+        ),
+        (
+            "course.__main__",
+            "from course import environment\ndef main():\n    from course import cli",
+        ),
         ("course.environment", "from course import installation"),
-        ("course.workbook.plots", "import matplotlib\nfrom course.workbook.numbers import show\nprint('seen')"),
+        (
+            "course.workbook.plots",
+            "import matplotlib\nfrom course.workbook.numbers import show\nprint('seen')",
+        ),
     ],
 )
 def test_what_is_allowed_is_not_reported(module, source):
@@ -201,18 +349,33 @@ def test_what_is_allowed_is_not_reported(module, source):
 
 
 def numeric_packages():
-    return [name for name, path in modules() if path.name == "__init__.py" and FLOOR.get(room(name), 99) <= NUMERICS]
+    return [
+        name
+        for name, path in modules()
+        if path.name == "__init__.py" and FLOOR.get(room(name), 99) <= NUMERICS
+    ]
 
 
-@pytest.mark.parametrize("package", [*numeric_packages(), "course.arrays", "course.rotations"])
+@pytest.mark.parametrize(
+    "package", [*numeric_packages(), "course.arrays", "course.rotations"]
+)
 def test_importing_numerics_loads_no_heavy_library(package):
     assert heavy_after(f"import {package}") == set()
 
 
 def test_starting_loads_nothing_but_the_standard_library():
-    assert heavy_after("import course, course.__main__, course.environment, course.installation") == set()
-    loaded = loaded_after("import course, course.__main__, course.environment, course.installation")
-    assert {name for name in loaded if name not in sys.stdlib_module_names} <= {"course"} | nothing_loaded()
+    assert (
+        heavy_after(
+            "import course, course.__main__, course.environment, course.installation"
+        )
+        == set()
+    )
+    loaded = loaded_after(
+        "import course, course.__main__, course.environment, course.installation"
+    )
+    assert {name for name in loaded if name not in sys.stdlib_module_names} <= {
+        "course"
+    } | nothing_loaded()
 
 
 def test_heavy_libraries_would_be_seen():

@@ -8,10 +8,26 @@ from pathlib import Path
 import pytest
 
 from course import testing
-from course.testing import Count, Stage, environment_for_tests, read_report, run_tests, stages
+from course.testing import (
+    Count,
+    Stage,
+    environment_for_tests,
+    read_report,
+    run_tests,
+    stages,
+)
 
 ROOT = Path(__file__).resolve().parents[1]
-PYTEST = ("-m", "pytest", "-q", "--no-header", "-p", "no:cacheprovider", "-p", "no:nbval")
+PYTEST = (
+    "-m",
+    "pytest",
+    "-q",
+    "--no-header",
+    "-p",
+    "no:cacheprovider",
+    "-p",
+    "no:nbval",
+)
 
 
 def names(tier):
@@ -22,7 +38,13 @@ def test_the_tiers_hold_what_the_design_says():
     assert names("quick") == ["lint", "unit tests"]
     assert set(names("standard")) == {*names("quick"), "doctests", "types", "lessons as built", "solutions, strict",
                                       "lessons, as handed out"}  # fmt: skip
-    assert set(names("all")) == {*names("standard"), "long tests", "browser", "peers", "fresh clone"}
+    assert set(names("all")) == {
+        *names("standard"),
+        "long tests",
+        "browser",
+        "peers",
+        "fresh clone",
+    }
 
 
 def command(tier, name):
@@ -30,9 +52,17 @@ def command(tier, name):
 
 
 def test_markers_choose_the_tests_of_a_tier():
-    assert "not (browser or peers or fresh or long or slow)" in command("quick", "unit tests")
-    assert "not (browser or peers or fresh or long)" in command("standard", "unit tests")
-    for name, marker in (("browser", "browser"), ("peers", "peers"), ("fresh clone", "fresh")):
+    assert "not (browser or peers or fresh or long or slow)" in command(
+        "quick", "unit tests"
+    )
+    assert "not (browser or peers or fresh or long)" in command(
+        "standard", "unit tests"
+    )
+    for name, marker in (
+        ("browser", "browser"),
+        ("peers", "peers"),
+        ("fresh clone", "fresh"),
+    ):
         assert command("all", name)[-3:] == ("-m", marker, "tests")
 
 
@@ -45,11 +75,18 @@ def test_every_marker_is_declared_and_run_by_some_stage():
 
 
 def test_notebooks_are_run_as_the_design_says():
-    strict, lax = command("standard", "solutions, strict"), command("standard", "lessons, as handed out")
-    assert "--nbval" in strict and "--nbval-lax" not in strict          # both together would be lax
+    strict, lax = (
+        command("standard", "solutions, strict"),
+        command("standard", "lessons, as handed out"),
+    )
+    assert (
+        "--nbval" in strict and "--nbval-lax" not in strict
+    )  # both together would be lax
     assert "--nbval-lax" in lax and "--nbval" not in lax
     for notebooks in (strict, lax):
-        assert notebooks[notebooks.index("--dist") + 1] == "loadfile"   # else a notebook's cells are split up
+        assert (
+            notebooks[notebooks.index("--dist") + 1] == "loadfile"
+        )  # else a notebook's cells are split up
         assert notebooks[notebooks.index("--nbval-cell-timeout") + 1] == "60"
         sanitize = notebooks[notebooks.index("--nbval-sanitize-with") + 1]
         assert (ROOT / sanitize).is_file()
@@ -57,10 +94,14 @@ def test_notebooks_are_run_as_the_design_says():
 
 @pytest.fixture
 def project(tmp_path):
-    (tmp_path / "test_good.py").write_text("import pytest\ndef test_a(): pass\ndef test_b(): pass\n"
-                                           "def test_c(): pytest.skip('because')\n")
-    (tmp_path / "test_bad.py").write_text("import pytest\ndef test_a(): assert 0\n"
-                                          "@pytest.fixture\ndef broken(): raise OSError\ndef test_b(broken): pass\n")
+    (tmp_path / "test_good.py").write_text(
+        "import pytest\ndef test_a(): pass\ndef test_b(): pass\n"
+        "def test_c(): pytest.skip('because')\n"
+    )
+    (tmp_path / "test_bad.py").write_text(
+        "import pytest\ndef test_a(): assert 0\n"
+        "@pytest.fixture\ndef broken(): raise OSError\ndef test_b(broken): pass\n"
+    )
     (tmp_path / "test_unreadable.py").write_text("this is not Python")
     return tmp_path
 
@@ -77,11 +118,24 @@ BAD = Stage("bad", (*PYTEST, "test_bad.py"))
 
 @pytest.mark.slow
 def test_a_failing_stage_hides_none_after_it(project, capfd):
-    code, said = run(project, BAD, Stage("fine", ("-c", "pass")), Stage("lint", ("-c", "raise SystemExit(3)")), GOOD)
+    code, said = run(
+        project,
+        BAD,
+        Stage("fine", ("-c", "pass")),
+        Stage("lint", ("-c", "raise SystemExit(3)")),
+        GOOD,
+    )
     assert code == 1
     assert said[-1] == "3 passed, 3 failed, 1 skipped"
-    assert [line for line in said if line.startswith("== ")] == ["== bad", "== fine", "== lint", "== good"]
-    assert any("0 passed, 2 failed, 0 skipped" in line and " s " in line for line in said)
+    assert [line for line in said if line.startswith("== ")] == [
+        "== bad",
+        "== fine",
+        "== lint",
+        "== good",
+    ]
+    assert any(
+        "0 passed, 2 failed, 0 skipped" in line and " s " in line for line in said
+    )
     assert "because" not in said[-1]
 
 
@@ -93,7 +147,10 @@ def test_all_well_ends_with_0(project, capfd):
 
 @pytest.mark.slow
 def test_pytest_breaking_down_counts_as_a_failure(project, capfd):
-    for stage in (Stage("unreadable", (*PYTEST, "test_unreadable.py")), Stage("no such option", (*PYTEST, "--bogus"))):
+    for stage in (
+        Stage("unreadable", (*PYTEST, "test_unreadable.py")),
+        Stage("no such option", (*PYTEST, "--bogus")),
+    ):
         code, said = run(project, stage)
         assert code == 1 and said[-1] == "0 passed, 1 failed, 0 skipped"
 
@@ -107,31 +164,51 @@ def test_a_stage_that_collects_nothing(project, capfd):
 
 
 def test_a_stage_without_its_files_is_passed_over(project, capfd):
-    code, said = run(project, Stage("solutions", ("-c", "raise SystemExit(1)"), needs="solutions/*.ipynb"))
+    code, said = run(
+        project,
+        Stage("solutions", ("-c", "raise SystemExit(1)"), needs="solutions/*.ipynb"),
+    )
     assert code == 0 and "== solutions: nothing at solutions/*.ipynb yet" in said
     (project / "solutions").mkdir()
     (project / "solutions" / "10-impulse.ipynb").write_text("{}")
-    assert run(project, Stage("solutions", ("-c", "raise SystemExit(1)"), needs="solutions/*.ipynb"))[0] == 1
+    assert (
+        run(
+            project,
+            Stage(
+                "solutions", ("-c", "raise SystemExit(1)"), needs="solutions/*.ipynb"
+            ),
+        )[0]
+        == 1
+    )
 
 
 def test_reports_add_up(tmp_path):
     report = tmp_path / "report.xml"
-    report.write_text('<testsuites><testsuite tests="5" failures="1" errors="1" skipped="1"/>'
-                      '<testsuite tests="2" failures="0" errors="0" skipped="0"/></testsuites>')
+    report.write_text(
+        '<testsuites><testsuite tests="5" failures="1" errors="1" skipped="1"/>'
+        '<testsuite tests="2" failures="0" errors="0" skipped="0"/></testsuites>'
+    )
     assert read_report(report) == Count(4, 2, 1)
     assert read_report(tmp_path / "none.xml") == Count()
     report.write_text("<cut o")
     assert read_report(report) == Count()
 
 
-def test_tests_run_on_one_blas_thread_and_keep_nothing_in_the_home(tmp_path, monkeypatch):
+def test_tests_run_on_one_blas_thread_and_keep_nothing_in_the_home(
+    tmp_path, monkeypatch
+):
     monkeypatch.setenv("MPLBACKEND", "agg")
     monkeypatch.setenv("PYTHONPATH", "/other")
     kept = environment_for_tests(ROOT, tmp_path)
     assert kept["OPENBLAS_NUM_THREADS"] == kept["OMP_NUM_THREADS"] == "1"
-    assert "MPLBACKEND" not in kept                         # inline figures fail under it
+    assert "MPLBACKEND" not in kept  # inline figures fail under it
     assert kept["PYTHONPATH"].split(os.pathsep)[0] == str(ROOT)
-    for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR"):
+    for name in (
+        "JUPYTER_CONFIG_DIR",
+        "JUPYTER_DATA_DIR",
+        "JUPYTER_RUNTIME_DIR",
+        "IPYTHONDIR",
+    ):
         assert kept[name].startswith(str(tmp_path))
 
 
@@ -146,7 +223,11 @@ def test_running_a_lesson_leaves_no_trace_in_work_or_home(tmp_path):
         pytest.skip("no lesson yet")
     kept = {**environment_for_tests(ROOT, tmp_path / "scratch"), "HOME": str(home)}
     options = command("standard", "lessons, as handed out")
-    lax = [option for option in options if option not in ("-n", "--dist", "loadfile", options[options.index("-n") + 1])]
+    lax = [
+        option
+        for option in options
+        if option not in ("-n", "--dist", "loadfile", options[options.index("-n") + 1])
+    ]
     done = subprocess.run([sys.executable, *lax[:-1], str(lesson)], cwd=ROOT, env=kept, capture_output=True, text=True,
                           check=False)  # fmt: skip
     assert done.returncode == 0, done.stdout
@@ -155,6 +236,11 @@ def test_running_a_lesson_leaves_no_trace_in_work_or_home(tmp_path):
 
 
 def test_the_interpreter_of_the_stages_is_this_one(project, capfd):
-    code, _ = run(project, Stage("which", ("-c", f"import sys; assert sys.executable == {sys.executable!r}")))
+    code, _ = run(
+        project,
+        Stage(
+            "which", ("-c", f"import sys; assert sys.executable == {sys.executable!r}")
+        ),
+    )
     assert code == 0
     assert testing.TIERS == ("quick", "standard", "all")

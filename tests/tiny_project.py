@@ -12,7 +12,7 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-BACKEND = '''
+BACKEND = """
 import zipfile
 from pathlib import Path
 
@@ -28,15 +28,15 @@ def build_editable(folder, config_settings=None, metadata_directory=None):
 
 def build_wheel(*arguments):
     raise NotImplementedError
-'''
-CLI = '''
+"""
+CLI = """
 import sys
 
 def run(arguments):
     import tiny_dependency
     print("ran", tiny_dependency.__version__, sys.executable, *arguments)
     return 7
-'''
+"""
 
 
 def make(folder, *, requirement="tiny-dependency>=1"):
@@ -60,9 +60,15 @@ def lock(folder, packages):
     """Write both locks; the one with extras holds tiny-extra as well."""
     lines = [f"{name}=={version} \\\n    --hash=sha256:{wheel(folder, name, version)}\n"
              for name, version in packages.items()]  # fmt: skip
-    absent = "absent==1.0 ; sys_platform == 'nowhere' \\\n    --hash=sha256:" + "0" * 64 + "\n"
+    absent = (
+        "absent==1.0 ; sys_platform == 'nowhere' \\\n    --hash=sha256:"
+        + "0" * 64
+        + "\n"
+    )
     (folder / "requirements.lock").write_text("".join(lines) + absent)
-    extra = f"tiny-extra==1.0 \\\n    --hash=sha256:{wheel(folder, 'tiny-extra', '1.0')}\n"
+    extra = (
+        f"tiny-extra==1.0 \\\n    --hash=sha256:{wheel(folder, 'tiny-extra', '1.0')}\n"
+    )
     (folder / "requirements-all.lock").write_text("".join(lines) + extra + absent)
 
 
@@ -74,7 +80,10 @@ def wheel(folder, name, version):
     info = f"{module}-{version}.dist-info"
     with zipfile.ZipFile(path, "w") as file:
         file.writestr(zipfile.ZipInfo(f"{module}.py"), f"__version__ = {version!r}\n")
-        file.writestr(zipfile.ZipInfo(f"{info}/METADATA"), f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
+        file.writestr(
+            zipfile.ZipInfo(f"{info}/METADATA"),
+            f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n",
+        )
         file.writestr(zipfile.ZipInfo(f"{info}/WHEEL"),
                       "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")  # fmt: skip
         file.writestr(zipfile.ZipInfo(f"{info}/RECORD"), "")
@@ -83,7 +92,11 @@ def wheel(folder, name, version):
 
 def environment(folder, **more):
     """The environment in which pip finds the folder's wheels and nothing else."""
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("PIP_", "PYTHON", "COLLISION_", "VIRTUAL_ENV"))}
+    kept = {
+        k: v
+        for k, v in os.environ.items()
+        if not k.startswith(("PIP_", "PYTHON", "COLLISION_", "VIRTUAL_ENV"))
+    }
     return {**kept, "PIP_CONFIG_FILE": os.devnull, "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(folder / "wheels"),
             "PIP_CACHE_DIR": str(folder / "cache"), **more}  # fmt: skip
 

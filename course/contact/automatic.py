@@ -12,7 +12,12 @@ from course.contact.contact_system import ContactSystem
 from course.contact.judgement import doubtful, require_convergence, require_solution
 from course.contact.parts import SMALL, Parts, dense
 from course.contact.solution import ContactSolution, contact_solution
-from course.contact.solvers.block_pivot import EXACT, Pivoted, block_pivot, block_pivot_one
+from course.contact.solvers.block_pivot import (
+    EXACT,
+    Pivoted,
+    block_pivot,
+    block_pivot_one,
+)
 from course.contact.solvers.residual import products
 
 #: Rounds of a system solved whole, before it is looked at more closely; of 20 it ever solves, 19 are solved by then.
@@ -20,7 +25,11 @@ ROUNDS = 20
 
 
 def automatic(
-    system: ContactSystem, *, tolerance: float, max_iterations: int | None = None, start: Array | None = None
+    system: ContactSystem,
+    *,
+    tolerance: float,
+    max_iterations: int | None = None,
+    start: Array | None = None,
 ) -> ContactSolution:
     """``solve`` with method "auto"; see there."""
     if start is not None:
@@ -35,49 +44,74 @@ def automatic(
     return _in_parts(system, tolerance, max_iterations) if found is None else found
 
 
-def _whole(system: ContactSystem, tolerance: float, limit: int | None) -> ContactSolution | None:
+def _whole(
+    system: ContactSystem, tolerance: float, limit: int | None
+) -> ContactSolution | None:
     """A small system at one go; None where none pushes, where forces are in doubt, or where one moves nothing."""
     a, b = dense(system.A), system.b
     if not (b.min(initial=0.0) < 0 < a.diagonal().min()):
         return None
-    found = block_pivot_one(a, b, max_iterations=ROUNDS if limit is None else min(limit, ROUNDS))
+    found = block_pivot_one(
+        a, b, max_iterations=ROUNDS if limit is None else min(limit, ROUNDS)
+    )
     solution = _pivoted(found, b, tolerance)
-    believed = found.residual <= min(tolerance, EXACT) and not np.any(doubtful(found.product, found.size, b))
+    believed = found.residual <= min(tolerance, EXACT) and not np.any(
+        doubtful(found.product, found.size, b)
+    )
     return solution if believed else None
 
 
 def _pivoted(found: Pivoted, b: Array, tolerance: float) -> ContactSolution:
     """The same, as ``solve`` gives it."""
     motion, residual, method = found.product + b, found.residual, "auto: block_pivot"
-    return ContactSolution(found.force, motion, residual, found.iterations, method, residual <= tolerance)
+    return ContactSolution(
+        found.force, motion, residual, found.iterations, method, residual <= tolerance
+    )
 
 
-def _in_parts(system: ContactSystem, tolerance: float, limit: int | None) -> ContactSolution:
+def _in_parts(
+    system: ContactSystem, tolerance: float, limit: int | None
+) -> ContactSolution:
     """A system island by island, and by other methods where the first fails."""
     parts = Parts(system, tolerance, limit)
     parts.solve()
     require_solution(parts.proof, system.b)
     known = products(parts.matrix, parts.force)
-    solution = contact_solution(system, parts.force, parts.iterations, parts.method, tolerance, known=known)
+    solution = contact_solution(
+        system, parts.force, parts.iterations, parts.method, tolerance, known=known
+    )
     require_convergence(system, solution, tolerance)
     return solution
 
 
-def _batch(system: ContactSystem, tolerance: float, limit: int | None) -> ContactSolution:
+def _batch(
+    system: ContactSystem, tolerance: float, limit: int | None
+) -> ContactSolution:
     """All systems of a batch at once where they are small; one by one where that is in doubt."""
     shape, count = system.b.shape, len(system)
-    a, b = system.A.reshape(prod(shape[:-1]), count, count), system.b.reshape(prod(shape[:-1]), count)
+    a, b = (
+        system.A.reshape(prod(shape[:-1]), count, count),
+        system.b.reshape(prod(shape[:-1]), count),
+    )
     # With the batch as the fastest axis: reductions over the few contacts of each system are quicker by far.
     b = np.asfortranarray(b)
     used = set[str]()
     if count <= SMALL:
         found = block_pivot(a, b, max_iterations=limit)
-        bad = ~(found.residual <= tolerance) | doubtful(found.product, found.size, b).any(axis=1)
+        bad = ~(found.residual <= tolerance) | doubtful(
+            found.product, found.size, b
+        ).any(axis=1)
         if not np.any(bad):
             whole = _pivoted(found, b, tolerance)
-            arrays = {name: value for name, value in vars(whole).items() if name != "method"}
+            arrays = {
+                name: value for name, value in vars(whole).items() if name != "method"
+            }
             return replace(
-                whole, **{k: v.reshape(shape if v.ndim > 1 else shape[:-1]) for k, v in arrays.items()}
+                whole,
+                **{
+                    k: v.reshape(shape if v.ndim > 1 else shape[:-1])
+                    for k, v in arrays.items()
+                },
             )
         used.add("block_pivot")
         force, iterations = found.force, found.iterations

@@ -22,7 +22,11 @@ def cross(x: ArrayLike, y: ArrayLike) -> Array:
 
 
 def point_response(
-    mass: float, inverse_inertia: ArrayLike, arm: ArrayLike, push_arm: ArrayLike, push: ArrayLike
+    mass: float,
+    inverse_inertia: ArrayLike,
+    arm: ArrayLike,
+    push_arm: ArrayLike,
+    push: ArrayLike,
 ) -> Array:
     """Acceleration that a force at one point of a body gives another of its points.
 
@@ -57,13 +61,19 @@ def contact_matrix_entry(bodies: Bodies, contacts: Contacts, i: int, j: int) -> 
         a_ij [1/kg].
     """
     i, j = indices("(i, j)", [i, j], len(contacts))
-    inverse, n_i, n_j = bodies.world_inverse_inertia, contacts.normal[i], contacts.normal[j]
+    inverse, n_i, n_j = (
+        bodies.world_inverse_inertia,
+        contacts.normal[i],
+        contacts.normal[j],
+    )
     a_ij = 0.0
     for body, p_i, answer_sign in _sides(contacts, i):
         for pushed, p_j, push_sign in _sides(contacts, j):
             if body == pushed:
                 x = bodies.position[body]
-                answer = point_response(bodies.mass[body], inverse[body], p_i - x, p_j - x, push_sign * n_j)
+                answer = point_response(
+                    bodies.mass[body], inverse[body], p_i - x, p_j - x, push_sign * n_j
+                )
                 a_ij += answer_sign * float(n_i @ answer)
     return a_ij
 
@@ -76,21 +86,31 @@ def contact_matrix_by_entries(bodies: Bodies, contacts: Contacts) -> Array:
 
 
 def angular_acceleration_free(
-    inverse_inertia: ArrayLike, angular_momentum: ArrayLike, angular_velocity: ArrayLike, torque: ArrayLike
+    inverse_inertia: ArrayLike,
+    angular_momentum: ArrayLike,
+    angular_velocity: ArrayLike,
+    torque: ArrayLike,
 ) -> Array:
     """omega_dot without contact forces, I^-1 (tau + L x omega), (3,) [rad/s^2] (syllabus row 23, misprint 9)."""
-    return np.asarray(inverse_inertia) @ (np.asarray(torque) + cross(angular_momentum, angular_velocity))
+    return np.asarray(inverse_inertia) @ (
+        np.asarray(torque) + cross(angular_momentum, angular_velocity)
+    )
 
 
 def free_point_acceleration(
-    acceleration: ArrayLike, angular_acceleration: ArrayLike, angular_velocity: ArrayLike, arm: ArrayLike
+    acceleration: ArrayLike,
+    angular_acceleration: ArrayLike,
+    angular_velocity: ArrayLike,
+    arm: ArrayLike,
 ) -> Array:
     """p_ddot = v_dot + omega_dot x r + omega x (omega x r), (3,) [m/s^2] (syllabus row 23)."""
     spun = cross(angular_velocity, cross(angular_velocity, arm))
     return np.asarray(acceleration) + cross(angular_acceleration, arm) + spun
 
 
-def contact_bias(bodies: Bodies, contacts: Contacts, i: int, force: ArrayLike, torque: ArrayLike) -> float:
+def contact_bias(
+    bodies: Bodies, contacts: Contacts, i: int, force: ArrayLike, torque: ArrayLike
+) -> float:
     """b_i: d_ddot of contact i without contact forces (syllabus rows 20, 23 and 24).
 
     (p_A_ddot - p_B_ddot).N + 2 (p_A_dot - p_B_dot).N_dot - d |N_dot|^2, and
@@ -116,20 +136,30 @@ def contact_bias(bodies: Bodies, contacts: Contacts, i: int, force: ArrayLike, t
     if contact.feature == "curved":
         turn = bodies.angular_velocity
         return float(
-            b_i + 2 * relative @ cross(turn[b], n) + _curvature(contact, relative, turn[a] - turn[b])
+            b_i
+            + 2 * relative @ cross(turn[b], n)
+            + _curvature(contact, relative, turn[a] - turn[b])
         )
     n_dot = normal_rate(bodies, contact)[0]
     return float(b_i + 2 * relative @ n_dot - contacts.separation[i] * (n_dot @ n_dot))
 
 
-def contact_bias_by_entries(bodies: Bodies, contacts: Contacts, force: ArrayLike, torque: ArrayLike) -> Array:
+def contact_bias_by_entries(
+    bodies: Bodies, contacts: Contacts, force: ArrayLike, torque: ArrayLike
+) -> Array:
     """b, (c,), from its entries one after the other."""
     return np.array(
-        [contact_bias(bodies, contacts, i, force, torque) for i in range(len(contacts))], dtype=float
+        [
+            contact_bias(bodies, contacts, i, force, torque)
+            for i in range(len(contacts))
+        ],
+        dtype=float,
     )
 
 
-def _sides(contacts: Contacts, i: int) -> tuple[tuple[int, Array, float], tuple[int, Array, float]]:
+def _sides(
+    contacts: Contacts, i: int
+) -> tuple[tuple[int, Array, float], tuple[int, Array, float]]:
     """Body, point and sign of both sides of contact i."""
     return (
         (int(contacts.body_a[i]), contacts.point_a[i], +1.0),
@@ -145,7 +175,9 @@ def _free_motion(
         return np.zeros(3), np.zeros(3)
     r, omega = point - bodies.position[body], bodies.angular_velocity[body]
     inverse, spin = bodies.world_inverse_inertia[body], bodies.angular_momentum[body]
-    omega_dot = angular_acceleration_free(inverse, spin, omega, np.asarray(torque)[body])
+    omega_dot = angular_acceleration_free(
+        inverse, spin, omega, np.asarray(torque)[body]
+    )
     v_dot = np.asarray(force)[body] / bodies.mass[body]
     velocity = bodies.velocity[body] + cross(omega, r)
     return velocity, free_point_acceleration(v_dot, omega_dot, omega, r)
@@ -153,9 +185,14 @@ def _free_motion(
 
 def _curvature(contact: Contacts, relative: Array, omega: Array) -> float:
     """s'K_A s + 2 u.s - (u + K_A s)'(K_A + K_B)^-1 (u + K_A s) of one contact, omega = omega_A - omega_B."""
-    assert contact.curvature_a is not None and contact.curvature_b is not None  # Contacts has checked it
+    assert (
+        contact.curvature_a is not None and contact.curvature_b is not None
+    )  # Contacts has checked it
     plane = tangents(contact.normal)[0]
-    k_a, k_b = plane @ contact.curvature_a[0] @ plane.T, plane @ contact.curvature_b[0] @ plane.T
+    k_a, k_b = (
+        plane @ contact.curvature_a[0] @ plane.T,
+        plane @ contact.curvature_b[0] @ plane.T,
+    )
     s, u = plane @ relative, plane @ cross(omega, contact.normal[0])
     rolled = u + k_a @ s
     return float(s @ k_a @ s + 2 * u @ s - rolled @ np.linalg.pinv(k_a + k_b) @ rolled)

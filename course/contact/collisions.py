@@ -80,7 +80,11 @@ def resolve_collisions(
         CollisionsUnresolved: a contact still approaches after 50,000 rounds; has the state reached.
     """
     if np.ndim(restitution):
-        raise failure("restitution", "one number for all contacts", f"shape {np.shape(restitution)}")
+        raise failure(
+            "restitution",
+            "one number for all contacts",
+            f"shape {np.shape(restitution)}",
+        )
     e = float(in_range("restitution", restitution, 0, 1))
     choice("law", law, LAWS)
     for name in ("body_a", "body_b"):
@@ -89,8 +93,14 @@ def resolve_collisions(
         return bodies
     u, alone, groups = _groups(bodies, contacts)
     mass = np.where(alone, effective_mass(bodies, contacts), 0.0)
-    after = apply_impulse(bodies, contacts, np.where(alone & (u < 0), -(1 + e) * u * mass, 0.0))
-    momentum, angular_momentum, stuck = after.momentum.copy(), after.angular_momentum.copy(), 0
+    after = apply_impulse(
+        bodies, contacts, np.where(alone & (u < 0), -(1 + e) * u * mass, 0.0)
+    )
+    momentum, angular_momentum, stuck = (
+        after.momentum.copy(),
+        after.angular_momentum.copy(),
+        0,
+    )
     motion = _motion(bodies)
     for chosen in groups:
         if np.any(u[chosen] < 0):
@@ -130,7 +140,9 @@ class _Island:
         angular_momentum[self.bodies] += turned[:, :, 0]
 
 
-def _groups(bodies: Bodies, contacts: Contacts) -> tuple[Array, BoolArray, list[IntArray]]:
+def _groups(
+    bodies: Bodies, contacts: Contacts
+) -> tuple[Array, BoolArray, list[IntArray]]:
     """Normal velocities, which contacts share no free body with another, and the groups of the rest."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -142,7 +154,9 @@ def _groups(bodies: Bodies, contacts: Contacts) -> tuple[Array, BoolArray, list[
     movable = free_a | free_b
     alone = movable & ~(free_a & (used[a] > 1)) & ~(free_b & (used[b] > 1))
     both = free_a & free_b
-    graph = coo_array((np.ones(np.count_nonzero(both)), (a[both], b[both])), shape=(n, n))
+    graph = coo_array(
+        (np.ones(np.count_nonzero(both)), (a[both], b[both])), shape=(n, n)
+    )
     label = connected_components(graph, directed=False)[1][np.where(free_a, a, b)]
     rest = np.flatnonzero(movable & ~alone)
     order = rest[np.argsort(label[rest], kind="stable")]
@@ -163,22 +177,40 @@ class _Motion:
 def _motion(bodies: Bodies) -> _Motion:
     fixed = bodies.fixed[:, None, None]
     root = np.linalg.cholesky(np.where(fixed, np.eye(3), bodies.world_inverse_inertia))
-    spin = np.asarray(np.linalg.solve(root, bodies.angular_velocity[:, :, None])[:, :, 0], dtype=np.float64)
+    spin = np.asarray(
+        np.linalg.solve(root, bodies.angular_velocity[:, :, None])[:, :, 0],
+        dtype=np.float64,
+    )
     return _Motion(bodies.velocity, bodies.mass**0.5, root, spin)
 
 
-def _island(bodies: Bodies, contacts: Contacts, motion: _Motion, chosen: IntArray) -> _Island:
-    touched = np.unique(np.concatenate([contacts.body_a[chosen], contacts.body_b[chosen]]))
+def _island(
+    bodies: Bodies, contacts: Contacts, motion: _Motion, chosen: IntArray
+) -> _Island:
+    touched = np.unique(
+        np.concatenate([contacts.body_a[chosen], contacts.body_b[chosen]])
+    )
     free = touched[~bodies.fixed[touched]]
-    velocity, root_mass, root = motion.velocity[free], motion.root_mass[free], motion.root[free]
-    if free.size == touched.size:  # nothing fixed: a common motion is no collision's business
+    velocity, root_mass, root = (
+        motion.velocity[free],
+        motion.root_mass[free],
+        motion.root[free],
+    )
+    if (
+        free.size == touched.size
+    ):  # nothing fixed: a common motion is no collision's business
         velocity = velocity - velocity.mean(axis=0)
     start = np.concatenate([velocity * root_mass[:, None], motion.spin[free]], axis=1)
     factor = np.zeros((chosen.size, free.size, 6))
     for body, sign in ((contacts.body_a[chosen], 1.0), (contacts.body_b[chosen], -1.0)):
         moves = np.flatnonzero(~bodies.fixed[body])
-        index, n = np.searchsorted(free, body[moves]), sign * contacts.normal[chosen[moves]]
-        torque = np.cross(contacts.point[chosen[moves]] - bodies.position[body[moves]], n)
+        index, n = (
+            np.searchsorted(free, body[moves]),
+            sign * contacts.normal[chosen[moves]],
+        )
+        torque = np.cross(
+            contacts.point[chosen[moves]] - bodies.position[body[moves]], n
+        )
         factor[moves, index, :3] = n / root_mass[index, None]
         factor[moves, index, 3:] = np.einsum("cji,cj->ci", root[index], torque)
     rows = np.asarray(np.any(factor.reshape(chosen.size, -1), axis=0))
@@ -186,7 +218,9 @@ def _island(bodies: Bodies, contacts: Contacts, motion: _Motion, chosen: IntArra
     fastest = max(float(-np.min(g.T @ y)), 0.0)
     rounding = 4 * np.finfo(float).eps * float(np.max(np.abs(velocity), initial=0.0))
     # Half of it, so that rounding in the answer's own velocities does not cross the line.
-    return _Island(free, root_mass, root, rows, g, y, max(0.5 * APPROACHING * fastest, rounding))
+    return _Island(
+        free, root_mass, root, rows, g, y, max(0.5 * APPROACHING * fastest, rounding)
+    )
 
 
 def _resolve(island: _Island, e: float, law: str) -> tuple[Array, bool]:
@@ -203,7 +237,9 @@ def _resolve(island: _Island, e: float, law: str) -> tuple[Array, bool]:
     return e * elastic + (1 - e) * plastic, done and also
 
 
-def _at_once(island: _Island, strength: float, taken: Callable[[Array], BoolArray]) -> tuple[Array, bool]:
+def _at_once(
+    island: _Island, strength: float, taken: Callable[[Array], BoolArray]
+) -> tuple[Array, bool]:
     """Again and again strength times the plastic impulses of the contacts taken, until none approaches."""
     g, change = island.factor, np.zeros(island.start.shape)
     for _ in range(MAX_ROUNDS):
@@ -229,7 +265,9 @@ def _in_turn(island: _Island, e: float) -> tuple[Array, bool]:
     # Plain lists: an impulse changes u only at the few contacts that share a body with it.
     sharing = [[(int(j), float(row[j])) for j in np.flatnonzero(row)] for row in matrix]
     for _ in range(MAX_ROUNDS):
-        u = (g.T @ (island.start + change)).tolist()  # afresh, so that rounding does not add up
+        u = (
+            g.T @ (island.start + change)
+        ).tolist()  # afresh, so that rounding does not add up
         if min(u) >= limit:
             return change, True
         impulse = [0.0] * len(u)

@@ -7,7 +7,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, BoolArray, failure, non_negative, scalar, scalars, shaped, vectors
+from course.arrays import (
+    Array,
+    ArrayLike,
+    BoolArray,
+    failure,
+    non_negative,
+    scalar,
+    scalars,
+    shaped,
+    vectors,
+)
 from course.contact.separation import separation_rate, signed_terms
 from course.dynamics.bodies import Bodies
 from course.overlap.contacts import Contacts
@@ -57,7 +67,10 @@ class ContactSystem:
             if b.ndim != 1:
                 raise failure("b", "shape (c,) with a sparse A", f"shape {b.shape}")
             shaped("A", matrix, (b.size, b.size))
-            off, size = abs(matrix - matrix.T).max() if b.size else 0.0, abs(matrix).max() if b.size else 0.0
+            off, size = (
+                abs(matrix - matrix.T).max() if b.size else 0.0,
+                abs(matrix).max() if b.size else 0.0,
+            )
         else:
             matrix = scalars("A", self.A)
             if b.ndim < 1:
@@ -71,7 +84,9 @@ class ContactSystem:
         object.__setattr__(self, "b", b)
         least = self.diagonal.min(initial=0.0)
         if least < 0:
-            raise failure("A", "a positive semidefinite matrix", f"{least!r} on its diagonal")
+            raise failure(
+                "A", "a positive semidefinite matrix", f"{least!r} on its diagonal"
+            )
         self._check_parts()
 
     def _check_parts(self) -> None:
@@ -82,11 +97,19 @@ class ContactSystem:
             expected = "jacobian, inverse_mass and free_acceleration together, or none"
             raise failure("jacobian", expected, "only some of them")
         assert self.free_acceleration is not None
-        free = vectors("free_acceleration", self.free_acceleration, size=np.size(self.free_acceleration))
+        free = vectors(
+            "free_acceleration",
+            self.free_acceleration,
+            size=np.size(self.free_acceleration),
+        )
         if free.ndim != 1 or free.size % 6:
             raise failure("free_acceleration", "shape (6n,)", f"shape {free.shape}")
         if self.b.ndim != 1:
-            raise failure("jacobian", "None for a batch of systems", f"shape {np.shape(self.jacobian)}")
+            raise failure(
+                "jacobian",
+                "None for a batch of systems",
+                f"shape {np.shape(self.jacobian)}",
+            )
         shaped("jacobian", self.jacobian, (self.b.size, free.size))
         shaped("inverse_mass", self.inverse_mass, (free.size, free.size))
 
@@ -97,7 +120,11 @@ class ContactSystem:
     @property
     def diagonal(self) -> Array:
         """D, the diagonal of A, (..., c): d_ddot of a contact by a unit of its own force [1/kg]."""
-        return self.A.diagonal() if hasattr(self.A, "tocsr") else np.diagonal(self.A, axis1=-2, axis2=-1)
+        return (
+            self.A.diagonal()
+            if hasattr(self.A, "tocsr")
+            else np.diagonal(self.A, axis1=-2, axis2=-1)
+        )
 
 
 def contact_system(
@@ -132,17 +159,26 @@ def contact_system(
             fixed bodies, wrong shapes, or as ``normal_rate``.
     """
     tolerance = scalar(
-        "rate_tolerance", non_negative("rate_tolerance", rate_tolerance, infinite=True), infinite=True
+        "rate_tolerance",
+        non_negative("rate_tolerance", rate_tolerance, infinite=True),
+        infinite=True,
     )
     _refuse_fixed_pairs(bodies, contacts)
     _refuse_moving(separation_rate(bodies, contacts), tolerance)
     terms = signed_terms(bodies, contacts, force, torque).values()
     b = np.sum([value for value, _ in terms], axis=0)
     b[np.abs(b) <= NOISE * np.sum([size for _, size in terms], axis=0)] = 0.0
-    jacobian, inverse_mass = contact_jacobian(bodies, contacts), inverse_mass_matrix(bodies)
+    jacobian, inverse_mass = (
+        contact_jacobian(bodies, contacts),
+        inverse_mass_matrix(bodies),
+    )
     a = jacobian @ (inverse_mass @ jacobian.T)
     return ContactSystem(
-        (0.5 * (a + a.T)).tocsr(), b, jacobian, inverse_mass, free_acceleration(bodies, force, torque)
+        (0.5 * (a + a.T)).tocsr(),
+        b,
+        jacobian,
+        inverse_mass,
+        free_acceleration(bodies, force, torque),
     )
 
 
@@ -157,11 +193,16 @@ def contact_jacobian(bodies: Bodies, contacts: Contacts) -> csr_array:
     c, n = len(contacts), len(bodies)
     values, columns = np.zeros((c, 2, 6)), np.empty((c, 2, 6), dtype=np.int64)
     for side, (body, point, sign) in enumerate(
-        ((contacts.body_a, contacts.point_a, 1.0), (contacts.body_b, contacts.point_b, -1.0))
+        (
+            (contacts.body_a, contacts.point_a, 1.0),
+            (contacts.body_b, contacts.point_b, -1.0),
+        )
     ):
         position, free = bodies.position[body], ~bodies.fixed[body]
         lever = np.cross(point - position, contacts.normal)
-        size = np.abs(point).max(axis=1, initial=0.0) + np.abs(position).max(axis=1, initial=0.0)
+        size = np.abs(point).max(axis=1, initial=0.0) + np.abs(position).max(
+            axis=1, initial=0.0
+        )
         lever[np.abs(lever) <= ROUNDING * size[:, None]] = 0.0
         normal = np.where(np.abs(contacts.normal) <= ROUNDING, 0.0, contacts.normal)
         values[:, side] = sign * free[:, None] * np.concatenate([normal, lever], axis=1)
@@ -199,7 +240,9 @@ def free_acceleration(bodies: Bodies, force: ArrayLike, torque: ArrayLike) -> Ar
     return np.concatenate([f * bodies.inverse_mass[:, None], alpha], axis=1).ravel()
 
 
-def contact_wrench(bodies: Bodies, contacts: Contacts, force: ArrayLike) -> tuple[Array, Array]:
+def contact_wrench(
+    bodies: Bodies, contacts: Contacts, force: ArrayLike
+) -> tuple[Array, Array]:
     """What contact forces do to each body: the sums of +-f N and of r x (+-f N) (syllabus rows 20 and 22).
 
     Args:

@@ -78,13 +78,16 @@ def curved_terms(bodies: Bodies, contacts: Contacts, which: BoolArray) -> Curved
     s = np.einsum("kti,ki->kt", tangent, relative)
     u = np.einsum("kti,ki->kt", tangent, np.cross(omega[a] - omega[b], picked.normal))
     speed = np.linalg.norm(omega[a], axis=1) + np.linalg.norm(omega[b], axis=1)
-    inverse = _inverse(k_a + k_b, np.abs(k_a).max((1, 2)) + np.abs(k_b).max((1, 2)), u, speed, rows)
+    inverse = _inverse(
+        k_a + k_b, np.abs(k_a).max((1, 2)) + np.abs(k_b).max((1, 2)), u, speed, rows
+    )
     follow = inverse @ k_b  # K^-1 K_B
     both = k_a @ follow  # K_A K^-1 K_B
     parts = [_form(s, both, s), 2 * _form(u, follow, s), -_form(u, inverse, u)]
     turning = _apply(np.swapaxes(follow, 1, 2), u) + _apply(np.swapaxes(both, 1, 2), s)
     return CurvedTerms(
-        normal_rate=np.cross(omega[b], picked.normal) + np.einsum("kti,kt->ki", tangent, turning),
+        normal_rate=np.cross(omega[b], picked.normal)
+        + np.einsum("kti,kt->ki", tangent, turning),
         point=point,
         curvature=parts[0] + parts[1] + parts[2],
         curvature_size=np.abs(parts[0]) + np.abs(parts[1]) + np.abs(parts[2]),
@@ -99,15 +102,22 @@ def tangents(normal: Array) -> Array:
     return np.stack([first, np.cross(normal, first)], axis=1)
 
 
-def _touching(contacts: Contacts, tangent: Array, rows: IntArray) -> tuple[Array, Array, Array]:
+def _touching(
+    contacts: Contacts, tangent: Array, rows: IntArray
+) -> tuple[Array, Array, Array]:
     """Curvatures (k, 2, 2) and the common point once the flatter surface is moved outward by d."""
-    assert contacts.curvature_a is not None and contacts.curvature_b is not None  # Contacts has checked it
+    assert (
+        contacts.curvature_a is not None and contacts.curvature_b is not None
+    )  # Contacts has checked it
     k_a, k_b = (
-        tangent @ k @ np.swapaxes(tangent, 1, 2) for k in (contacts.curvature_a, contacts.curvature_b)
+        tangent @ k @ np.swapaxes(tangent, 1, 2)
+        for k in (contacts.curvature_a, contacts.curvature_b)
     )
     move_b = np.abs(k_b).max((1, 2)) <= np.abs(k_a).max((1, 2))
     point = np.where(move_b[:, None], contacts.point_a, contacts.point_b)
-    moved = np.eye(2) + contacts.separation[:, None, None] * np.where(move_b[:, None, None], k_b, k_a)
+    moved = np.eye(2) + contacts.separation[:, None, None] * np.where(
+        move_b[:, None, None], k_b, k_a
+    )
     if np.any(deep := np.linalg.eigvalsh(moved)[:, 0] <= 0):
         i = int(np.argmax(deep))
         raise failure("contacts.separation", "a penetration less deep than the radius of curvature",

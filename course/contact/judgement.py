@@ -19,7 +19,9 @@ SEEN = 1e-3
 CHECKED_UP_TO = 2000
 
 
-def doubtful(product: Array, size: Array, bias: Array, largest: Array | None = None) -> BoolArray:
+def doubtful(
+    product: Array, size: Array, bias: Array, largest: Array | None = None
+) -> BoolArray:
     """Contacts that approach by more than rounding (``runs_away``), or whose forces are too large to be so sure.
 
     From A f, |A| f and b, each (..., c), and max |b| if it is not that of
@@ -39,7 +41,11 @@ def require_solution(proof: Array, bias: Array) -> None:
     if proof.ndim > 1:
         rows = proof.reshape(-1, proof.shape[-1])
         k = int(np.argmax(rows.any(axis=1)))
-        which, y, b = f" of system {k} of the batch", rows[k], bias.reshape(rows.shape)[k]
+        which, y, b = (
+            f" of system {k} of the batch",
+            rows[k],
+            bias.reshape(rows.shape)[k],
+        )
     raise NoContactForce(
         f"no contact forces keep these contacts{which} from approaching: forces y on contacts "
         f"{np.flatnonzero(y)[:8].tolist()} move no body (A y = 0), yet b.y = {b @ y:.3g} m/s^2 is below 0 "
@@ -59,11 +65,15 @@ def require_semidefinite(matrix: Any) -> None:
     least = float(np.linalg.eigvalsh(a * (scale[:, None] * scale))[0])
     if least < -1e-9:
         raise failure(
-            "A", "a positive semidefinite matrix", f"eigenvalue {least:.3g} in units of its diagonal"
+            "A",
+            "a positive semidefinite matrix",
+            f"eigenvalue {least:.3g} in units of its diagonal",
         )
 
 
-def require_convergence(system: ContactSystem, solution: ContactSolution, tolerance: float) -> None:
+def require_convergence(
+    system: ContactSystem, solution: ContactSolution, tolerance: float
+) -> None:
     """NotConverged where the tolerance was missed, or where forces are so large that it does not say enough."""
     kept = "(what was reached is in .solution)"
     if not np.all(solution.converged):
@@ -75,7 +85,9 @@ def require_convergence(system: ContactSystem, solution: ContactSolution, tolera
     a = system.A
     diagonal = a.diagonal() if a.ndim == 2 else np.diagonal(a, axis1=-2, axis2=-1)
     violation = np.abs(np.minimum(diagonal * solution.force, solution.acceleration))
-    hidden = violation > SEEN * np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
+    hidden = violation > SEEN * np.abs(system.b).max(
+        axis=-1, keepdims=True, initial=0.0
+    )
     if np.any(hidden):
         raise NotConverged(
             f"{np.count_nonzero(hidden)} contacts approach, or part although they push, at up to "

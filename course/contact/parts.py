@@ -46,7 +46,9 @@ class Parts:
     force exists; iterations, the most of any part; method, all that were used.
     """
 
-    def __init__(self, system: ContactSystem, tolerance: float, limit: int | None) -> None:
+    def __init__(
+        self, system: ContactSystem, tolerance: float, limit: int | None
+    ) -> None:
         self.system, self.tolerance, self.limit = system, tolerance, limit
         # Small matrices are handled faster dense.
         self.matrix = dense(system.A) if system.b.size <= SMALL else system.A
@@ -73,18 +75,24 @@ class Parts:
         approaching = np.bincount(label, weights=b < 0) > 0
         if size.size == 1 and b.size <= SMALL:
             # Another first guess than the one that failed before a small system came here.
-            found = block_pivot_one(a, b, pushing=(b <= 0) & (diagonal > 0), max_iterations=self.limit)
+            found = block_pivot_one(
+                a, b, pushing=(b <= 0) & (diagonal > 0), max_iterations=self.limit
+            )
             self._take(slice(None), found.force, found.iterations, "block_pivot")
         else:
             self._small(self.system.A, label, size, approaching & (size <= SMALL))
             for island in np.flatnonzero(approaching & (size > SMALL)):
-                index = slice(None) if size.size == 1 else np.flatnonzero(label == island)
+                index = (
+                    slice(None) if size.size == 1 else np.flatnonzero(label == island)
+                )
                 self._take(index, *self._by_gauss(index, huge=10 * HUGE))
         failing = self._failing(a, b, diagonal, label)
         for island in np.unique(label[failing]) if np.any(failing) else ():
             self._rescue(np.flatnonzero((label == island) & (diagonal > 0)))
 
-    def _small(self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray) -> None:
+    def _small(
+        self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray
+    ) -> None:
         """All small islands, in batches of like size."""
         if not np.any(chosen):
             return
@@ -100,7 +108,10 @@ class Parts:
             slot = np.full(size.size, -1)
             slot[islands] = np.arange(islands.size)
             # A contact with a = 1 and b = 0 fills up: it takes no force.
-            matrix, bias = np.tile(np.eye(count), (islands.size, 1, 1)), np.zeros((islands.size, count))
+            matrix, bias = (
+                np.tile(np.eye(count), (islands.size, 1, 1)),
+                np.zeros((islands.size, count)),
+            )
             here = slot[label[entries.row]] >= 0
             row, column = entries.row[here], entries.col[here]
             matrix[slot[label[row]], local[row], local[column]] = entries.data[here]
@@ -108,7 +119,9 @@ class Parts:
             where = (slot[label[contacts]], local[contacts])
             bias[where] = self.system.b[contacts]
             found = block_pivot(matrix, bias, max_iterations=self.limit)
-            self._take(contacts, found.force[where], int(found.iterations.max()), "block_pivot")
+            self._take(
+                contacts, found.force[where], int(found.iterations.max()), "block_pivot"
+            )
 
     def _take(self, index: Any, force: Array, iterations: int, method: str) -> None:
         self.force[index] = force
@@ -153,7 +166,9 @@ class Parts:
     def _judged(self, a: Any, b: Array, force: Array) -> tuple[float, bool]:
         """The residual of an island by the scale of the whole system, and whether forces seem to run away."""
         product, size = products(a, force)
-        residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / (size + self._largest)
+        residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / (
+            size + self._largest
+        )
         return float(residual.max()), bool(np.any(runs_away(product, size, b)))
 
     def _rows(self, index: Any) -> Any:
@@ -163,14 +178,20 @@ class Parts:
         return None if self._factor is None else self._factor[index]
 
     def _unit(self, index: Any) -> UnitSystem:
-        a = self.system.A if isinstance(index, slice) else self.system.A[index][:, index]
+        a = (
+            self.system.A
+            if isinstance(index, slice)
+            else self.system.A[index][:, index]
+        )
         rows = None if self.system.jacobian is None else partial(self._rows, index)
         return UnitSystem(a, self.system.b[index], rows)
 
     def _by_gauss(self, index: Any, huge: float = np.inf) -> tuple[Array, int, str]:
         limit, unit = 100 if self.limit is None else self.limit, self._unit(index)
         largest = huge * float(np.abs(unit.unit_bias).max())
-        found = solve_gauss(unit, tolerance=self.tolerance, max_iterations=limit, largest=largest)
+        found = solve_gauss(
+            unit, tolerance=self.tolerance, max_iterations=limit, largest=largest
+        )
         return found.force, found.iterations, "gauss"
 
     def _by_pivot(self, index: Any) -> tuple[Array, int, str] | None:

@@ -99,7 +99,9 @@ def normal_rate(bodies: Bodies, contacts: Contacts) -> Array:
     return rate
 
 
-def separation_acceleration(bodies: Bodies, contacts: Contacts, force: ArrayLike, torque: ArrayLike) -> Array:
+def separation_acceleration(
+    bodies: Bodies, contacts: Contacts, force: ArrayLike, torque: ArrayLike
+) -> Array:
     """How the rate of the separation of each contact changes under forces that are known.
 
     d_ddot = (p_A - p_B).N_ddot + 2 (p_A_dot - p_B_dot).N_dot + (p_A_ddot - p_B_ddot).N
@@ -144,10 +146,15 @@ def separation_acceleration_terms(
         "curvature"    zero where nothing is curved
         "gap"          (p_A - p_B).N_ddot = -d |N_dot|^2, zero where curved (it is in the curvature)
     """
-    return {name: value for name, (value, _) in signed_terms(bodies, contacts, force, torque).items()}
+    return {
+        name: value
+        for name, (value, _) in signed_terms(bodies, contacts, force, torque).items()
+    }
 
 
-def resting(bodies: Bodies, contacts: Contacts, *, rate_tolerance: float = 1e-6) -> BoolArray:
+def resting(
+    bodies: Bodies, contacts: Contacts, *, rate_tolerance: float = 1e-6
+) -> BoolArray:
     """Which contacts neither approach nor part: |d_dot| <= rate_tolerance (syllabus row 20).
 
     A contact that approaches is a collision and has to be resolved first; one
@@ -200,11 +207,15 @@ def _motion(bodies: Bodies, contacts: Contacts) -> _Motion:
 
 def _carried_normal_rate(motion: _Motion, contacts: Contacts) -> Array:
     """N_dot of the normals that a face or two edges carry; omega_B x N where curved."""
-    omega = np.where(_which(contacts, "face_a")[:, None], motion.omega_a, motion.omega_b)
+    omega = np.where(
+        _which(contacts, "face_a")[:, None], motion.omega_a, motion.omega_b
+    )
     rate = np.cross(omega, contacts.normal)
     edges = np.flatnonzero(_which(contacts, "edges"))
     if edges.size:
-        rate[edges] = _edge_normal_rate(contacts[edges], motion.omega_a[edges], motion.omega_b[edges], edges)
+        rate[edges] = _edge_normal_rate(
+            contacts[edges], motion.omega_a[edges], motion.omega_b[edges], edges
+        )
     return rate
 
 
@@ -213,8 +224,12 @@ def _which(contacts: Contacts, feature: str) -> BoolArray:
     return np.asarray(np.asarray(contacts.feature) == feature)
 
 
-def _edge_normal_rate(contacts: Contacts, omega_a: Array, omega_b: Array, rows: IntArray) -> Array:
-    assert contacts.edge_a is not None and contacts.edge_b is not None  # Contacts has checked it
+def _edge_normal_rate(
+    contacts: Contacts, omega_a: Array, omega_b: Array, rows: IntArray
+) -> Array:
+    assert (
+        contacts.edge_a is not None and contacts.edge_b is not None
+    )  # Contacts has checked it
     n = contacts.normal
     e_a = contacts.edge_a / np.linalg.norm(contacts.edge_a, axis=1, keepdims=True)
     e_b = contacts.edge_b / np.linalg.norm(contacts.edge_b, axis=1, keepdims=True)
@@ -229,7 +244,9 @@ def _edge_normal_rate(contacts: Contacts, omega_a: Array, omega_b: Array, rows: 
         i = int(np.argmax(off))
         raise failure("contacts.normal", "the common perpendicular of edge_a and edge_b",
                       f"{n[i]}, off by {off[i]:.1e} rad", (rows[i],))  # fmt: skip
-    u_dot = np.cross(np.cross(omega_a, e_a), e_b) + np.cross(e_a, np.cross(omega_b, e_b))
+    u_dot = np.cross(np.cross(omega_a, e_a), e_b) + np.cross(
+        e_a, np.cross(omega_b, e_b)
+    )
     turned = u_dot * (np.sign(np.sum(u * n, axis=1)) / length)[:, None]
     return turned - np.sum(turned * n, axis=1, keepdims=True) * n
 
@@ -245,12 +262,22 @@ def signed_terms(
     shaped("force", f, (len(bodies), 3))
     shaped("torque", tau, (len(bodies), 3))
     motion, n = _motion(bodies, contacts), contacts.normal
-    inverse, omega, spin = bodies.world_inverse_inertia, bodies.angular_velocity, bodies.angular_momentum
+    inverse, omega, spin = (
+        bodies.world_inverse_inertia,
+        bodies.angular_velocity,
+        bodies.angular_momentum,
+    )
     tau = np.where(bodies.fixed[:, None], 0.0, tau)
     gyroscopic = np.cross(spin, omega)
     gyroscopic_size = _cross_size(spin, omega)
-    terms = {name: np.zeros((2, len(contacts))) for name in ("force", "torque", "spin", "centripetal")}
-    for body, arm, sign in ((motion.a, motion.arm_a, 1.0), (motion.b, motion.arm_b, -1.0)):
+    terms = {
+        name: np.zeros((2, len(contacts)))
+        for name in ("force", "torque", "spin", "centripetal")
+    }
+    for body, arm, sign in (
+        (motion.a, motion.arm_a, 1.0),
+        (motion.b, motion.arm_b, -1.0),
+    ):
         lever = np.cross(arm, n)  # N.(alpha x r) = alpha.(r x N)
         lever_size = _cross_size(arm, n)
         acceleration = (f * bodies.inverse_mass[:, None])[body]
@@ -263,12 +290,16 @@ def signed_terms(
             terms[name] += _dot(sign * alpha, lever, alpha_size, lever_size)
         w = omega[body]
         inward = np.cross(w, np.cross(w, arm))
-        terms["centripetal"] += _dot(sign * n, inward, np.abs(n), _cross_size(w, _cross_size(w, arm)))
+        terms["centripetal"] += _dot(
+            sign * n, inward, np.abs(n), _cross_size(w, _cross_size(w, arm))
+        )
     result = {name: (value[0], value[1]) for name, value in terms.items()}
     return result | _turning_terms(motion, contacts)
 
 
-def _turning_terms(motion: _Motion, contacts: Contacts) -> dict[str, tuple[Array, Array]]:
+def _turning_terms(
+    motion: _Motion, contacts: Contacts
+) -> dict[str, tuple[Array, Array]]:
     """The terms that come from the normal's turning: "normal", "curvature", "gap"."""
     n_dot = _carried_normal_rate(motion, contacts)
     curved, curvature = _which(contacts, "curved"), np.zeros((2, len(contacts)))

@@ -68,4 +68,6 @@ def contact_solution(
     """
     product, size = products(system.A, force) if known is None else known
     residual = residual_of(system.diagonal, product, size, force, system.b)
-    return ContactSolution(force, product + system.b, residual, iterations, method, residual <= tolerance)
+    return ContactSolution(
+        force, product + system.b, residual, iterations, method, residual <= tolerance
+    )

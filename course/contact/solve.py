@@ -9,7 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, IntArray, choice, failure, positive, scalar, scalars, whole_number
+from course.arrays import (
+    Array,
+    ArrayLike,
+    IntArray,
+    choice,
+    failure,
+    positive,
+    scalar,
+    scalars,
+    whole_number,
+)
 from course.contact.automatic import automatic
 from course.contact.contact_system import ContactSystem
 from course.contact.solution import ContactSolution, NotConverged, contact_solution
@@ -78,7 +88,11 @@ def solve(
         raise failure("system", "a ContactSystem", type(system).__name__)
     choice("method", method, METHODS)
     tolerance = scalar("tolerance", positive("tolerance", tolerance))
-    limit = None if max_iterations is None else whole_number("max_iterations", max_iterations, minimum=1)
+    limit = (
+        None
+        if max_iterations is None
+        else whole_number("max_iterations", max_iterations, minimum=1)
+    )
     relaxation = scalar("relaxation", relaxation)
     if not 0 < relaxation < 2:
         raise failure("relaxation", "a number above 0 and below 2", repr(relaxation))
@@ -86,8 +100,12 @@ def solve(
     if begin is not None and begin.shape != system.b.shape:
         raise failure("start", f"shape {system.b.shape}", f"shape {begin.shape}")
     if method == "gauss" and system.jacobian is None:
-        raise failure("system", "jacobian and inverse_mass for method 'gauss'", "A and b alone")
-    run = partial(_solved, method=method, tolerance=tolerance, limit=limit, relaxation=relaxation)
+        raise failure(
+            "system", "jacobian and inverse_mass for method 'gauss'", "A and b alone"
+        )
+    run = partial(
+        _solved, method=method, tolerance=tolerance, limit=limit, relaxation=relaxation
+    )
     unit = _power_of_two(system.b)
     return run(system, begin) if unit is None else _in_units(system, unit, begin, run)
 
@@ -96,17 +114,26 @@ def _power_of_two(b: Array) -> Array | None:
     """About the size of each system's b, (..., 1), if the squares of any would leave the range of floating point."""
     size = np.abs(b).max(axis=-1, keepdims=True, initial=0.0)
     far = (size > 0) & ((size < SMALLEST) | (size > 1 / SMALLEST))
-    return None if not far.any() else np.where(far, np.ldexp(1.0, np.clip(np.frexp(size)[1], -1021, 1022)), 1.0)
+    return (
+        None
+        if not far.any()
+        else np.where(far, np.ldexp(1.0, np.clip(np.frexp(size)[1], -1021, 1022)), 1.0)
+    )
 
 
 def _in_units(
-    system: ContactSystem, unit: Array, start: Any, solved: Callable[[ContactSystem, Any], ContactSolution]
+    system: ContactSystem,
+    unit: Array,
+    start: Any,
+    solved: Callable[[ContactSystem, Any], ContactSolution],
 ) -> ContactSolution:
     """Solved for b / unit: forces and accelerations are proportional to b."""
     scaled = replace(system, b=system.b / unit)
 
     def back(found: ContactSolution) -> ContactSolution:
-        return replace(found, force=found.force * unit, acceleration=found.acceleration * unit)
+        return replace(
+            found, force=found.force * unit, acceleration=found.acceleration * unit
+        )
 
     try:
         return back(solved(scaled, None if start is None else start / unit))
@@ -115,7 +142,13 @@ def _in_units(
 
 
 def _solved(
-    system: ContactSystem, begin: Any, *, method: str, tolerance: float, limit: int | None, relaxation: float
+    system: ContactSystem,
+    begin: Any,
+    *,
+    method: str,
+    tolerance: float,
+    limit: int | None,
+    relaxation: float,
 ) -> ContactSolution:
     if method == "auto":
         return automatic(system, tolerance=tolerance, max_iterations=limit, start=begin)
@@ -124,14 +157,23 @@ def _solved(
     force = np.zeros(system.b.shape)
     iterations = np.zeros(system.b.shape[:-1], dtype=np.intp)
     for index in np.ndindex(iterations.shape):
-        a, b = (system.A, system.b) if system.b.ndim == 1 else (system.A[index], system.b[index])
+        a, b = (
+            (system.A, system.b)
+            if system.b.ndim == 1
+            else (system.A[index], system.b[index])
+        )
         pushing = np.flatnonzero(a.diagonal() > 0)
         if not np.any(b < 0) or not pushing.size:
             continue
         if pushing.size < count:  # contacts that no force moves
             a, b = a[pushing][:, pushing], b[pushing]
         options = _Options(
-            system, pushing, tolerance, limit, relaxation, None if begin is None else begin[index]
+            system,
+            pushing,
+            tolerance,
+            limit,
+            relaxation,
+            None if begin is None else begin[index],
         )
         found, iterations[index] = one(a, b, options)
         force[(*index, pushing)] = np.maximum(found, 0.0)
@@ -176,7 +218,9 @@ def _qp(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
         unit = a / (root[:, None] * root)
     # The solver stops at a gap, and where f and w are both small each is its root: so a hundredth, if it can.
     for own in (0.01 * options.tolerance, options.tolerance):
-        found, count = solve_qp(unit, b / root / size, tolerance=own, max_iterations=options.limit)
+        found, count = solve_qp(
+            unit, b / root / size, tolerance=own, max_iterations=options.limit
+        )
         if found is not None:
             return found * size / root, count
     return np.zeros(b.size), count

@@ -1,7 +1,12 @@
 """Bodies that move, from plain arrays: state, impulses, bounces (syllabus rows 14-18)."""
 
 from course.dynamics.bodies import Bodies
-from course.dynamics.bounces import bounce_path_length, bounce_rest_time, bounce_times, wall_bounce
+from course.dynamics.bounces import (
+    bounce_path_length,
+    bounce_rest_time,
+    bounce_times,
+    wall_bounce,
+)
 from course.dynamics.closed_forms import parabola, pendulum, symmetric_top
 from course.dynamics.energy import (
     angular_kinetic_energy,

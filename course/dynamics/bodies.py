@@ -78,7 +78,11 @@ class Bodies:
 
     @classmethod
     def balls(
-        cls, mass: ArrayLike, radius: ArrayLike, position: ArrayLike, velocity: ArrayLike = (0.0, 0.0, 0.0)
+        cls,
+        mass: ArrayLike,
+        radius: ArrayLike,
+        position: ArrayLike,
+        velocity: ArrayLike = (0.0, 0.0, 0.0),
     ) -> Bodies:
         """Solid balls that do not spin: I = 2/5 m r^2.
 
@@ -99,9 +103,13 @@ class Bodies:
         fixed = np.isinf(m)
         _require_none_if_fixed("velocity", v, fixed)
         finite_mass = np.where(fixed, 0.0, m)
-        inertia = np.where(fixed, 1.0, 0.4 * finite_mass * r * r)[:, None, None] * np.eye(3)
+        inertia = np.where(fixed, 1.0, 0.4 * finite_mass * r * r)[
+            :, None, None
+        ] * np.eye(3)
         momentum = finite_mass[:, None] * v
-        return cls(m, inertia, x, rotations.identity(*batch), momentum, np.zeros((*batch, 3)))
+        return cls(
+            m, inertia, x, rotations.identity(*batch), momentum, np.zeros((*batch, 3))
+        )
 
     def __len__(self) -> int:
         return self.mass.size
@@ -125,7 +133,11 @@ class Bodies:
     def world_inertia(self) -> Array:
         """R I R', (n, 3, 3) [kg m^2]; infinity on the diagonal for a fixed body."""
         rotation, fixed = self.rotation, self.fixed[:, None, None]
-        turned = rotation @ np.where(fixed, np.eye(3), self.inertia) @ np.swapaxes(rotation, -1, -2)
+        turned = (
+            rotation
+            @ np.where(fixed, np.eye(3), self.inertia)
+            @ np.swapaxes(rotation, -1, -2)
+        )
         return np.where(fixed, np.diag([np.inf] * 3), turned)
 
     @cached_property
@@ -133,7 +145,9 @@ class Bodies:
         """R I^-1 R', zero for a fixed body, (n, 3, 3) [1/(kg m^2)], read-only."""
         rotation, fixed = self.rotation, self.fixed[:, None, None]
         inverse = np.linalg.inv(np.where(fixed, np.eye(3), self.inertia))
-        return read_only(np.where(fixed, 0.0, rotation @ inverse @ np.swapaxes(rotation, -1, -2)))
+        return read_only(
+            np.where(fixed, 0.0, rotation @ inverse @ np.swapaxes(rotation, -1, -2))
+        )
 
     @property
     def velocity(self) -> Array:
@@ -143,11 +157,15 @@ class Bodies:
     @property
     def angular_velocity(self) -> Array:
         """I^-1 L, (n, 3) [rad/s]."""
-        return np.einsum("nij,nj->ni", self.world_inverse_inertia, self.angular_momentum)
+        return np.einsum(
+            "nij,nj->ni", self.world_inverse_inertia, self.angular_momentum
+        )
 
 
 def _require_none_if_fixed(name: str, value: Array, fixed: BoolArray) -> None:
     moving = fixed & np.any(value != 0, axis=1)
     if np.any(moving):
         index = int(np.argmax(moving))
-        raise failure(name, "zero in a body of infinite mass", str(value[index]), (index,))
+        raise failure(
+            name, "zero in a body of infinite mass", str(value[index]), (index,)
+        )

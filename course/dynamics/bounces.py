@@ -17,7 +17,9 @@ from course.arrays import (
 )
 
 
-def wall_bounce(velocity: ArrayLike, normal: ArrayLike, restitution: ArrayLike) -> Array:
+def wall_bounce(
+    velocity: ArrayLike, normal: ArrayLike, restitution: ArrayLike
+) -> Array:
     """Velocity after hitting a fixed wall.
 
     v' = v - (1 + e) (v.n) n while v.n < 0, else v. At e = 1 this is the
@@ -44,7 +46,9 @@ def wall_bounce(velocity: ArrayLike, normal: ArrayLike, restitution: ArrayLike) 
     return v - ((1 + e) * approach)[..., None] * n
 
 
-def bounce_times(height: ArrayLike, restitution: ArrayLike, count: int, gravity: ArrayLike = 9.81) -> Array:
+def bounce_times(
+    height: ArrayLike, restitution: ArrayLike, count: int, gravity: ArrayLike = 9.81
+) -> Array:
     """Times of the first impacts of a ball dropped onto the ground.
 
     t_k = sqrt(2 h/g) (1 + 2 (e + e^2 + ... + e^k)), k = 0, 1, ..., count - 1:
@@ -71,7 +75,9 @@ def bounce_times(height: ArrayLike, restitution: ArrayLike, count: int, gravity:
     return fall[..., None] * np.cumsum(flights, axis=-1)
 
 
-def bounce_rest_time(height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike = 9.81) -> Array:
+def bounce_rest_time(
+    height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike = 9.81
+) -> Array:
     """When a dropped ball comes to rest, after infinitely many impacts if 0 < e < 1.
 
     sqrt(2 h/g) (1 + e)/(1 - e), the limit of ``bounce_times``; infinity at
@@ -105,7 +111,9 @@ def bounce_path_length(height: ArrayLike, restitution: ArrayLike) -> Array:
     return _limit(h, 1 + e**2, (1 - e) * (1 + e))
 
 
-def _fall(height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike) -> tuple[Array, Array]:
+def _fall(
+    height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike
+) -> tuple[Array, Array]:
     h, e = non_negative("height", height), in_range("restitution", restitution, 0, 1)
     g = positive("gravity", gravity)
     batch = broadcast(height=(h, 0), restitution=(e, 0), gravity=(g, 0))
@@ -115,7 +123,8 @@ def _fall(height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike) -> tupl
 def _limit(first: Array, numerator: Array, denominator: Array) -> Array:
     """first * numerator / denominator, where nothing stays nothing however often it is repeated."""
     top = np.broadcast_to(
-        first * numerator, np.broadcast_shapes(first.shape, numerator.shape, denominator.shape)
+        first * numerator,
+        np.broadcast_shapes(first.shape, numerator.shape, denominator.shape),
     )
     result = np.where(top > 0, np.inf, 0.0)
     return np.divide(top, denominator, out=result, where=denominator > 0)[()]

@@ -5,7 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from course import rotations
-from course.arrays import Array, ArrayLike, broadcast, failure, in_range, positive, scalars, vectors
+from course.arrays import (
+    Array,
+    ArrayLike,
+    broadcast,
+    failure,
+    in_range,
+    positive,
+    scalars,
+    vectors,
+)
 from course.dynamics.elliptic import jacobi_functions
 
 
@@ -29,7 +38,9 @@ def parabola(
     return x + v * t + 0.5 * a * t**2, v + a * t
 
 
-def pendulum(amplitude: ArrayLike, frequency: ArrayLike, time: ArrayLike) -> tuple[Array, Array]:
+def pendulum(
+    amplitude: ArrayLike, frequency: ArrayLike, time: ArrayLike
+) -> tuple[Array, Array]:
     """The pendulum theta_ddot = -w^2 sin theta, let go at rest at its amplitude.
 
     sin(theta/2) = k cn(w t)/dn(w t) with the modulus k = sin(amplitude/2), m = k^2
@@ -44,7 +55,10 @@ def pendulum(amplitude: ArrayLike, frequency: ArrayLike, time: ArrayLike) -> tup
     Raises:
         ValueError: an amplitude outside 0..pi, a frequency that is not positive.
     """
-    top, w = in_range("amplitude", amplitude, 0, np.pi), positive("frequency", frequency)
+    top, w = (
+        in_range("amplitude", amplitude, 0, np.pi),
+        positive("frequency", frequency),
+    )
     t = scalars("time", time)
     broadcast(amplitude=(top, 0), frequency=(w, 0), time=(t, 0))
     k, k1 = np.sin(top / 2), np.cos(top / 2)
@@ -52,7 +66,9 @@ def pendulum(amplitude: ArrayLike, frequency: ArrayLike, time: ArrayLike) -> tup
     return 2 * np.arctan2(k * cn, k1), -2 * w * k * k1 * sn / dn
 
 
-def symmetric_top(moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLike) -> tuple[Array, Array]:
+def symmetric_top(
+    moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLike
+) -> tuple[Array, Array]:
     """The torque-free top with I1 = I2: the axis goes round L at |L|/I1, the body round the axis at
     l3 (1/I3 - 1/I1) (Landau and Lifshitz, *Mechanics*, sections 33 and 36).
 
@@ -73,6 +89,12 @@ def symmetric_top(moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLi
         raise failure("moments", "the first two alike", f"{moment.tolist()!r:.60}")
     about_L = rotations.from_rotation_vector(momentum * (t / moment[..., 0])[..., None])
     spin = momentum[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
-    about_axis = rotations.from_rotation_vector(spin[..., None] * np.array([0.0, 0.0, 1.0]))
-    turn = rotations.from_matrix(rotations.to_matrix(about_L) @ rotations.to_matrix(about_axis))
-    return rotations.rotate(about_axis * np.array([-1.0, -1.0, -1.0, 1.0]), momentum), turn
+    about_axis = rotations.from_rotation_vector(
+        spin[..., None] * np.array([0.0, 0.0, 1.0])
+    )
+    turn = rotations.from_matrix(
+        rotations.to_matrix(about_L) @ rotations.to_matrix(about_axis)
+    )
+    return rotations.rotate(
+        about_axis * np.array([-1.0, -1.0, -1.0, 1.0]), momentum
+    ), turn

@@ -16,7 +16,9 @@ from course.arrays import Array, ArrayLike
 _MEANS = 14
 
 
-def jacobi_functions(argument: ArrayLike, complement: ArrayLike) -> tuple[Array, Array, Array]:
+def jacobi_functions(
+    argument: ArrayLike, complement: ArrayLike
+) -> tuple[Array, Array, Array]:
     """sn(u | m), cn(u | m) and dn(u | m) with m = 1 - m1.
 
     By the arithmetic-geometric mean of 1 and sqrt(m1), and back along it
@@ -28,7 +30,9 @@ def jacobi_functions(argument: ArrayLike, complement: ArrayLike) -> tuple[Array,
     Returns:
         sn, cn, dn, each (...).
     """
-    u, m1 = np.broadcast_arrays(np.asarray(argument, dtype=float), np.asarray(complement, dtype=float))
+    u, m1 = np.broadcast_arrays(
+        np.asarray(argument, dtype=float), np.asarray(complement, dtype=float)
+    )
     open_orbit = m1 == 0
     mean, root = np.ones(u.shape), np.where(open_orbit, 1.0, m1)
     means, roots = [], []

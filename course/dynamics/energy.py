@@ -24,7 +24,9 @@ def linear_kinetic_energy(momentum: ArrayLike, velocity: ArrayLike) -> Array:
     return 0.5 * np.sum(p * v, axis=-1)
 
 
-def angular_kinetic_energy(angular_momentum: ArrayLike, angular_velocity: ArrayLike) -> Array:
+def angular_kinetic_energy(
+    angular_momentum: ArrayLike, angular_velocity: ArrayLike
+) -> Array:
     """T_angular = L.omega/2 (syllabus row 14); both in world axes, or both in body axes.
 
     Args:
@@ -35,7 +37,10 @@ def angular_kinetic_energy(angular_momentum: ArrayLike, angular_velocity: ArrayL
     Raises:
         ValueError: a wrong shape, NaN or infinity.
     """
-    L, omega = vectors("angular_momentum", angular_momentum), vectors("angular_velocity", angular_velocity)
+    L, omega = (
+        vectors("angular_momentum", angular_momentum),
+        vectors("angular_velocity", angular_velocity),
+    )
     broadcast(angular_momentum=(L, 1), angular_velocity=(omega, 1))
     return 0.5 * np.sum(L * omega, axis=-1)
 
@@ -64,7 +69,9 @@ def potential_energy(mass: ArrayLike, position: ArrayLike, gravity: ArrayLike) -
 def kinetic_energy(bodies: Bodies) -> Array:
     """T = p.v/2 + L.omega/2 of each body (syllabus row 14), (n,) [J]; 0 for a fixed one."""
     linear = linear_kinetic_energy(bodies.momentum, bodies.velocity)
-    return linear + angular_kinetic_energy(bodies.angular_momentum, bodies.angular_velocity)
+    return linear + angular_kinetic_energy(
+        bodies.angular_momentum, bodies.angular_velocity
+    )
 
 
 def total_energy(bodies: Bodies, gravity: ArrayLike = (0.0, 0.0, 0.0)) -> float:
@@ -77,7 +84,11 @@ def total_energy(bodies: Bodies, gravity: ArrayLike = (0.0, 0.0, 0.0)) -> float:
         E [J].
     """
     g = _one_vector("gravity", gravity)
-    return float(np.sum(kinetic_energy(bodies) + potential_energy(bodies.mass, bodies.position, g)))
+    return float(
+        np.sum(
+            kinetic_energy(bodies) + potential_energy(bodies.mass, bodies.position, g)
+        )
+    )
 
 
 def total_momentum(bodies: Bodies) -> Array:

@@ -8,11 +8,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, broadcast, failure, inertias, scalars, vectors
+from course.arrays import (
+    Array,
+    ArrayLike,
+    broadcast,
+    failure,
+    inertias,
+    scalars,
+    vectors,
+)
 
 
 def body_frame_euler(
-    angular_momentum: ArrayLike, inertia: ArrayLike, step: ArrayLike, *, torque: ArrayLike = (0.0, 0.0, 0.0)
+    angular_momentum: ArrayLike,
+    inertia: ArrayLike,
+    step: ArrayLike,
+    *,
+    torque: ArrayLike = (0.0, 0.0, 0.0),
 ) -> Array:
     """Explicit Euler on the angular momentum in body axes: l' = l + h (tau + l x omega), omega = I^-1 l.
 
@@ -30,15 +42,24 @@ def body_frame_euler(
     Raises:
         ValueError: a wrong shape, an inertia not symmetric and positive definite, NaN or infinity.
     """
-    l, tensor = vectors("angular_momentum", angular_momentum), inertias("inertia", inertia)  # noqa: E741
+    l, tensor = (  # noqa: E741
+        vectors("angular_momentum", angular_momentum),
+        inertias("inertia", inertia),
+    )
     h, tau = scalars("step", step), vectors("torque", torque)
-    broadcast(angular_momentum=(l, 1), inertia=(tensor, 2), step=(h, 0), torque=(tau, 1))
+    broadcast(
+        angular_momentum=(l, 1), inertia=(tensor, 2), step=(h, 0), torque=(tau, 1)
+    )
     omega = np.linalg.solve(tensor, l[..., None])[..., 0]
     return l + h[..., None] * (tau + np.cross(l, omega))
 
 
 def quaternion_euler(
-    orientation: ArrayLike, angular_velocity: ArrayLike, step: ArrayLike, *, renormalize: bool = False
+    orientation: ArrayLike,
+    angular_velocity: ArrayLike,
+    step: ArrayLike,
+    *,
+    renormalize: bool = False,
 ) -> Array:
     """Explicit Euler on a quaternion: q' = q + h/2 (omega, 0) q, with or without bringing it back to length 1.
 
@@ -67,4 +88,8 @@ def quaternion_euler(
     rate[..., :3] = 0.5 * (w * omega + np.cross(omega, u))
     rate[..., 3] = -0.5 * np.sum(omega * u, axis=-1)
     result = np.broadcast_to(q + h[..., None] * rate, (*batch, 4))
-    return result / np.linalg.norm(result, axis=-1, keepdims=True) if renormalize else np.array(result)
+    return (
+        result / np.linalg.norm(result, axis=-1, keepdims=True)
+        if renormalize
+        else np.array(result)
+    )

@@ -65,7 +65,9 @@ def momentum_after(
     """
     p_1, p_2 = vectors("momentum_1", momentum_1), vectors("momentum_2", momentum_2)
     p_hat, n = scalars("impulse", impulse), unit_vectors("normal", normal)
-    broadcast(momentum_1=(p_1, 1), momentum_2=(p_2, 1), impulse=(p_hat, 0), normal=(n, 1))
+    broadcast(
+        momentum_1=(p_1, 1), momentum_2=(p_2, 1), impulse=(p_hat, 0), normal=(n, 1)
+    )
     change = p_hat[..., None] * n
     return p_1 + change, p_2 - change
 
@@ -95,12 +97,17 @@ def velocity_after(
     """
     m_1, m_2, v_1, v_2, n = _pair(mass_1, mass_2, velocity_1, velocity_2, normal)
     p_hat = scalars("impulse", impulse)
-    broadcast(velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1), impulse=(p_hat, 0))
+    broadcast(
+        velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1), impulse=(p_hat, 0)
+    )
     return v_1 + (p_hat / m_1)[..., None] * n, v_2 - (p_hat / m_2)[..., None] * n
 
 
 def separation_speed(
-    velocity_1: ArrayLike, velocity_2: ArrayLike, normal: ArrayLike, restitution: ArrayLike
+    velocity_1: ArrayLike,
+    velocity_2: ArrayLike,
+    normal: ArrayLike,
+    restitution: ArrayLike,
 ) -> Array:
     """How fast two bodies part along the normal after the impact, (v1' - v2').n.
 
@@ -121,7 +128,9 @@ def separation_speed(
     """
     v_1, v_2 = vectors("velocity_1", velocity_1), vectors("velocity_2", velocity_2)
     n, e = unit_vectors("normal", normal), in_range("restitution", restitution, 0, 1)
-    broadcast(velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1), restitution=(e, 0))
+    broadcast(
+        velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1), restitution=(e, 0)
+    )
     u = np.sum((v_1 - v_2) * n, axis=-1)
     return np.where(u < 0, e * -u, u)[()]
 
@@ -158,7 +167,9 @@ def impulse_central(
         >>> impulse_central(2.0, 1.0, v, [1.0, 0, 0], [1.0, 0, 0], 1.0).round(4)
         array([5.3333, 0.    ])
     """
-    reduced_mass, closing, e = _impact(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
+    reduced_mass, closing, e = _impact(
+        mass_1, mass_2, velocity_1, velocity_2, normal, restitution
+    )
     return (1 + e) * closing * reduced_mass
 
 
@@ -189,11 +200,15 @@ def kinetic_energy_lost(
         >>> float(kinetic_energy_lost(2.0, 2.0, [-3.0, 0, 0], [1.0, 0, 0], [1.0, 0, 0], 0.5))
         6.0
     """
-    reduced_mass, closing, e = _impact(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
+    reduced_mass, closing, e = _impact(
+        mass_1, mass_2, velocity_1, velocity_2, normal, restitution
+    )
     return 0.5 * reduced_mass * (1 - e) * (1 + e) * closing**2
 
 
-def point_velocity(velocity: ArrayLike, angular_velocity: ArrayLike, arm: ArrayLike) -> Array:
+def point_velocity(
+    velocity: ArrayLike, angular_velocity: ArrayLike, arm: ArrayLike
+) -> Array:
     """Velocity of a point of a turning body: v + omega x r (syllabus row 22).
 
     Args:
@@ -201,7 +216,10 @@ def point_velocity(velocity: ArrayLike, angular_velocity: ArrayLike, arm: ArrayL
         angular_velocity: omega, (..., 3) [rad/s].
         arm: r, from the centre of mass to the point, (..., 3) [m].
     """
-    v, omega = vectors("velocity", velocity), vectors("angular_velocity", angular_velocity)
+    v, omega = (
+        vectors("velocity", velocity),
+        vectors("angular_velocity", angular_velocity),
+    )
     r = vectors("arm", arm)
     broadcast(velocity=(v, 1), angular_velocity=(omega, 1), arm=(r, 1))
     return v + np.cross(omega, r)
@@ -233,11 +251,17 @@ def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
     inverse = bodies.inverse_mass[a] + bodies.inverse_mass[b]
     for body, arm in ((a, arm_a), (b, arm_b)):
         torque = np.cross(arm, contacts.normal)
-        inverse = inverse + np.einsum("ci,cij,cj->c", torque, bodies.world_inverse_inertia[body], torque)
-    return np.divide(1.0, inverse, out=np.full(inverse.shape, np.inf), where=inverse > 0)
+        inverse = inverse + np.einsum(
+            "ci,cij,cj->c", torque, bodies.world_inverse_inertia[body], torque
+        )
+    return np.divide(
+        1.0, inverse, out=np.full(inverse.shape, np.inf), where=inverse > 0
+    )
 
 
-def impulse_at_point(bodies: Bodies, contacts: ContactPoints, restitution: ArrayLike) -> Array:
+def impulse_at_point(
+    bodies: Bodies, contacts: ContactPoints, restitution: ArrayLike
+) -> Array:
     """Impulse of each contact taken on its own, for bodies that turn as well.
 
     p_hat = -(1 + e) u mu while u < 0, else 0, with the normal velocity u and
@@ -258,10 +282,14 @@ def impulse_at_point(bodies: Bodies, contacts: ContactPoints, restitution: Array
     mu, u = effective_mass(bodies, contacts), normal_velocity(bodies, contacts)
     broadcast(contacts=(u, 0), restitution=(e, 0))
     approaching = (u < 0) & np.isfinite(mu)
-    return np.where(approaching, (1 + e) * np.maximum(-u, 0) * np.where(approaching, mu, 0), 0.0)
+    return np.where(
+        approaching, (1 + e) * np.maximum(-u, 0) * np.where(approaching, mu, 0), 0.0
+    )
 
 
-def apply_impulse(bodies: Bodies, contacts: ContactPoints, impulse: ArrayLike) -> Bodies:
+def apply_impulse(
+    bodies: Bodies, contacts: ContactPoints, impulse: ArrayLike
+) -> Bodies:
     """The bodies after all these impulses at once.
 
     p_A' = p_A + p_hat n, L_A' = L_A + r_A x p_hat n, and the opposite for B
@@ -282,19 +310,39 @@ def apply_impulse(bodies: Bodies, contacts: ContactPoints, impulse: ArrayLike) -
     return replace(bodies, momentum=momentum, angular_momentum=angular)
 
 
-def _arms(bodies: Bodies, contacts: ContactPoints) -> tuple[IntArray, IntArray, Array, Array]:
+def _arms(
+    bodies: Bodies, contacts: ContactPoints
+) -> tuple[IntArray, IntArray, Array, Array]:
     a = indices("contacts.body_a", contacts.body_a, len(bodies))
     b = indices("contacts.body_b", contacts.body_b, len(bodies))
-    return a, b, contacts.point - bodies.position[a], contacts.point - bodies.position[b]
+    return (
+        a,
+        b,
+        contacts.point - bodies.position[a],
+        contacts.point - bodies.position[b],
+    )
 
 
 def _pair(
-    mass_1: ArrayLike, mass_2: ArrayLike, velocity_1: ArrayLike, velocity_2: ArrayLike, normal: ArrayLike
+    mass_1: ArrayLike,
+    mass_2: ArrayLike,
+    velocity_1: ArrayLike,
+    velocity_2: ArrayLike,
+    normal: ArrayLike,
 ) -> tuple[Array, Array, Array, Array, Array]:
-    m_1, m_2 = positive("mass_1", mass_1, infinite=True), positive("mass_2", mass_2, infinite=True)
+    m_1, m_2 = (
+        positive("mass_1", mass_1, infinite=True),
+        positive("mass_2", mass_2, infinite=True),
+    )
     v_1, v_2 = vectors("velocity_1", velocity_1), vectors("velocity_2", velocity_2)
     n = unit_vectors("normal", normal)
-    broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1))
+    broadcast(
+        mass_1=(m_1, 0),
+        mass_2=(m_2, 0),
+        velocity_1=(v_1, 1),
+        velocity_2=(v_2, 1),
+        normal=(n, 1),
+    )
     return m_1, m_2, v_1, v_2, n
 
 
@@ -312,7 +360,15 @@ def _impact(
     batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
                       normal=(n, 1), restitution=(e, 0))  # fmt: skip
     light, heavy = np.minimum(m_1, m_2), np.maximum(m_1, m_2)
-    share = np.divide(heavy, light + heavy, out=np.ones(heavy.shape), where=np.isfinite(heavy))
-    reduced_mass = np.where(np.isfinite(light), light, 0.0) * share  # m1 m2/(m1 + m2), infinity allowed
+    share = np.divide(
+        heavy, light + heavy, out=np.ones(heavy.shape), where=np.isfinite(heavy)
+    )
+    reduced_mass = (
+        np.where(np.isfinite(light), light, 0.0) * share
+    )  # m1 m2/(m1 + m2), infinity allowed
     closing = np.maximum(np.sum((v_2 - v_1) * n, axis=-1), 0.0)
-    return np.broadcast_to(reduced_mass, batch), np.broadcast_to(closing, batch), np.broadcast_to(e, batch)
+    return (
+        np.broadcast_to(reduced_mass, batch),
+        np.broadcast_to(closing, batch),
+        np.broadcast_to(e, batch),
+    )

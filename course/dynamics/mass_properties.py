@@ -44,8 +44,12 @@ class MassProperties:
         inertia = inertias("inertia", self.inertia)
         batch = broadcast(mass=(mass, 0), centre=(centre, 1), inertia=(inertia, 2))
         object.__setattr__(self, "mass", read_only(np.broadcast_to(mass, batch)))
-        object.__setattr__(self, "centre", read_only(np.broadcast_to(centre, (*batch, 3))))
-        object.__setattr__(self, "inertia", read_only(np.broadcast_to(inertia, (*batch, 3, 3))))
+        object.__setattr__(
+            self, "centre", read_only(np.broadcast_to(centre, (*batch, 3)))
+        )
+        object.__setattr__(
+            self, "inertia", read_only(np.broadcast_to(inertia, (*batch, 3, 3)))
+        )
 
     def inertia_about(self, point: ArrayLike) -> Array:
         """Inertia about another point: I + m (|c|^2 1 - c c'), c from there to the centre, (..., 3, 3).
@@ -61,7 +65,9 @@ class MassProperties:
         """The same solid at another density: inertia in proportion to mass, (...) [kg]."""
         m = positive("mass", mass)
         broadcast(solid=(self.mass, 0), mass=(m, 0))
-        return MassProperties(m, self.centre, self.inertia * (m / self.mass)[..., None, None])
+        return MassProperties(
+            m, self.centre, self.inertia * (m / self.mass)[..., None, None]
+        )
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike) -> MassProperties:
         """The solid turned, then shifted: centre R c + t, inertia R I R'.
@@ -70,10 +76,17 @@ class MassProperties:
             rotation: R, (..., 3, 3).
             translation: t, (..., 3) [m].
         """
-        turn, shift = rotations("rotation", rotation), vectors("translation", translation)
+        turn, shift = (
+            rotations("rotation", rotation),
+            vectors("translation", translation),
+        )
         broadcast(solid=(self.mass, 0), rotation=(turn, 2), translation=(shift, 1))
         centre = np.einsum("...ij,...j->...i", turn, self.centre) + shift
-        return MassProperties(self.mass, centre, _symmetric(turn @ self.inertia @ np.swapaxes(turn, -1, -2)))
+        return MassProperties(
+            self.mass,
+            centre,
+            _symmetric(turn @ self.inertia @ np.swapaxes(turn, -1, -2)),
+        )
 
 
 def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
@@ -94,7 +107,9 @@ def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
     return moments, axes
 
 
-def sphere_mass_properties(center: ArrayLike, radius: ArrayLike, *, density: ArrayLike) -> MassProperties:
+def sphere_mass_properties(
+    center: ArrayLike, radius: ArrayLike, *, density: ArrayLike
+) -> MassProperties:
     """A solid sphere: m = 4/3 pi r^3 rho, I = 2/5 m r^2 (Goldstein, *Classical Mechanics*, section 5.3).
 
     Args:
@@ -104,7 +119,11 @@ def sphere_mass_properties(center: ArrayLike, radius: ArrayLike, *, density: Arr
     Raises:
         ValueError: a radius or density that is not positive, a wrong shape.
     """
-    c, r, rho = vectors("center", center), positive("radius", radius), positive("density", density)
+    c, r, rho = (
+        vectors("center", center),
+        positive("radius", radius),
+        positive("density", density),
+    )
     batch = broadcast(center=(c, 1), radius=(r, 0), density=(rho, 0))
     r, rho = np.broadcast_to(r, batch), np.broadcast_to(rho, batch)
     mass = 4 / 3 * np.pi * r**3 * rho
@@ -112,7 +131,11 @@ def sphere_mass_properties(center: ArrayLike, radius: ArrayLike, *, density: Arr
 
 
 def box_mass_properties(
-    center: ArrayLike, rotation: ArrayLike, half_extents: ArrayLike, *, density: ArrayLike
+    center: ArrayLike,
+    rotation: ArrayLike,
+    half_extents: ArrayLike,
+    *,
+    density: ArrayLike,
 ) -> MassProperties:
     """A solid box: m = 8 e1 e2 e3 rho, I = R diag(m/3 (|e|^2 - e_i^2)) R' (Goldstein, section 5.3).
 
@@ -124,7 +147,11 @@ def box_mass_properties(
     Raises:
         ValueError: an extent or density that is not positive, axes not orthonormal, a wrong shape.
     """
-    c, turn, rho = vectors("center", center), rotations("rotation", rotation), positive("density", density)
+    c, turn, rho = (
+        vectors("center", center),
+        rotations("rotation", rotation),
+        positive("density", density),
+    )
     e = positive("half_extents", vectors("half_extents", half_extents))
     broadcast(center=(c, 1), rotation=(turn, 2), half_extents=(e, 1), density=(rho, 0))
     mass = 8 * np.prod(e, axis=-1) * rho
@@ -156,13 +183,17 @@ def capsule_mass_properties(
     batch = broadcast(start=(a, 1), end=(b, 1), radius=(r, 0), density=(rho, 0))
     r, rho = np.broadcast_to(r, batch), np.broadcast_to(rho, batch)
     length = np.broadcast_to(np.linalg.norm(b - a, axis=-1), batch)
-    axis = np.divide(b - a, length[..., None], out=np.zeros((*batch, 3)), where=length[..., None] > 0)
+    axis = np.divide(
+        b - a, length[..., None], out=np.zeros((*batch, 3)), where=length[..., None] > 0
+    )
     cylinder, sphere = np.pi * r**2 * length * rho, 4 / 3 * np.pi * r**3 * rho
     along = cylinder * r**2 / 2 + 0.4 * sphere * r**2
     across = cylinder * (length**2 / 12 + r**2 / 4) + sphere * (
         0.4 * r**2 + length**2 / 4 + 3 / 8 * length * r
     )
-    inertia = across[..., None, None] * np.eye(3) + (along - across)[..., None, None] * _outer(axis)
+    inertia = across[..., None, None] * np.eye(3) + (along - across)[
+        ..., None, None
+    ] * _outer(axis)
     return MassProperties(cylinder + sphere, a + (b - a) / 2, inertia)
 
 
@@ -185,23 +216,33 @@ def hull_mass_properties(
     """
     points, rho = vectors("vertices", vertices), positive("density", density)
     if points.ndim < 2 or points.shape[-2] < 4:
-        raise failure("vertices", "at least 4 points, shape (..., k, 3)", f"shape {points.shape}")
+        raise failure(
+            "vertices", "at least 4 points, shape (..., k, 3)", f"shape {points.shape}"
+        )
     broadcast(vertices=(points, 2), density=(rho, 0))
     origin = points.mean(axis=-2, keepdims=True)
     _require_solid(points - origin)
-    faces = _hull_faces(points) if triangles is None else _closed(triangles, points.shape[-2])
+    faces = (
+        _hull_faces(points)
+        if triangles is None
+        else _closed(triangles, points.shape[-2])
+    )
     corners = (points - origin)[..., faces, :]
     volume = np.linalg.det(corners) / 6
     total = volume.sum(axis=-1)
     if np.any(total <= 0):
-        expected = "counterclockwise rows seen from outside, around a solid that is not hollow"
+        expected = (
+            "counterclockwise rows seen from outside, around a solid that is not hollow"
+        )
         raise failure("triangles", expected, f"volume {total.min()!r}")
     sums = corners.sum(axis=-2)
     centre = np.einsum("...t,...ti->...i", volume, sums) / (4 * total[..., None])
     second = np.einsum("...t,...tki,...tkj->...ij", volume, corners, corners)
     second = (second + np.einsum("...t,...ti,...tj->...ij", volume, sums, sums)) / 20
     central = rho[..., None, None] * (second - total[..., None, None] * _outer(centre))
-    return MassProperties(rho * total, origin[..., 0, :] + centre, _symmetric(_about_origin(central)))
+    return MassProperties(
+        rho * total, origin[..., 0, :] + centre, _symmetric(_about_origin(central))
+    )
 
 
 def combined_mass_properties(parts: Sequence[MassProperties]) -> MassProperties:
@@ -225,7 +266,9 @@ def combined_mass_properties(parts: Sequence[MassProperties]) -> MassProperties:
     broadcast(**{f"parts[{i}]": (part.mass, 0) for i, part in enumerate(parts)})
     mass = np.asarray(sum(part.mass for part in parts))
     centre = sum(part.mass[..., None] * part.centre for part in parts) / mass[..., None]
-    return MassProperties(mass, centre, np.asarray(sum(part.inertia_about(centre) for part in parts)))
+    return MassProperties(
+        mass, centre, np.asarray(sum(part.inertia_about(centre) for part in parts))
+    )
 
 
 def _outer(v: Array) -> Array:
@@ -256,12 +299,18 @@ def _hull_faces(points: Array) -> IntArray:
     from scipy.spatial import ConvexHull, QhullError
 
     if points.ndim != 2:
-        raise failure("vertices", "shape (k, 3) where no triangles are given", f"shape {points.shape}")
+        raise failure(
+            "vertices",
+            "shape (k, 3) where no triangles are given",
+            f"shape {points.shape}",
+        )
     try:
         hull = ConvexHull(points)
     except QhullError as error:
         reason = str(error).splitlines()[0][:60]
-        raise failure("vertices", "points that span a volume", f"flat ones ({reason})") from None
+        raise failure(
+            "vertices", "points that span a volume", f"flat ones ({reason})"
+        ) from None
     faces = hull.simplices.astype(np.intp)
     a, b, c = (points[faces[:, i]] for i in range(3))
     inward = np.sum(np.cross(b - a, c - a) * hull.equations[:, :3], axis=1) < 0
@@ -274,11 +323,16 @@ def _closed(triangles: ArrayLike, count: int) -> IntArray:
     if faces.ndim != 2 or faces.shape[1] != 3:
         raise failure("triangles", "shape (t, 3)", f"shape {faces.shape}")
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    forward, backward = edges[:, 0] * count + edges[:, 1], edges[:, 1] * count + edges[:, 0]
+    forward, backward = (
+        edges[:, 0] * count + edges[:, 1],
+        edges[:, 1] * count + edges[:, 0],
+    )
     unique, times = np.unique(forward, return_counts=True)
     lonely = ~np.isin(backward, forward) | (times[np.searchsorted(unique, forward)] > 1)
     if np.any(lonely):
         start, end = (int(i) for i in edges[int(np.argmax(lonely))])
         expected = "a closed surface, each edge once in each direction"
-        raise failure("triangles", expected, f"edge {start}-{end} without its match (a hole?)")
+        raise failure(
+            "triangles", expected, f"edge {start}-{end} without its match (a hole?)"
+        )
     return faces

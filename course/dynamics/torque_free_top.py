@@ -17,7 +17,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from course import rotations
-from course.arrays import Array, ArrayLike, BoolArray, broadcast, failure, positive, scalar, scalars, vectors
+from course.arrays import (
+    Array,
+    ArrayLike,
+    BoolArray,
+    broadcast,
+    failure,
+    positive,
+    scalar,
+    scalars,
+    vectors,
+)
 from course.dynamics.bodies import Bodies
 from course.dynamics.elliptic import first_integral, jacobi_functions, quarter_period
 from course.dynamics.mass_properties import principal_axes
@@ -55,7 +65,11 @@ class _Orbit:
         counted = np.where(self.about_k[..., None], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0])
         size = np.sqrt(squares.sum(axis=-1))
         across = np.sum(counted * squares, axis=-1)
-        return size * np.sum(counted * squares / self.moments, axis=-1) / np.where(across > 0, across, 1.0)
+        return (
+            size
+            * np.sum(counted * squares / self.moments, axis=-1)
+            / np.where(across > 0, across, 1.0)
+        )
 
 
 def torque_free_rotation(
@@ -84,7 +98,10 @@ def torque_free_rotation(
     before = vectors("angular_momentum", angular_momentum)
     t = scalars("time", time)
     batch = broadcast(moments=(moment, 1), angular_momentum=(before, 1), time=(t, 0))
-    moment, before = np.broadcast_to(moment, (*batch, 3)), np.broadcast_to(before, (*batch, 3))
+    moment, before = (
+        np.broadcast_to(moment, (*batch, 3)),
+        np.broadcast_to(before, (*batch, 3)),
+    )
     t = np.broadcast_to(t, batch)
     orbit = _orbit(moment, before)
     span = orbit.rate * t
@@ -113,10 +130,16 @@ def torque_free_motion(bodies: Bodies, time: float) -> Bodies:
     if not isinstance(bodies, Bodies):
         raise failure("bodies", "Bodies", type(bodies).__name__)
     t, fixed = scalar("time", time), bodies.fixed
-    moments, axes = principal_axes(np.where(fixed[:, None, None], np.eye(3), bodies.inertia))
+    moments, axes = principal_axes(
+        np.where(fixed[:, None, None], np.eye(3), bodies.inertia)
+    )
     to_world = bodies.rotation @ axes
-    _, turn = torque_free_rotation(moments, np.einsum("nji,nj->ni", to_world, bodies.angular_momentum), t)
-    later = rotations.from_matrix(to_world @ rotations.to_matrix(turn) @ np.swapaxes(axes, -1, -2))
+    _, turn = torque_free_rotation(
+        moments, np.einsum("nji,nj->ni", to_world, bodies.angular_momentum), t
+    )
+    later = rotations.from_matrix(
+        to_world @ rotations.to_matrix(turn) @ np.swapaxes(axes, -1, -2)
+    )
     return replace(
         bodies,
         position=bodies.position + bodies.velocity * t,
@@ -140,7 +163,9 @@ def middle_axis_growth_rate(moments: ArrayLike, spin: ArrayLike) -> Array:
     omega = scalars("spin", spin)
     broadcast(moments=(ordered, 1), spin=(omega, 0))
     least, middle, largest = np.moveaxis(ordered, -1, 0)
-    return np.abs(omega) * np.sqrt((middle - least) * (largest - middle) / (least * largest))
+    return np.abs(omega) * np.sqrt(
+        (middle - least) * (largest - middle) / (least * largest)
+    )
 
 
 def _orbit(moments: Array, momentum: Array) -> _Orbit:
@@ -155,15 +180,31 @@ def _orbit(moments: Array, momentum: Array) -> _Orbit:
         a = np.hypot(l_j, ratio * l_2)
         big = np.hypot(l_k, l_2 * np.sqrt(near * k / (two * outer)))  # B
         rate = big / k * np.sqrt(inner * outer / (j * two))
-        still = np.all(np.cross(local, local / moment) == 0, axis=-1) | ~(rate > 0) | ~(a > 0)
+        still = (
+            np.all(np.cross(local, local / moment) == 0, axis=-1)
+            | ~(rate > 0)
+            | ~(a > 0)
+        )
         complement = (inner * j * l_k**2 - near * k * l_j**2) / (inner * j * big**2)
         signs = np.where(local < 0, -1.0, 1.0)
         signs[..., 1] = np.where(k > j, 1.0, -1.0) * signs[..., 0] * signs[..., 2]
         complement = np.where(still, 1.0, np.clip(complement, 0.0, 1.0))
         sine, cosine = signs[..., 1] * ratio * l_2 / a, np.abs(l_j) / a
-        start = first_integral(np.where(still, 0.0, sine), np.where(still, 1.0, cosine), complement)
+        start = first_integral(
+            np.where(still, 0.0, sine), np.where(still, 1.0, cosine), complement
+        )
         sizes = np.where(still[..., None], 1.0, np.stack([a, a / ratio, big], axis=-1))
-    return _Orbit(axes, moment, signs, sizes, start, np.where(still, 0.0, rate), complement, still, a > big)
+    return _Orbit(
+        axes,
+        moment,
+        signs,
+        sizes,
+        start,
+        np.where(still, 0.0, rate),
+        complement,
+        still,
+        a > big,
+    )
 
 
 def _ordered_axes(moments: Array, momentum: Array) -> Array:
@@ -172,7 +213,9 @@ def _ordered_axes(moments: Array, momentum: Array) -> Array:
     least, middle, largest = np.moveaxis(np.take_along_axis(moments, order, -1), -1, 0)
     first, _, last = np.moveaxis(np.take_along_axis(momentum, order, -1), -1, 0)
     # L^2 - 2T I2 without the common terms.
-    excess = last**2 * (largest - middle) / largest - first**2 * (middle - least) / least
+    excess = (
+        last**2 * (largest - middle) / largest - first**2 * (middle - least) / least
+    )
     order = np.where((excess >= 0)[..., None], order, order[..., ::-1])
     axes = np.eye(3)[order]
     return axes * np.linalg.det(axes)[..., None, None]
@@ -199,7 +242,11 @@ def _integral(orbit: _Orbit, lower: Array, span: Array) -> Array:
         # Far out on the separatrix the rate is constant.
         low, high = np.clip(lower, -_FAR, _FAR), np.clip(lower + span, -_FAR, _FAR)
         cut = (orbit.complement == 0) & ((low != lower) | (high != lower + span))
-        beyond = np.where(cut, (span - (high - low)) * orbit.precession_rate(np.full(low.shape, _FAR)), 0.0)
+        beyond = np.where(
+            cut,
+            (span - (high - low)) * orbit.precession_rate(np.full(low.shape, _FAR)),
+            0.0,
+        )
         lower, span = np.where(cut, low, lower), np.where(cut, high - low, span)
     panels = max(1, int(np.ceil(np.max(np.abs(span), initial=0.0))))
     # From the span itself: a difference of limits would lose the digits of a short one.
@@ -214,13 +261,21 @@ def _integral(orbit: _Orbit, lower: Array, span: Array) -> Array:
 
 def _turn(orbit: _Orbit, before: Array, after: Array, angle: Array) -> Array:
     """Q: the frame of L and the counted axis before and after, and the precession between them."""
-    axis = np.where(orbit.about_k[..., None], orbit.axes[..., 2, :], orbit.axes[..., 0, :])
+    axis = np.where(
+        orbit.about_k[..., None], orbit.axes[..., 2, :], orbit.axes[..., 0, :]
+    )
     size = np.linalg.norm(before, axis=-1, keepdims=True)
     with np.errstate(invalid="ignore", divide="ignore"):
-        precession = rotations.from_rotation_vector(np.where(size > 0, before / size, 0.0) * angle[..., None])
-    first, second = (_frame(axis, momentum, orbit.still) for momentum in (before, after))
+        precession = rotations.from_rotation_vector(
+            np.where(size > 0, before / size, 0.0) * angle[..., None]
+        )
+    first, second = (
+        _frame(axis, momentum, orbit.still) for momentum in (before, after)
+    )
     relative = rotations.from_matrix(first @ np.swapaxes(second, -1, -2))
-    return rotations.from_matrix(rotations.to_matrix(precession) @ rotations.to_matrix(relative))
+    return rotations.from_matrix(
+        rotations.to_matrix(precession) @ rotations.to_matrix(relative)
+    )
 
 
 def _frame(axis: Array, momentum: Array, still: BoolArray) -> Array:

@@ -54,11 +54,15 @@ class Printed(io.TextIOBase):
         if len(self.text) < PRINTED_LIMIT:
             self.text = (self.text + text)[:PRINTED_LIMIT]
         if self.count > FLOOD_LIMIT:
-            raise OutputFlood(f"it printed more than {FLOOD_LIMIT:,} characters: a loop without end?")
+            raise OutputFlood(
+                f"it printed more than {FLOOD_LIMIT:,} characters: a loop without end?"
+            )
         return len(text)
 
 
-def call(function: Callable[..., Any], arguments: Mapping[str, Any], result_count: int) -> Outcome:
+def call(
+    function: Callable[..., Any], arguments: Mapping[str, Any], result_count: int
+) -> Outcome:
     """Call ``function`` on copies of the arguments, by position, and describe what happened."""
     given = {name: _copy(value) for name, value in arguments.items()}
     printed = Printed()
@@ -70,12 +74,18 @@ def call(function: Callable[..., Any], arguments: Mapping[str, Any], result_coun
         ):
             warnings.simplefilter("ignore")
             returned = function(*given.values())
-            outcome = _as_arrays(returned, result_count)  # may run an object's own __array__ or __len__
+            outcome = _as_arrays(
+                returned, result_count
+            )  # may run an object's own __array__ or __len__
     except KeyboardInterrupt:
         raise
-    except BaseException as error:  # SystemExit too: an answer that exits is an answer that raised
+    except (
+        BaseException
+    ) as error:  # SystemExit too: an answer that exits is an answer that raised
         return Outcome("raised", text=describe(error), printed=printed.text)
-    changed = [name for name, value in arguments.items() if not _same(value, given[name])]
+    changed = [
+        name for name, value in arguments.items() if not _same(value, given[name])
+    ]
     if changed:
         return Outcome("wrote", text=", ".join(changed), printed=printed.text)
     return Outcome(outcome.kind, outcome.values, outcome.text, printed.text)
@@ -93,7 +103,9 @@ def call_all(
         np.random.set_state(state)
 
 
-def as_function(answer: Any, kind: str, name: str, arguments: Sequence[str]) -> Callable[..., Any]:
+def as_function(
+    answer: Any, kind: str, name: str, arguments: Sequence[str]
+) -> Callable[..., Any]:
     """The answer as a function of arrays: itself, or for ``kind="expression"`` its evaluation.
 
     Raises ``TypeError`` or ``ValueError`` in a student's words where the answer is neither, or takes other
@@ -102,7 +114,9 @@ def as_function(answer: Any, kind: str, name: str, arguments: Sequence[str]) -> 
     if kind == "expression":
         return evaluator(answer, arguments)
     if not callable(answer):
-        raise TypeError(f"expected a function; got {_kind(answer)} (pass {name}, not {name}(...))")
+        raise TypeError(
+            f"expected a function; got {_kind(answer)} (pass {name}, not {name}(...))"
+        )
     try:
         signature = inspect.signature(answer)
     except ValueError:  # a built-in without a readable signature: calling it will tell
@@ -111,10 +125,16 @@ def as_function(answer: Any, kind: str, name: str, arguments: Sequence[str]) -> 
         signature.bind(*arguments)
     except TypeError:
         wanted, taken = ", ".join(arguments), ", ".join(signature.parameters)
-        raise TypeError(f"expected a function that takes {name}({wanted}); yours takes ({taken})") from None
-    if sorted(signature.parameters) == sorted(arguments) and list(signature.parameters) != list(arguments):
+        raise TypeError(
+            f"expected a function that takes {name}({wanted}); yours takes ({taken})"
+        ) from None
+    if sorted(signature.parameters) == sorted(arguments) and list(
+        signature.parameters
+    ) != list(arguments):
         wanted, taken = ", ".join(arguments), ", ".join(signature.parameters)
-        raise TypeError(f"expected the arguments in the order {name}({wanted}); yours takes ({taken})")
+        raise TypeError(
+            f"expected the arguments in the order {name}({wanted}); yours takes ({taken})"
+        )
     return answer
 
 
@@ -130,13 +150,20 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
             f"expected one expression; got a {type(expression).__name__} of {len(expression)}. "
             "sympy.solve returns a list: take its entry, as in solve(...)[0]"
         )
-    if isinstance(expression, (sympy.core.relational.Relational, sympy.logic.boolalg.BooleanAtom, bool)):
-        raise TypeError("expected an expression; got an equation. Give its right-hand side alone")
+    if isinstance(
+        expression,
+        (sympy.core.relational.Relational, sympy.logic.boolalg.BooleanAtom, bool),
+    ):
+        raise TypeError(
+            "expected an expression; got an equation. Give its right-hand side alone"
+        )
     if callable(expression) and not isinstance(expression, sympy.Basic):
         raise TypeError("expected an expression in SymPy's symbols; got a function")
     came = _kind(expression)
     try:
-        expression = None if isinstance(expression, np.ndarray) else sympy.sympify(expression)
+        expression = (
+            None if isinstance(expression, np.ndarray) else sympy.sympify(expression)
+        )
     except (sympy.SympifyError, TypeError, AttributeError):
         expression = None
     if not isinstance(expression, sympy.Expr) or expression.is_Matrix:
@@ -144,10 +171,14 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
     _require_known(expression, symbols)
     by_name = {str(s): s for s in expression.free_symbols}
     try:
-        compiled = sympy.lambdify([by_name.get(s, sympy.Symbol(s)) for s in symbols], expression, "numpy")
+        compiled = sympy.lambdify(
+            [by_name.get(s, sympy.Symbol(s)) for s in symbols], expression, "numpy"
+        )
     except Exception:  # each of SymPy's printers has its own kind
         words = "an integral, a derivative or a sum is still to be worked out, as .doit() does"
-        raise ValueError(f"expected an expression that can be evaluated; perhaps {words}") from None
+        raise ValueError(
+            f"expected an expression that can be evaluated; perhaps {words}"
+        ) from None
 
     def evaluate(*points: Any) -> np.ndarray:
         shape = np.broadcast_shapes(*(np.shape(p) for p in points))
@@ -160,12 +191,18 @@ def _require_known(expression: Any, symbols: Sequence[str]) -> None:
     """Raise ``ValueError`` for an expression with other symbols, with undefined functions, or divided by zero."""
     import sympy
 
-    others = expression.free_symbols | expression.atoms(sympy.core.function.AppliedUndef)
+    others = expression.free_symbols | expression.atoms(
+        sympy.core.function.AppliedUndef
+    )
     foreign = sorted({str(s) for s in others} - set(symbols))
     if foreign:
-        raise ValueError(f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}")
+        raise ValueError(
+            f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}"
+        )
     if expression.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
-        raise ValueError(f"expected a finite expression; got {expression}: is something divided by zero?")
+        raise ValueError(
+            f"expected a finite expression; got {expression}: is something divided by zero?"
+        )
 
 
 def is_stub(answer: Any, source: str | None = None) -> bool:
@@ -175,7 +212,9 @@ def is_stub(answer: Any, source: str | None = None) -> bool:
     if not callable(answer):
         return False
     try:
-        source = textwrap.dedent(source if source is not None else inspect.getsource(answer))
+        source = textwrap.dedent(
+            source if source is not None else inspect.getsource(answer)
+        )
     except (OSError, TypeError):
         return False
     return is_blank(source, getattr(answer, "__name__", ""))
@@ -196,11 +235,19 @@ def is_blank(source: str, name: str) -> bool:
         return False
     blank = False
     for node in _statements(tree.body):
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and node.name == name:
+        if (
+            isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
+            and node.name == name
+        ):
             own = list(_statements(node.body))
             holes = [s for s in own if _is_blank(s)]
-            answers = any(isinstance(s, ast.Return) and s.value is not None and s not in holes for s in own)
-            blank = any(isinstance(s, (ast.Assign, ast.AnnAssign)) for s in holes) or bool(holes and not answers)
+            answers = any(
+                isinstance(s, ast.Return) and s.value is not None and s not in holes
+                for s in own
+            )
+            blank = any(
+                isinstance(s, (ast.Assign, ast.AnnAssign)) for s in holes
+            ) or bool(holes and not answers)
         elif isinstance(node, (ast.Assign, ast.AnnAssign)) and name in _targets(node):
             blank = _is_blank(node)
     return blank
@@ -223,9 +270,16 @@ def describe(error: BaseException) -> str:
     except Exception:  # a student's exception may fail to print itself
         said = ""
     words += f": {said}" if said else ""
-    own = [f for f in traceback.extract_tb(error.__traceback__) if _is_notebook_frame(f.filename)]
+    own = [
+        f
+        for f in traceback.extract_tb(error.__traceback__)
+        if _is_notebook_frame(f.filename)
+    ]
     if own:
-        line = own[-1].line or linecache.getline(own[-1].filename, own[-1].lineno or 0).strip()
+        line = (
+            own[-1].line
+            or linecache.getline(own[-1].filename, own[-1].lineno or 0).strip()
+        )
         if line:
             words += f"\n  in the line:  {line[:TEXT_LIMIT]}"
     return words
@@ -255,21 +309,29 @@ def _as_arrays(returned: Any, count: int) -> Outcome:
     if count > 1:
         if not isinstance(returned, (tuple, list)):
             return Outcome(
-                "unreadable", text=f"expected {count} results, as in `return a, b`; got one {_kind(returned)}"
+                "unreadable",
+                text=f"expected {count} results, as in `return a, b`; got one {_kind(returned)}",
             )
         if len(returned) != count:
-            return Outcome("unreadable", text=f"expected {count} results; got {len(returned)}")
+            return Outcome(
+                "unreadable", text=f"expected {count} results; got {len(returned)}"
+            )
         parts = returned
     arrays = []
     for part in parts:
         if part is None or part is Ellipsis:
             return Outcome("none" if part is None else "unattempted")
         if isinstance(part, np.ndarray) and part.size > SIZE_LIMIT:
-            return Outcome("unreadable", text=_too_many(part.size))  # before a copy is made of it
+            return Outcome(
+                "unreadable", text=_too_many(part.size)
+            )  # before a copy is made of it
         try:
             array = np.array(part)
         except (ValueError, TypeError):
-            return Outcome("unreadable", text=f"expected numbers in an array; got a ragged {_kind(part)}")
+            return Outcome(
+                "unreadable",
+                text=f"expected numbers in an array; got a ragged {_kind(part)}",
+            )
         if array.dtype.kind not in "biufcU":
             return Outcome("unreadable", text=f"expected numbers; got {_kind(part)}")
         if array.size > SIZE_LIMIT:
@@ -297,4 +359,6 @@ def _same(before: Any, after: Any) -> bool:
         return all(_same(b, a) for b, a in zip(before, after, strict=True))
     if not isinstance(before, np.ndarray):
         return True
-    return before.shape == after.shape and np.array_equal(before, after, equal_nan=before.dtype.kind == "f")
+    return before.shape == after.shape and np.array_equal(
+        before, after, equal_nan=before.dtype.kind == "f"
+    )

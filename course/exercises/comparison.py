@@ -33,9 +33,15 @@ class Difference:
         return bool(self.fault) or not self.excess <= 1.0
 
 
-def compare(results: tuple[Value, ...], expected: tuple[np.ndarray, ...], got: tuple[np.ndarray, ...]) -> Difference:
+def compare(
+    results: tuple[Value, ...],
+    expected: tuple[np.ndarray, ...],
+    got: tuple[np.ndarray, ...],
+) -> Difference:
     """The worst difference over all results; the first one that cannot be compared, if any."""
-    differences = [compare_one(r, e, g) for r, e, g in zip(results, expected, got, strict=True)]
+    differences = [
+        compare_one(r, e, g) for r, e, g in zip(results, expected, got, strict=True)
+    ]
     faults = [d for d in differences if d.fault]
     return faults[0] if faults else max(differences, key=lambda d: d.excess)
 
@@ -60,14 +66,22 @@ def compare_one(result: Value, expected: np.ndarray, got: np.ndarray) -> Differe
     with np.errstate(all="ignore"):
         magnitude = np.where(np.isfinite(expected), np.abs(expected), 0.0)
         own = tuple(range(-min(result.own_axes, expected.ndim), 0))
-        scale = magnitude.max(axis=own, keepdims=True, initial=0.0) if own else magnitude
+        scale = (
+            magnitude.max(axis=own, keepdims=True, initial=0.0) if own else magnitude
+        )
         excess = np.abs(got - expected) / (result.absolute + result.relative * scale)
     special = ~np.isfinite(expected)
     alike = (got == expected) | (np.isnan(got) & np.isnan(expected))
-    return _worst(result, expected, got, np.where(special, np.where(alike, 0.0, np.inf), excess))
+    return _worst(
+        result, expected, got, np.where(special, np.where(alike, 0.0, np.inf), excess)
+    )
 
 
-def same(results: tuple[Value, ...], one: tuple[np.ndarray, ...], other: tuple[np.ndarray, ...]) -> bool:
+def same(
+    results: tuple[Value, ...],
+    one: tuple[np.ndarray, ...],
+    other: tuple[np.ndarray, ...],
+) -> bool:
     """Whether two answers are the same answer, shapes included."""
     return not compare(results, one, other).wrong
 
@@ -82,10 +96,25 @@ def _type_fault(result: Value, got: np.ndarray) -> str:
     allowed = {"float": "fiu", "int": "iu", "bool": "b", "str": "U"}[result.dtype]
     if got.dtype.kind in allowed:
         return ""
-    if result.dtype == "int" and got.dtype.kind == "f" and np.array_equal(got, np.round(got)):
+    if (
+        result.dtype == "int"
+        and got.dtype.kind == "f"
+        and np.array_equal(got, np.round(got))
+    ):
         return ""
-    words = {"float": "numbers", "int": "whole numbers", "bool": "True or False", "str": "words"}
-    came = {"b": "True or False", "c": "complex numbers", "U": "text", "i": "whole numbers", "u": "whole numbers"}
+    words = {
+        "float": "numbers",
+        "int": "whole numbers",
+        "bool": "True or False",
+        "str": "words",
+    }
+    came = {
+        "b": "True or False",
+        "c": "complex numbers",
+        "U": "text",
+        "i": "whole numbers",
+        "u": "whole numbers",
+    }
     return f"{came.get(got.dtype.kind, 'numbers')} where {words[result.dtype]} are expected"
 
 
@@ -93,12 +122,18 @@ def _shape(shape: tuple[int, ...]) -> str:
     return "() (a single number)" if shape == () else str(shape)
 
 
-def _worst(result: Value, expected: np.ndarray, got: np.ndarray, excess: np.ndarray) -> Difference:
+def _worst(
+    result: Value, expected: np.ndarray, got: np.ndarray, excess: np.ndarray
+) -> Difference:
     if excess.size == 0:
         return Difference(result.name, expected=expected, got=got)
     excess = np.where(np.isnan(excess), np.inf, excess)
-    flat = int(np.argmax(excess > 1.0)) if (excess > 1.0).any() else int(np.argmax(excess))
+    flat = (
+        int(np.argmax(excess > 1.0)) if (excess > 1.0).any() else int(np.argmax(excess))
+    )
     place = tuple(int(i) for i in np.unravel_index(flat, excess.shape))
     batch = max(excess.ndim - result.own_axes, 0)
     index, entry = place[:batch], place[batch:]
-    return Difference(result.name, index, entry, expected[index], got[index], float(excess.max()))
+    return Difference(
+        result.name, index, entry, expected[index], got[index], float(excess.max())
+    )

@@ -43,7 +43,10 @@ class Value:
         """How many last axes make one element: ``(...)`` none, ``(..., 3)`` one, ``(..., 3, 3)`` and ``(n, 3)`` two."""
         if not self.shape.startswith("("):
             return 0
-        return sum(bool(part.strip()) and part.strip() != "..." for part in self.shape.strip("()").split(","))
+        return sum(
+            bool(part.strip()) and part.strip() != "..."
+            for part in self.shape.strip("()").split(",")
+        )
 
 
 @dataclass(frozen=True)
@@ -55,7 +58,11 @@ class Case:
     kind: CaseKind = "single"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "arguments", MappingProxyType({k: _frozen(v) for k, v in self.arguments.items()}))
+        object.__setattr__(
+            self,
+            "arguments",
+            MappingProxyType({k: _frozen(v) for k, v in self.arguments.items()}),
+        )
 
 
 @dataclass(frozen=True)
@@ -108,11 +115,17 @@ class Exercise:
 
     def __post_init__(self) -> None:
         if not self.mistakes:
-            raise ValueError(f"mistakes: expected at least one planted mistake in {self.name}; got none")
+            raise ValueError(
+                f"mistakes: expected at least one planted mistake in {self.name}; got none"
+            )
         if len(self.hints) != 3:
-            raise ValueError(f"hints: expected three tiers in {self.name}; got {len(self.hints)}")
+            raise ValueError(
+                f"hints: expected three tiers in {self.name}; got {len(self.hints)}"
+            )
         if self.judged_by == "properties" and not self.properties:
-            raise ValueError(f"properties: expected at least one in {self.name}, which is judged by them; got none")
+            raise ValueError(
+                f"properties: expected at least one in {self.name}, which is judged by them; got none"
+            )
 
     @property
     def signature(self) -> str:
@@ -175,10 +188,21 @@ def all_lessons() -> tuple[Lesson, ...]:
     """Every lesson that has a definitions module, in order."""
     from course.exercises import definitions
 
-    names = sorted(m.name for m in pkgutil.iter_modules(definitions.__path__) if m.name.startswith("lesson_"))
-    lessons = tuple(importlib.import_module(f"{definitions.__name__}.{name}").LESSON for name in names)
-    _require_unique([e.name for lesson in lessons for e in lesson.exercises], "exercise")
-    _require_unique([p.name for lesson in lessons for p in lesson.predictions], "prediction")
+    names = sorted(
+        m.name
+        for m in pkgutil.iter_modules(definitions.__path__)
+        if m.name.startswith("lesson_")
+    )
+    lessons = tuple(
+        importlib.import_module(f"{definitions.__name__}.{name}").LESSON
+        for name in names
+    )
+    _require_unique(
+        [e.name for lesson in lessons for e in lesson.exercises], "exercise"
+    )
+    _require_unique(
+        [p.name for lesson in lessons for p in lesson.predictions], "prediction"
+    )
     return lessons
 
 
@@ -196,7 +220,9 @@ def find_exercise(name: str) -> tuple[Lesson, Exercise]:
         for exercise in lesson.exercises:
             if exercise.name == name:
                 return lesson, exercise
-    raise _unknown("exercise", name, [e.name for lesson in all_lessons() for e in lesson.exercises])
+    raise _unknown(
+        "exercise", name, [e.name for lesson in all_lessons() for e in lesson.exercises]
+    )
 
 
 def find_prediction(name: str) -> tuple[Lesson, Prediction]:
@@ -205,19 +231,31 @@ def find_prediction(name: str) -> tuple[Lesson, Prediction]:
         for prediction in lesson.predictions:
             if prediction.name == name:
                 return lesson, prediction
-    raise _unknown("prediction", name, [p.name for lesson in all_lessons() for p in lesson.predictions])
+    raise _unknown(
+        "prediction",
+        name,
+        [p.name for lesson in all_lessons() for p in lesson.predictions],
+    )
 
 
 def _unknown(what: str, name: str, known: Sequence[str]) -> ValueError:
     near = difflib.get_close_matches(str(name), known, n=1, cutoff=0.5)
-    advice = f"; did you mean {near[0]!r}?" if near else f"; known: {', '.join(known) or 'none yet'}"
-    return ValueError(f"name: expected the name of {'an' if what[0] in 'ae' else 'a'} {what}; got {name!r}{advice}")
+    advice = (
+        f"; did you mean {near[0]!r}?"
+        if near
+        else f"; known: {', '.join(known) or 'none yet'}"
+    )
+    return ValueError(
+        f"name: expected the name of {'an' if what[0] in 'ae' else 'a'} {what}; got {name!r}{advice}"
+    )
 
 
 def _require_unique(names: Sequence[str], what: str) -> None:
     repeated = sorted({name for name in names if names.count(name) > 1})
     if repeated:
-        raise ValueError(f"{what} names must be unique over all lessons; repeated: {', '.join(repeated)}")
+        raise ValueError(
+            f"{what} names must be unique over all lessons; repeated: {', '.join(repeated)}"
+        )
 
 
 def _frozen(value: Any) -> Any:

@@ -65,7 +65,10 @@ class Message:
         width = max((len(p.label) for p in self.parts), default=0)
         for part in self.parts:
             text = part.text if part.style == "code" else textwrap.fill(part.text, 96)
-            lines.append(f"  {part.label:<{width}}  " + text.replace("\n", "\n" + " " * (width + 4)))
+            lines.append(
+                f"  {part.label:<{width}}  "
+                + text.replace("\n", "\n" + " " * (width + 4))
+            )
         return "\n".join(line.rstrip() for line in lines)
 
     __repr__ = __str__
@@ -73,20 +76,28 @@ class Message:
     def html(self) -> str:
         """The message as one HTML block with its styles inline (a notebook's page has none of ours)."""
         return _template().render(
-            colour=COLOURS[self.state], symbol=SYMBOLS[self.state], headline=self.headline, parts=self.parts
+            colour=COLOURS[self.state],
+            symbol=SYMBOLS[self.state],
+            headline=self.headline,
+            parts=self.parts,
         )
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/plain": str(self), "text/html": self.html()}
 
 
-def verdict_message(exercise: Exercise, verdict: Verdict, *, after: tuple[Part, ...] = ()) -> Message:
+def verdict_message(
+    exercise: Exercise, verdict: Verdict, *, after: tuple[Part, ...] = ()
+) -> Message:
     """The message for a verdict; ``after`` is what comes last (the next exercise, how to ask for a hint)."""
     headline = f"{WORDS[verdict.state]}: {exercise.name}"
     if verdict.state == "passed":
         return Message("passed", f"{headline} ({verdict.tried} cases)", after)
     if verdict.state == "not attempted":
-        advice = Part("next", f"write your answer where the ... stands, then run the cell again. {exercise.task}")
+        advice = Part(
+            "next",
+            f"write your answer where the ... stands, then run the cell again. {exercise.task}",
+        )
         return Message("not attempted", headline, (advice, *after))
     parts = []
     if verdict.case is not None:
@@ -94,7 +105,13 @@ def verdict_message(exercise: Exercise, verdict: Verdict, *, after: tuple[Part, 
         if exercise.kind == "function":
             parts.append(Part("try it", pasteable(exercise, verdict), "code"))
         else:
-            parts.append(Part("at", ", ".join(f"{k} = {short(v)}" for k, v in point(verdict).items()), "code"))
+            parts.append(
+                Part(
+                    "at",
+                    ", ".join(f"{k} = {short(v)}" for k, v in point(verdict).items()),
+                    "code",
+                )
+            )
     if verdict.outcome is not None and verdict.difference is not None:
         parts += _what_came(exercise, verdict)
     parts += _why(verdict)
@@ -103,13 +120,20 @@ def verdict_message(exercise: Exercise, verdict: Verdict, *, after: tuple[Part, 
 
 def _why(verdict: Verdict) -> list[Part]:
     parts = [Part("look at", verdict.mistake.message)] if verdict.mistake else []
-    return parts + [Part("look at" if i == 0 and not parts else "also", r) for i, r in enumerate(verdict.reason)]
+    return parts + [
+        Part("look at" if i == 0 and not parts else "also", r)
+        for i, r in enumerate(verdict.reason)
+    ]
 
 
 def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
     outcome, difference = verdict.outcome, verdict.difference
     assert outcome is not None and difference is not None
-    printed = [Part("it printed", outcome.printed.rstrip(), "code")] if outcome.printed.strip() else []
+    printed = (
+        [Part("it printed", outcome.printed.rstrip(), "code")]
+        if outcome.printed.strip()
+        else []
+    )
     plain = {
         "raised": f"it stopped with {outcome.text}",
         "none": "it returned None: is the last line `return ...`?",
@@ -117,32 +141,64 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
         "wrote": f"it wrote into its input ({outcome.text}): make a new array instead, a = a + b rather than a += b",
     }
     if outcome.kind in plain:
-        return [Part("got", plain[outcome.kind], "code" if outcome.kind == "raised" else "text"), *printed]
+        return [
+            Part(
+                "got",
+                plain[outcome.kind],
+                "code" if outcome.kind == "raised" else "text",
+            ),
+            *printed,
+        ]
     declared = next(r for r in exercise.results if r.name == difference.result)
-    if difference.fault in verdict.reason:       # a broken property is told below; here stand the numbers that break it
+    if (
+        difference.fault in verdict.reason
+    ):  # a broken property is told below; here stand the numbers that break it
         names = ", ".join(result.name for result in exercise.results)
         came = ", ".join(short(value) for value in outcome.values)
         return [Part("got", f"{names} = {came}", "code"), *printed]
     if difference.fault:
-        at = f", at index {list(difference.index)} of the batch" if difference.index else ""
+        at = (
+            f", at index {list(difference.index)} of the batch"
+            if difference.index
+            else ""
+        )
         return [Part("got", f"{declared.name}: {difference.fault}{at}"), *printed]
-    return [*_expected_and_got(declared, difference, many=len(exercise.results) > 1), *printed]
+    return [
+        *_expected_and_got(declared, difference, many=len(exercise.results) > 1),
+        *printed,
+    ]
 
 
-def _expected_and_got(declared: Value, difference: Difference, *, many: bool) -> list[Part]:
+def _expected_and_got(
+    declared: Value, difference: Difference, *, many: bool
+) -> list[Part]:
     name = f"{declared.name} = " if many else ""
     unit = f" {declared.unit}" if declared.unit else ""
-    where = f", at index {list(difference.index)} of the batch" if difference.index else ""
+    where = (
+        f", at index {list(difference.index)} of the batch" if difference.index else ""
+    )
     wanted, came = difference.expected, difference.got
     if np.size(wanted) > SHOWN_WHOLE:
         wanted, came = wanted[difference.entry], came[difference.entry]
-        where += f", entry {list(difference.entry)} of it" if where else f", at index {list(difference.entry)}"
+        where += (
+            f", entry {list(difference.entry)} of it"
+            if where
+            else f", at index {list(difference.entry)}"
+        )
     texts = short(wanted), short(came)
     if texts[0] == texts[1]:
         texts = code(wanted), code(came)  # they differ past the tenth digit
-    parts = [Part("expected", f"{name}{texts[0]}{unit}{where}", "code"), Part("got", f"{name}{texts[1]}{unit}", "code")]
+    parts = [
+        Part("expected", f"{name}{texts[0]}{unit}{where}", "code"),
+        Part("got", f"{name}{texts[1]}{unit}", "code"),
+    ]
     if declared.dtype == "float":
-        parts.append(Part("tolerance", f"{declared.relative:g} relative, {declared.absolute:g}{unit} absolute"))
+        parts.append(
+            Part(
+                "tolerance",
+                f"{declared.relative:g} relative, {declared.absolute:g}{unit} absolute",
+            )
+        )
     return parts
 
 
@@ -154,7 +210,10 @@ def pasteable(exercise: Exercise, verdict: Verdict) -> str:
     if len(one_line) <= 90:
         return one_line
     # By position, the declared name as a comment: the student's own parameter names may differ.
-    lines = textwrap.indent("\n".join(f"{code(value)},  # {name}" for name, value in arguments.items()), "    ")
+    lines = textwrap.indent(
+        "\n".join(f"{code(value)},  # {name}" for name, value in arguments.items()),
+        "    ",
+    )
     if len(lines) > PASTED_LIMIT:
         return f"{exercise.name}(...)  # {verdict.case.label}: too long to show"
     return f"{exercise.name}(\n{lines}\n)"
@@ -164,7 +223,10 @@ def point(verdict: Verdict) -> dict[str, Any]:
     """Where an expression was found wrong: the values of its symbols, numbers all of them."""
     assert verdict.case is not None
     index = verdict.difference.index if verdict.difference else ()
-    return {name: v[index] if isinstance(v, np.ndarray) else v for name, v in verdict.case.arguments.items()}
+    return {
+        name: v[index] if isinstance(v, np.ndarray) else v
+        for name, v in verdict.case.arguments.items()
+    }
 
 
 def code(value: Any) -> str:
@@ -176,7 +238,12 @@ def code(value: Any) -> str:
             return f"np.zeros({value.shape}, dtype={value.dtype.name!r})"
         form: Any = {"float_kind": _number} if value.dtype.kind == "f" else None
         text = np.array2string(
-            value, separator=", ", threshold=10_000, max_line_width=100, formatter=form, prefix="np.array("
+            value,
+            separator=", ",
+            threshold=10_000,
+            max_line_width=100,
+            formatter=form,
+            prefix="np.array(",
         )
         return f"np.array({text})"
     plain = value.item() if isinstance(value, (np.ndarray, np.generic)) else value
@@ -189,7 +256,9 @@ def short(value: Any) -> str:
     if array.dtype.kind == "f":
         if array.ndim == 0:
             return f"{float(array):.10g}"
-        return np.array2string(array, separator=", ", precision=10, threshold=12, max_line_width=90)
+        return np.array2string(
+            array, separator=", ", precision=10, threshold=12, max_line_width=90
+        )
     return repr(value.item()) if isinstance(value, np.generic) else str(value)
 
 
@@ -203,7 +272,9 @@ def _number(value: float) -> str:
 def _template() -> Any:
     import jinja2
 
-    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    environment = jinja2.Environment(
+        autoescape=True, trim_blocks=True, lstrip_blocks=True
+    )
     return environment.from_string(_HTML)
 
 

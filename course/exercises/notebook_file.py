@@ -19,7 +19,9 @@ from course.exercises.answer import is_blank
 from course.exercises.definition import Lesson, all_lessons
 
 MAXIMUM_BYTES = 50_000_000
-MAXIMUM_CELL = 200_000  # characters; longer ones are no answers and cost seconds to parse
+MAXIMUM_CELL = (
+    200_000  # characters; longer ones are no answers and cost seconds to parse
+)
 
 
 class UnusableNotebook(ValueError):
@@ -77,7 +79,9 @@ def read_notebook(path: Path, lessons: Sequence[Lesson] | None = None) -> Notebo
     """
     notebook = _load(path)
     cells = _code_cells(notebook)
-    lesson = _lesson_of(notebook, path, cells, all_lessons() if lessons is None else lessons)
+    lesson = _lesson_of(
+        notebook, path, cells, all_lessons() if lessons is None else lessons
+    )
     names = [e.name for e in lesson.exercises]
     found = tuple(_find(name, names, cells) for name in names)
     return NotebookFile(path, lesson, _preamble(cells, names), found)
@@ -97,7 +101,11 @@ def defined_names(source: str) -> tuple[str, ...]:
             names.append(node.name)
         elif isinstance(node, (ast.Assign, ast.AnnAssign)) and not _is_use(node.value):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
-            parts = [p for t in targets for p in (t.elts if isinstance(t, (ast.Tuple, ast.List)) else [t])]
+            parts = [
+                p
+                for t in targets
+                for p in (t.elts if isinstance(t, (ast.Tuple, ast.List)) else [t])
+            ]
             names += [p.id for p in parts if isinstance(p, ast.Name)]
     return tuple(names)
 
@@ -135,9 +143,13 @@ def _load(path: Path) -> Mapping[str, Any]:
     except OSError as error:
         raise UnusableNotebook(f"cannot be read: {error.strerror or error}") from None
     except ValueError as error:
-        raise UnusableNotebook(f"not a notebook: not JSON ({str(error)[:120]})") from None
+        raise UnusableNotebook(
+            f"not a notebook: not JSON ({str(error)[:120]})"
+        ) from None
     if not isinstance(notebook, dict) or not isinstance(notebook.get("nbformat"), int):
-        raise UnusableNotebook("not a notebook: JSON, but without a notebook's format number")
+        raise UnusableNotebook(
+            "not a notebook: JSON, but without a notebook's format number"
+        )
     return notebook if notebook["nbformat"] >= 4 else _upgraded(notebook)
 
 
@@ -147,8 +159,12 @@ def _upgraded(notebook: Mapping[str, Any]) -> Mapping[str, Any]:
 
     try:
         upgraded: Mapping[str, Any] = nbformat.reads(json.dumps(notebook), as_version=4)
-    except Exception as error:  # nbformat raises several kinds for what is not a notebook
-        raise UnusableNotebook(f"not a notebook: {str(error).splitlines()[0][:120]}") from None
+    except (
+        Exception
+    ) as error:  # nbformat raises several kinds for what is not a notebook
+        raise UnusableNotebook(
+            f"not a notebook: {str(error).splitlines()[0][:120]}"
+        ) from None
     return upgraded
 
 
@@ -165,14 +181,23 @@ def _code_cells(notebook: Mapping[str, Any]) -> list[_Cell]:
         if isinstance(source, list):
             source = "".join(line for line in source if isinstance(line, str))
         if isinstance(source, str):
-            code.append(_Cell(source, metadata if isinstance(metadata, dict) else {}, defined_names(source)))
+            code.append(
+                _Cell(
+                    source,
+                    metadata if isinstance(metadata, dict) else {},
+                    defined_names(source),
+                )
+            )
     if not code:
         raise UnusableNotebook("a notebook without a code cell")
     return code
 
 
 def _lesson_of(
-    notebook: Mapping[str, Any], path: Path, cells: Sequence[_Cell], known: Sequence[Lesson]
+    notebook: Mapping[str, Any],
+    path: Path,
+    cells: Sequence[_Cell],
+    known: Sequence[Lesson],
 ) -> Lesson:
     """The lesson by the notebook's own word, else by its file name, else by the exercises it defines."""
     lessons = {lesson.number: lesson for lesson in known}
@@ -185,9 +210,15 @@ def _lesson_of(
     if match and match.group(1) in lessons:
         return lessons[match.group(1)]
     names = {name for cell in cells for name in cell.defines}
-    best = max(lessons.values(), key=lambda le: len(names & {e.name for e in le.exercises}), default=None)
+    best = max(
+        lessons.values(),
+        key=lambda le: len(names & {e.name for e in le.exercises}),
+        default=None,
+    )
     if best is None or not names & {e.name for e in best.exercises}:
-        raise UnusableNotebook("none of the lessons: it names no lesson and defines no exercise")
+        raise UnusableNotebook(
+            "none of the lessons: it names no lesson and defines no exercise"
+        )
     return best
 
 
@@ -198,20 +229,31 @@ def _find(name: str, names: Sequence[str], cells: Sequence[_Cell]) -> ExerciseCe
     own = next((cell for cell in cells if cell.exercise == name), None)
     if own is not None and _parse(own.source) is None:
         return ExerciseCell(
-            name, own.source, fault="the cell is not valid Python: " + _syntax_error(own.source)
+            name,
+            own.source,
+            fault="the cell is not valid Python: " + _syntax_error(own.source),
         )
     others = [n for cell in cells for n in cell.defines if n not in names]
     local = [n for n in (own.defines if own else ()) if n not in names]
-    near = difflib.get_close_matches(name, local, n=1, cutoff=0.5) or (local if len(local) == 1 else [])
+    near = difflib.get_close_matches(name, local, n=1, cutoff=0.5) or (
+        local if len(local) == 1 else []
+    )
     near = near or difflib.get_close_matches(name, others, n=1, cutoff=0.7)
     source = own.source if own else ""
     if near:
-        source = next((c.source for c in (own, *cells) if c is not None and near[0] in c.defines), source)
+        source = next(
+            (c.source for c in (own, *cells) if c is not None and near[0] in c.defines),
+            source,
+        )
         fault = f"no {name} in the notebook; the nearest name is {near[0]}"
         return ExerciseCell(name, source, fault, needs_person=True, nearest=near[0])
     if own is not None:
-        return ExerciseCell(name, source, f"the exercise's cell defines no {name}", needs_person=True)
-    return ExerciseCell(name, fault=f"no cell defines {name}: was it deleted?", needs_person=True)
+        return ExerciseCell(
+            name, source, f"the exercise's cell defines no {name}", needs_person=True
+        )
+    return ExerciseCell(
+        name, fault=f"no cell defines {name}: was it deleted?", needs_person=True
+    )
 
 
 def _holder(name: str, cells: Sequence[_Cell]) -> _Cell | None:
@@ -222,7 +264,9 @@ def _holder(name: str, cells: Sequence[_Cell]) -> _Cell | None:
     the last counts, as it does when the notebook is run from top to bottom.
     """
     holders = [(i, cell) for i, cell in enumerate(cells) if name in cell.defines]
-    theirs = [(i, cell) for i, cell in holders if cell.exercise == name or not cell.told]
+    theirs = [
+        (i, cell) for i, cell in holders if cell.exercise == name or not cell.told
+    ]
     ranked = [
         ((not is_blank(python_only(cell.source), name), cell.exercise == name, i), cell)
         for i, cell in theirs or holders
@@ -247,15 +291,28 @@ def _definitions_only(source: str) -> str:
     tree = _parse(source)
     if tree is None:
         return ""
-    wanted = (ast.FunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Assign, ast.AnnAssign)
+    wanted = (
+        ast.FunctionDef,
+        ast.ClassDef,
+        ast.Import,
+        ast.ImportFrom,
+        ast.Assign,
+        ast.AnnAssign,
+    )
     try:
-        return "\n\n".join(ast.unparse(node) for node in tree.body if isinstance(node, wanted))
+        return "\n\n".join(
+            ast.unparse(node) for node in tree.body if isinstance(node, wanted)
+        )
     except RecursionError:
         return ""
 
 
 def _is_use(value: ast.expr | None) -> bool:
-    return isinstance(value, ast.Call) and isinstance(value.func, ast.Name) and value.func.id == "use"
+    return (
+        isinstance(value, ast.Call)
+        and isinstance(value.func, ast.Name)
+        and value.func.id == "use"
+    )
 
 
 def _parse(source: str) -> ast.Module | None:

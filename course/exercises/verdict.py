@@ -40,39 +40,65 @@ class Verdict:
         return self.state == "passed"
 
 
-def judge(exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome]) -> Verdict:
+def judge(
+    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome]
+) -> Verdict:
     """Judge what an answer gave on the cases; only the reference and the mistakes are run here.
 
     Raises ``ValueError`` where the two sequences differ in length: no case goes unjudged.
     """
     if len(cases) != len(outcomes) or not cases:
-        raise ValueError(f"outcomes: expected one for each of {len(cases)} cases, at least one; got {len(outcomes)}")
+        raise ValueError(
+            f"outcomes: expected one for each of {len(cases)} cases, at least one; got {len(outcomes)}"
+        )
     if any(o.kind == "unattempted" for o in outcomes):
         return Verdict(exercise.name, "not attempted")
     expected = answers_of(exercise.reference, exercise, cases)
-    wrongs = [_wrong(exercise, c, o, e) for c, o, e in zip(cases, outcomes, expected, strict=True)]
+    wrongs = [
+        _wrong(exercise, c, o, e)
+        for c, o, e in zip(cases, outcomes, expected, strict=True)
+    ]
     failed = [i for i, w in enumerate(wrongs) if w is not None]
     if not failed:
         return Verdict(exercise.name, "passed", exercise.points, len(cases))
-    first = min(failed, key=lambda i: cases[i].kind == "batch")  # one call is easier to follow than a batch of them
-    state: State = "error" if outcomes[first].kind in ("raised", "unreadable", "none") else "wrong"
+    first = min(
+        failed, key=lambda i: cases[i].kind == "batch"
+    )  # one call is easier to follow than a batch of them
+    state: State = (
+        "error" if outcomes[first].kind in ("raised", "unreadable", "none") else "wrong"
+    )
     mistake, whole = diagnose(exercise, cases, outcomes, failed)
     reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
     if mistake and not whole:
-        reason = ("This does not explain every case that fails: look for a second slip once it is mended.",)
+        reason = (
+            "This does not explain every case that fails: look for a second slip once it is mended.",
+        )
     reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(
-        exercise.name, state, 0, len(cases), cases[first], outcomes[first], wrongs[first], mistake, reason
+        exercise.name,
+        state,
+        0,
+        len(cases),
+        cases[first],
+        outcomes[first],
+        wrongs[first],
+        mistake,
+        reason,
     )
 
 
-def answers_of(function: Any, exercise: Exercise, cases: Sequence[Case]) -> list[Outcome]:
+def answers_of(
+    function: Any, exercise: Exercise, cases: Sequence[Case]
+) -> list[Outcome]:
     """What a trusted function (the reference, a planted mistake) gives on the cases."""
     return call_all(function, [c.arguments for c in cases], len(exercise.results))
 
 
 def diagnose(
-    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome], failed: Sequence[int]
+    exercise: Exercise,
+    cases: Sequence[Case],
+    outcomes: Sequence[Outcome],
+    failed: Sequence[int],
 ) -> tuple[Mistake | None, bool]:
     """The planted mistake that explains the answer, and whether it explains every case that failed.
 
@@ -88,19 +114,28 @@ def diagnose(
             return mistake, True
         explained = sum(alike[i] for i in failed)
         by_value = sum(alike[i] and outcomes[i].kind == "value" for i in failed)
-        enough = explained == len(failed) or (by_value >= 2 and 2 * by_value > len(failed))
+        enough = explained == len(failed) or (
+            by_value >= 2 and 2 * by_value > len(failed)
+        )
         if enough and (explained, sum(alike)) > best[0]:
             best = (explained, sum(alike)), mistake
     return best[1], best[0][0] == len(failed)
 
 
 def general_advice(
-    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome], wrongs: Sequence[Difference | None]
+    exercise: Exercise,
+    cases: Sequence[Case],
+    outcomes: Sequence[Outcome],
+    wrongs: Sequence[Difference | None],
 ) -> tuple[str, ...]:
     """Slips that no exercise needs to plant: wrong only in a batch, one answer for all, wrong only at edges."""
     wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
     advice = []
-    if all(o.kind == "value" for o in outcomes) and len(outcomes) > 1 and _constant(outcomes):
+    if (
+        all(o.kind == "value" for o in outcomes)
+        and len(outcomes) > 1
+        and _constant(outcomes)
+    ):
         return ("It gives the same for every input: does it use its arguments?",)
     if any("object is not subscriptable" in o.text for o in outcomes):
         advice.append(
@@ -111,9 +146,11 @@ def general_advice(
             "`if` asks one question, a batch has many answers: use np.where(condition, this, that), which answers "
             "each element for itself."
         )
-    elif any("'...' ellipsis" in o.text for o in outcomes):  # einsum, of letters fewer than axes
+    elif any(
+        "'...' ellipsis" in o.text for o in outcomes
+    ):  # einsum, of letters fewer than axes
         advice.append(
-            "In np.einsum put ... before the letters, for the axes of the batch: \"...ij,...j->...i\" is matrix times "
+            'In np.einsum put ... before the letters, for the axes of the batch: "...ij,...j->...i" is matrix times '
             "vector for one and for many."
         )
     elif wrong_kinds == {"batch"} and exercise.kind == "function":
@@ -122,9 +159,13 @@ def general_advice(
             "number one more axis before it multiplies vectors, s[..., None] * n."
         )
     elif wrong_kinds == {"edge"}:
-        advice.append("Right in the ordinary cases, wrong at an edge: read what the task says of this case.")
+        advice.append(
+            "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
+        )
     if any(v.dtype in (np.float16, np.float32) for o in outcomes for v in o.values):
-        advice.append("Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64.")
+        advice.append(
+            "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
+        )
     return tuple(advice)
 
 
@@ -132,7 +173,9 @@ def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...
     """The messages of the properties that the answer to this case lacks."""
     if outcome.kind != "value":
         return ()
-    numbers = all(v.dtype.kind in "biuf" and np.isfinite(v).all() for v in outcome.values)
+    numbers = all(
+        v.dtype.kind in "biuf" and np.isfinite(v).all() for v in outcome.values
+    )
     if exercise.judged_by == "reference" and not numbers:
         return ()  # NaN, text, complex numbers: the comparison has said so already
     answer = outcome.values[0] if len(exercise.results) == 1 else outcome.values
@@ -140,7 +183,12 @@ def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...
     for rule in exercise.properties:
         try:
             with np.errstate(all="ignore"):
-                residual = np.max(np.abs(np.asarray(rule.residual(case.arguments, answer), dtype=float)), initial=0.0)
+                residual = np.max(
+                    np.abs(
+                        np.asarray(rule.residual(case.arguments, answer), dtype=float)
+                    ),
+                    initial=0.0,
+                )
         except (ValueError, TypeError, IndexError):
             if exercise.judged_by == "reference":
                 continue  # an answer of another shape: the comparison has said so already
@@ -150,16 +198,26 @@ def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...
     return tuple(lacking)
 
 
-def _wrong(exercise: Exercise, case: Case, outcome: Outcome, expected: Outcome) -> Difference | None:
+def _wrong(
+    exercise: Exercise, case: Case, outcome: Outcome, expected: Outcome
+) -> Difference | None:
     if expected.kind != "value":
-        raise RuntimeError(f"the reference of {exercise.name} gives no value for {case.label!r}: {expected.text}")
+        raise RuntimeError(
+            f"the reference of {exercise.name} gives no value for {case.label!r}: {expected.text}"
+        )
     if outcome.kind != "value":
-        return Difference(exercise.results[0].name, expected=expected.values[0], fault=outcome.kind)
+        return Difference(
+            exercise.results[0].name, expected=expected.values[0], fault=outcome.kind
+        )
     difference = compare(exercise.results, expected.values, outcome.values)
     if exercise.judged_by == "reference" or difference.fault:
         return difference if difference.wrong else None
     lacking = violated(exercise, case, outcome)
-    return Difference(exercise.results[0].name, got=outcome.values[0], fault=lacking[0]) if lacking else None
+    return (
+        Difference(exercise.results[0].name, got=outcome.values[0], fault=lacking[0])
+        if lacking
+        else None
+    )
 
 
 def _alike(exercise: Exercise, one: Outcome, other: Outcome) -> bool:
@@ -172,6 +230,8 @@ def _alike(exercise: Exercise, one: Outcome, other: Outcome) -> bool:
 
 def _constant(outcomes: Sequence[Outcome]) -> bool:
     values = [o.values[0] for o in outcomes]
-    return all(v.size > 0 for v in values) and len({v.dtype.kind for v in values}) == 1 and all(
-        bool((v == values[0].flat[0]).all()) for v in values
+    return (
+        all(v.size > 0 for v in values)
+        and len({v.dtype.kind for v in values}) == 1
+        and all(bool((v == values[0].flat[0]).all()) for v in values)
     )

@@ -43,7 +43,10 @@ def main(folder: str) -> None:
     with open(os.path.join(folder, "job"), "rb") as message:
         job = wire.unpack(message.read())
     work = os.path.join(folder, "work")
-    reply = os.open(os.path.join(folder, "reply"), os.O_WRONLY | os.O_CREAT | getattr(os, "O_BINARY", 0))
+    reply = os.open(
+        os.path.join(folder, "reply"),
+        os.O_WRONLY | os.O_CREAT | getattr(os, "O_BINARY", 0),
+    )
     stage = Stage(os.path.join(folder, "stage"))
     os.chdir(work)
     run = _Run(job)
@@ -70,7 +73,12 @@ class _Run:
         from course.grading import stand_ins
         from course.grading.wire import BODY_LIMIT
 
-        self.job, self.answer, self.stand_ins, self.body_limit = job, answer, stand_ins, BODY_LIMIT
+        self.job, self.answer, self.stand_ins, self.body_limit = (
+            job,
+            answer,
+            stand_ins,
+            BODY_LIMIT,
+        )
         self._load_slow_packages()
 
     def __call__(self, stage: Stage) -> dict[str, Any]:
@@ -86,7 +94,10 @@ class _Run:
             error = self._execute(source, index, namespace, tolerant)
             if error is not None:
                 notes.append([index, self.answer.describe(error)])
-        return {"notes": notes, **self._call(stage, namespace.get(self.job["name"], MISSING))}
+        return {
+            "notes": notes,
+            **self._call(stage, namespace.get(self.job["name"], MISSING)),
+        }
 
     def _load_slow_packages(self) -> None:
         """Their seconds of loading are not the student's."""
@@ -95,24 +106,44 @@ class _Run:
         from course.grading.needed import modules_used
 
         cells = self.job["cells"]
-        preamble, answers = ([source for source, kept in cells if kept == tolerant] for tolerant in (True, False))
+        preamble, answers = (
+            [source for source, kept in cells if kept == tolerant]
+            for tolerant in (True, False)
+        )
         for name in modules_used(preamble, answers, self.stand_ins.SLOW):
             importlib.import_module(name)
         if self.job["kind"] == "expression":
             import sympy  # noqa: F401
 
-    def _execute(self, source: str, index: int, namespace: dict[str, Any], tolerant: bool) -> BaseException | None:
+    def _execute(
+        self, source: str, index: int, namespace: dict[str, Any], tolerant: bool
+    ) -> BaseException | None:
         """Run one cell and give back what it raised; a tolerant one goes on after a statement that fails."""
         name, printed = f"<cell {index}>", self.answer.Printed
-        linecache.cache[name] = (len(source), None, [line + "\n" for line in source.splitlines()], name)
+        linecache.cache[name] = (
+            len(source),
+            None,
+            [line + "\n" for line in source.splitlines()],
+            name,
+        )
         first: BaseException | None = None
-        with contextlib.redirect_stdout(printed()), contextlib.redirect_stderr(printed()):
+        with (
+            contextlib.redirect_stdout(printed()),
+            contextlib.redirect_stderr(printed()),
+        ):
             try:
                 tree = self.stand_ins.with_later_imports(ast.parse(source, name))
                 for part in [[node] for node in tree.body] if tolerant else [tree.body]:
                     try:
-                        exec(compile(ast.Module(part, []), name, "exec", dont_inherit=True), namespace)
-                    except BaseException as error:  # SystemExit too: a notebook goes on with its next cell
+                        exec(
+                            compile(
+                                ast.Module(part, []), name, "exec", dont_inherit=True
+                            ),
+                            namespace,
+                        )
+                    except (
+                        BaseException
+                    ) as error:  # SystemExit too: a notebook goes on with its next cell
                         first = first or error
             except BaseException as error:
                 first = first or error
@@ -126,17 +157,23 @@ class _Run:
         if answer.is_stub(value, job["cells"][-1][0]):
             return {"blank": True}
         try:
-            function = answer.as_function(value, job["kind"], job["name"], job["arguments"])
+            function = answer.as_function(
+                value, job["kind"], job["name"], job["arguments"]
+            )
         except Exception as error:
             return {"fault": str(error)[: answer.TEXT_LIMIT]}
         try:
-            outcomes = answer.call_all(function, _told(stage, job["cases"]), job["results"])
+            outcomes = answer.call_all(
+                function, _told(stage, job["cases"]), job["results"]
+            )
         except BaseException as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
             return {"fault": "it stopped with " + answer.describe(error)}
         return {"outcomes": _sendable(outcomes, self.body_limit)}
 
 
-def _told(stage: Stage, cases: Sequence[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
+def _told(
+    stage: Stage, cases: Sequence[Mapping[str, Any]]
+) -> Iterator[Mapping[str, Any]]:
     for index, case in enumerate(cases):
         stage("case", index)
         yield case
@@ -150,7 +187,9 @@ def _sendable(outcomes: Sequence[Any], limit: int) -> list[dict[str, Any]]:
         sent += size
         if sent > limit:
             text = f"expected a few numbers; got {size:,} bytes of them"
-            plain.append({"kind": "unreadable", "text": text, "printed": "", "values": []})
+            plain.append(
+                {"kind": "unreadable", "text": text, "printed": "", "values": []}
+            )
             sent -= size
             continue
         plain.append(

@@ -30,12 +30,16 @@ def page(submission: Submission, *, seed: int) -> str:
     sections = [
         {
             "name": row.exercise.name,
-            "signature": row.exercise.signature if row.exercise.kind == "function" else row.exercise.name,
+            "signature": row.exercise.signature
+            if row.exercise.kind == "function"
+            else row.exercise.name,
             "task": row.exercise.task,
             "word": WORDS[row.state],
             "symbol": SYMBOLS[row.state],
             "points": _points(row),
-            "message": Markup(verdict_message(row.exercise, row.verdict, after=_after(row)).html()),
+            "message": Markup(
+                verdict_message(row.exercise, row.verdict, after=_after(row)).html()
+            ),
         }
         for row in submission.rows
     ]
@@ -47,14 +51,24 @@ def page(submission: Submission, *, seed: int) -> str:
     )  # fmt: skip
 
 
-def write_overview(path: Path, student: str, handed_in: Sequence[tuple[str, Mapping[str, str]]], *, seed: int) -> None:
+def write_overview(
+    path: Path,
+    student: str,
+    handed_in: Sequence[tuple[str, Mapping[str, str]]],
+    *,
+    seed: int,
+) -> None:
     """Write a student's own page: every submission with its points, each with the name of its page and its row."""
     rows = [
         {"page": page, "file": row["file"], "lesson": row["lesson"] or row["reason"], "state": row["state"],
          "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
         for page, row in handed_in
     ]  # fmt: skip
-    text = str(_template(_OVERVIEW).render(title=f"Handed in by {student}", student=student, rows=rows, seed=seed))
+    text = str(
+        _template(_OVERVIEW).render(
+            title=f"Handed in by {student}", student=student, rows=rows, seed=seed
+        )
+    )
     write_whole(path, lambda file: file.write(text))
 
 
@@ -76,10 +90,18 @@ def _following(submission: Submission) -> str:
     if not submission.rows:
         return "Hand in the notebook itself, the file that ends in .ipynb, as JupyterLab saves it."
     if not left:
-        return "Nothing is left to do in this lesson." if submission.state == "marked" else ""
+        return (
+            "Nothing is left to do in this lesson."
+            if submission.state == "marked"
+            else ""
+        )
     first = left[0].exercise
     minutes = sum(row.exercise.minutes for row in left if row.exercise.level == "core")
-    rest = f" About {minutes} minutes of core exercises are left in this lesson." if minutes else ""
+    rest = (
+        f" About {minutes} minutes of core exercises are left in this lesson."
+        if minutes
+        else ""
+    )
     return (
         f"Next: {first.name}. Open the lesson, change its cell and run it: check judges it at once, and "
         f"hint({first.name!r}) gives the first of three hints.{rest}"
@@ -90,7 +112,9 @@ def _following(submission: Submission) -> str:
 def _template(page: str) -> Any:
     import jinja2
 
-    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    environment = jinja2.Environment(
+        autoescape=True, trim_blocks=True, lstrip_blocks=True
+    )
     return environment.from_string(_HEAD + page + _FOOT)
 
 

@@ -17,7 +17,14 @@ from course.exercises.notebook_file import read_notebook
 from course.grading.feedback import write_overview, write_page
 from course.grading.judge import Judge, Row
 from course.grading.limits import Limits
-from course.grading.report import Submission, Table, cells_of, key_of, read_table, safe_cell
+from course.grading.report import (
+    Submission,
+    Table,
+    cells_of,
+    key_of,
+    read_table,
+    safe_cell,
+)
 from course.grading.sandbox import Cancelled, SandboxFailure, isolation
 from course.grading.submissions import Task, find_tasks, page_name
 
@@ -79,9 +86,9 @@ class Check:
             for r in self.rows
             if r.state not in ("passed", "not attempted")
         ]
-        return "\n".join([f"{self.lesson.number} {self.lesson.title}", *lines]) + "".join(
-            "\n\n" + f for f in found
-        )
+        return "\n".join(
+            [f"{self.lesson.number} {self.lesson.title}", *lines]
+        ) + "".join("\n\n" + f for f in found)
 
 
 def check_notebook(
@@ -120,7 +127,11 @@ def grade_folder(
     """
     started = time.monotonic()
     folder, out = Path(folder), Path(out)
-    feedback = Path(feedback) if feedback is not None else out.with_name(f"{out.stem}-feedback")
+    feedback = (
+        Path(feedback)
+        if feedback is not None
+        else out.with_name(f"{out.stem}-feedback")
+    )
     limits = Limits(time_limit, memory_mb)
     _require(folder, out, feedback, seed)
     exercises, old = read_table(out)
@@ -128,17 +139,27 @@ def grade_folder(
     tasks = find_tasks(folder, known, feedback, own=(out, feedback))
     files = {safe_cell(task.file) for task in tasks}
     if seed is None:
-        seeds = [int(row["seed"]) for row in old if row["file"] in files and row["seed"].isdigit()]
+        seeds = [
+            int(row["seed"])
+            for row in old
+            if row["file"] in files and row["seed"].isdigit()
+        ]
         seed = seeds[-1] if seeds else secrets.randbelow(2**32)
     keys = {key_of(task.digest, seed, limits): task for task in tasks}
-    kept = [row for row in old if row["file"] not in files or _stands(keys.get(row["key"]))]
+    kept = [
+        row for row in old if row["file"] not in files or _stands(keys.get(row["key"]))
+    ]
     done = {row["key"] for row in kept}
     todo = {key: task for key, task in keys.items() if key not in done}
     shut_in = isolation(limits) if todo else ()
     table = Table(out, _exercises(known, tasks, exercises), kept)
     try:
-        batch = _Batch(Judge(seed, limits, threading.Event()), seed, table, ", ".join(shut_in))
-        batch.mark(todo, len(tasks), workers or os.cpu_count() or 1, on_progress or _quietly)
+        batch = _Batch(
+            Judge(seed, limits, threading.Event()), seed, table, ", ".join(shut_in)
+        )
+        batch.mark(
+            todo, len(tasks), workers or os.cpu_count() or 1, on_progress or _quietly
+        )
     finally:
         table.close()
     ours = [row for row in table.rows if row["key"] in keys]
@@ -160,17 +181,23 @@ class _Batch:
     table: Table
     isolation: str
 
-    def mark(self, todo: Mapping[str, Task], total: int, workers: int, tell: Progress) -> None:
+    def mark(
+        self, todo: Mapping[str, Task], total: int, workers: int, tell: Progress
+    ) -> None:
         """Judge several at a time; rows and pages are written here, by one thread, as they come."""
         done = total - len(todo)
         tell(done, total, "")
         with ThreadPoolExecutor(workers) as pool:
-            tasks = {pool.submit(self._judged, key, task): task for key, task in todo.items()}
+            tasks = {
+                pool.submit(self._judged, key, task): task for key, task in todo.items()
+            }
             running = set(tasks)
             try:
                 while running:
                     # Woken now and then: a wait without end does not hear Ctrl-C on every platform.
-                    ready, running = wait(running, timeout=0.5, return_when=FIRST_COMPLETED)
+                    ready, running = wait(
+                        running, timeout=0.5, return_when=FIRST_COMPLETED
+                    )
                     for future in ready:
                         submission = future.result()
                         write_page(tasks[future].page, submission, seed=self.seed)
@@ -203,7 +230,12 @@ def _stands(task: Task | None) -> bool:
     return task is not None and task.page.exists()
 
 
-def _overviews(feedback: Path, tasks: Mapping[str, Task], rows: Mapping[str, Mapping[str, str]], seed: int) -> None:
+def _overviews(
+    feedback: Path,
+    tasks: Mapping[str, Task],
+    rows: Mapping[str, Mapping[str, str]],
+    seed: int,
+) -> None:
     """A page for every student with more than one submission; told apart by name, as their pages are."""
     by_student: dict[str, list[tuple[str, Mapping[str, str]]]] = {}
     for key, task in tasks.items():
@@ -212,7 +244,9 @@ def _overviews(feedback: Path, tasks: Mapping[str, Task], rows: Mapping[str, Map
     for student, handed_in in by_student.items():
         if len(handed_in) > 1:
             handed_in.sort(key=lambda one: one[1]["file"])
-            write_overview(feedback / f"{page_name(student)}.html", student, handed_in, seed=seed)
+            write_overview(
+                feedback / f"{page_name(student)}.html", student, handed_in, seed=seed
+            )
 
 
 def _quietly(done: int, total: int, file: str) -> None:
@@ -221,9 +255,13 @@ def _quietly(done: int, total: int, file: str) -> None:
 
 def _require(folder: Path, out: Path, feedback: Path, seed: int | None) -> None:
     if not folder.is_dir():
-        raise ValueError(f"folder: expected a folder of submissions; got {folder}, which is none")
+        raise ValueError(
+            f"folder: expected a folder of submissions; got {folder}, which is none"
+        )
     if out.is_dir():
-        raise ValueError(f"out: expected the name of a table, as in grades.csv; got the folder {out}")
+        raise ValueError(
+            f"out: expected the name of a table, as in grades.csv; got the folder {out}"
+        )
     if feedback.exists() and not feedback.is_dir():
         raise ValueError(f"feedback: expected a folder; got the file {feedback}")
     if seed is not None and not 0 <= seed < 2**63:
@@ -239,8 +277,12 @@ def _require(folder: Path, out: Path, feedback: Path, seed: int | None) -> None:
         ) from None
 
 
-def _exercises(known: Sequence[Lesson], tasks: Sequence[Task], old: Sequence[str]) -> tuple[str, ...]:
+def _exercises(
+    known: Sequence[Lesson], tasks: Sequence[Task], old: Sequence[str]
+) -> tuple[str, ...]:
     """The exercises that get columns: of the lessons that were handed in, in their order, then those of old rows."""
     found = {task.notebook.lesson.number for task in tasks if task.notebook}
-    names = [e.name for lesson in known if lesson.number in found for e in lesson.exercises]
+    names = [
+        e.name for lesson in known if lesson.number in found for e in lesson.exercises
+    ]
     return (*names, *(name for name in old if name not in names))

@@ -66,7 +66,11 @@ def _refuse_fork_exec() -> None:
 
 def _require_inside(path: Any, folder: str) -> None:
     place = os.path.realpath(os.fsdecode(path))
-    if place != os.devnull and place != folder and not place.startswith(folder + os.sep):
+    if (
+        place != os.devnull
+        and place != folder
+        and not place.startswith(folder + os.sep)
+    ):
         raise PermissionError(
             f"writing outside the working folder is not allowed while an answer is marked: {place}"
         )
@@ -75,4 +79,6 @@ def _require_inside(path: Any, folder: str) -> None:
 def _require_outside(path: Any, folders: Sequence[str]) -> None:
     place = os.path.realpath(os.fsdecode(path))
     if any(place == folder or place.startswith(folder + os.sep) for folder in folders):
-        raise PermissionError("the course's own files cannot be read while an answer is marked")
+        raise PermissionError(
+            "the course's own files cannot be read while an answer is marked"
+        )

@@ -55,10 +55,21 @@ class Judge:
         for index, exercise in enumerate(notebook.lesson.exercises):
             verdict, seconds = self._verdict(notebook, index, exercise, endless)
             points = None if verdict.state == "needs a person" else verdict.points
-            yield Row(exercise, points, verdict.state, reason_of(exercise, verdict), verdict, seconds)
+            yield Row(
+                exercise,
+                points,
+                verdict.state,
+                reason_of(exercise, verdict),
+                verdict,
+                seconds,
+            )
 
     def _verdict(
-        self, notebook: NotebookFile, index: int, exercise: Exercise, endless: dict[str, str]
+        self,
+        notebook: NotebookFile,
+        index: int,
+        exercise: Exercise,
+        endless: dict[str, str],
     ) -> tuple[Verdict, float]:
         """``endless`` holds the cells that ended a run before, and what became of it: none is waited for twice."""
         cell = notebook.cells[index]
@@ -85,7 +96,9 @@ class Judge:
         verdict = _safely(exercise, cases, run, self.limits, len(earlier))
         if run.reply is None and run.stage == "cell":
             culprit = job.cells[run.index][0]
-            endless[culprit] = _unfinished(exercise, cases, run, self.limits, len(job.cells)).reason[0]
+            endless[culprit] = _unfinished(
+                exercise, cases, run, self.limits, len(job.cells)
+            ).reason[0]
         return (_renamed(cell, verdict) if cell.nearest else verdict), run.seconds
 
 
@@ -94,13 +107,21 @@ def reason_of(exercise: Exercise, verdict: Verdict) -> str:
     if verdict.state in ("passed", "not attempted"):
         return ""
     told = verdict_message(exercise, verdict).parts
-    words = [f"{p.label}: {p.text}" for p in told if p.label in ("case", "expected", "got")]
+    words = [
+        f"{p.label}: {p.text}" for p in told if p.label in ("case", "expected", "got")
+    ]
     words += [p.text for p in told if p.label in ("look at", "also")]
     line = " | ".join(" ".join(word.split()) for word in words)
-    return line if len(line) <= REASON_LIMIT else line[: REASON_LIMIT - 1] + "\N{HORIZONTAL ELLIPSIS}"
+    return (
+        line
+        if len(line) <= REASON_LIMIT
+        else line[: REASON_LIMIT - 1] + "\N{HORIZONTAL ELLIPSIS}"
+    )
 
 
-def _earlier(notebook: NotebookFile, index: int, source: str) -> tuple[tuple[str, bool], ...]:
+def _earlier(
+    notebook: NotebookFile, index: int, source: str
+) -> tuple[tuple[str, bool], ...]:
     """The cells to run before the answer's own: of the preamble and of exercises before it, those it needs."""
     before = [python_only(s) for s in notebook.preamble]
     tolerant = [True] * len(before)
@@ -112,27 +133,37 @@ def _earlier(notebook: NotebookFile, index: int, source: str) -> tuple[tuple[str
     return tuple((before[i], tolerant[i]) for i in needed_cells(before, source))
 
 
-def _job(exercise: Exercise, cells: tuple[tuple[str, bool], ...], cases: Sequence[Case]) -> Job:
+def _job(
+    exercise: Exercise, cells: tuple[tuple[str, bool], ...], cases: Sequence[Case]
+) -> Job:
     return Job(
         cells, exercise.name, exercise.kind, tuple(a.name for a in exercise.arguments), len(exercise.results),
         tuple(case.arguments for case in cases),
     )  # fmt: skip
 
 
-def _safely(exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int) -> Verdict:
+def _safely(
+    exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int
+) -> Verdict:
     """The verdict on a run; where judging itself fails over what came back, a person has to look."""
     try:
         with _judging:
             verdict = _judged(exercise, cases, run, limits, own)
-            verdict_message(exercise, verdict)  # what cannot be told cannot be a verdict either
+            verdict_message(
+                exercise, verdict
+            )  # what cannot be told cannot be a verdict either
             return verdict
     except Exception as error:
         return Verdict(
-            exercise.name, "needs a person", reason=(f"the judge stopped: {type(error).__name__}: {error}",)
+            exercise.name,
+            "needs a person",
+            reason=(f"the judge stopped: {type(error).__name__}: {error}",),
         )
 
 
-def _judged(exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int) -> Verdict:
+def _judged(
+    exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int
+) -> Verdict:
     name, reply = exercise.name, run.reply
     if reply is None:
         return _unfinished(exercise, cases, run, limits, own)
@@ -147,18 +178,24 @@ def _judged(exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits,
         if own in notes:
             return Verdict(name, "error", reason=stopped)
         return Verdict(
-            name, "needs a person", reason=(f"its cell ran, but there is no {name} after it", *stopped)
+            name,
+            "needs a person",
+            reason=(f"its cell ran, but there is no {name} after it", *stopped),
         )
     if reply.fault:
         return Verdict(name, "error", reason=(reply.fault, *stopped))
     verdict = judge(exercise, cases, reply.outcomes)
     reason = verdict.reason + (() if verdict.passed else stopped)
     if verdict.outcome is not None and "StandInForCourse" in verdict.outcome.text:
-        reason += ("It calls the course itself, which is not there while an answer is marked.",)
+        reason += (
+            "It calls the course itself, which is not there while an answer is marked.",
+        )
     return replace(verdict, reason=reason)
 
 
-def _unfinished(exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int) -> Verdict:
+def _unfinished(
+    exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int
+) -> Verdict:
     """The verdict on a run that sent nothing back: what became of it, and where."""
     words = {
         "time": f"did not finish within {limits.seconds:g} s: a loop without end?",
@@ -168,14 +205,18 @@ def _unfinished(exercise: Exercise, cases: Sequence[Case], run: Run, limits: Lim
         "crashed": f"crashed Python ({run.detail})",
     }
     if run.end == "unreadable":
-        told = (
-            f"what came back from its process cannot be read ({run.detail}): somebody should look at the code"
-        )
+        told = f"what came back from its process cannot be read ({run.detail}): somebody should look at the code"
         return Verdict(exercise.name, "needs a person", reason=(told,))
     if run.stage == "case":
         reason = (f"it {words[run.end]}",)
-        return Verdict(exercise.name, "error", 0, len(cases), cases[run.index], reason=reason)
-    where = "its cell, outside the function," if run.index >= own else "a cell before it, which it uses,"
+        return Verdict(
+            exercise.name, "error", 0, len(cases), cases[run.index], reason=reason
+        )
+    where = (
+        "its cell, outside the function,"
+        if run.index >= own
+        else "a cell before it, which it uses,"
+    )
     return Verdict(exercise.name, "error", reason=(f"{where} {words[run.end]}",))
 
 
@@ -184,7 +225,11 @@ def _renamed(cell: ExerciseCell, verdict: Verdict) -> Verdict:
     if verdict.state == "not attempted":
         return verdict
     tried = "right" if verdict.passed else "not right"
-    return Verdict(cell.name, "needs a person", reason=(f"{cell.fault}, and under that name it is {tried}",))
+    return Verdict(
+        cell.name,
+        "needs a person",
+        reason=(f"{cell.fault}, and under that name it is {tried}",),
+    )
 
 
 def _is_left_blank(source: str) -> bool:
@@ -196,7 +241,13 @@ def _is_left_blank(source: str) -> bool:
     names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
     for node in tree.body:
         if isinstance(node, ast.Assign):
-            names |= {target.id for target in node.targets if isinstance(target, ast.Name)}
-        elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and node.value.value is Ellipsis:
+            names |= {
+                target.id for target in node.targets if isinstance(target, ast.Name)
+            }
+        elif (
+            isinstance(node, ast.Expr)
+            and isinstance(node.value, ast.Constant)
+            and node.value.value is Ellipsis
+        ):
             return True
     return any(is_blank(source, name) for name in names)

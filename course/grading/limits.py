@@ -22,11 +22,17 @@ class Limits:
 
     def __post_init__(self) -> None:
         if not 0 < self.seconds < math.inf:
-            raise ValueError(f"time_limit: expected seconds above 0; got {self.seconds!r}")
+            raise ValueError(
+                f"time_limit: expected seconds above 0; got {self.seconds!r}"
+            )
         if not self.memory_mb >= 256:  # Python with NumPy alone maps about half of that
-            raise ValueError(f"memory_mb: expected at least 256; got {self.memory_mb!r}")
+            raise ValueError(
+                f"memory_mb: expected at least 256; got {self.memory_mb!r}"
+            )
         if not self.file_mb > 0:
-            raise ValueError(f"file_mb: expected a number above 0; got {self.file_mb!r}")
+            raise ValueError(
+                f"file_mb: expected a number above 0; got {self.file_mb!r}"
+            )
 
 
 def apply_limits(limits: Limits) -> list[str]:
@@ -78,16 +84,27 @@ if sys.platform == "win32":
                 wintypes.HANDLE, ctypes.c_int, ctypes.c_void_p, wintypes.DWORD
             ]  # fmt: skip
             kernel.GetCurrentProcess.restype = wintypes.HANDLE
-            kernel.AssignProcessToJobObject.argtypes = [wintypes.HANDLE, wintypes.HANDLE]
+            kernel.AssignProcessToJobObject.argtypes = [
+                wintypes.HANDLE,
+                wintypes.HANDLE,
+            ]
             job = kernel.CreateJobObjectW(None, None)
             told = _Extended()
-            told.BasicLimitInformation.LimitFlags = _TIME | _PROCESSES | _MEMORY | _KILL_ON_CLOSE
-            told.BasicLimitInformation.PerProcessUserTimeLimit = int((limits.seconds + 2) * 1e7)
+            told.BasicLimitInformation.LimitFlags = (
+                _TIME | _PROCESSES | _MEMORY | _KILL_ON_CLOSE
+            )
+            told.BasicLimitInformation.PerProcessUserTimeLimit = int(
+                (limits.seconds + 2) * 1e7
+            )
             told.BasicLimitInformation.ActiveProcessLimit = 1
             told.ProcessMemoryLimit = limits.memory_mb * 1_000_000
             size = ctypes.sizeof(told)
-            done = kernel.SetInformationJobObject(job, _EXTENDED_LIMITS, ctypes.byref(told), size)
-            if done and kernel.AssignProcessToJobObject(job, kernel.GetCurrentProcess()):
+            done = kernel.SetInformationJobObject(
+                job, _EXTENDED_LIMITS, ctypes.byref(told), size
+            )
+            if done and kernel.AssignProcessToJobObject(
+                job, kernel.GetCurrentProcess()
+            ):
                 return ["processor time", "memory", "one process"]
         except (OSError, AttributeError):
             pass  # what did not take hold is not claimed
@@ -116,7 +133,11 @@ else:
         _, hardest = resource.getrlimit(kind)
         value = value if hardest == resource.RLIM_INFINITY else min(value, hardest)
         # The softer limit on the processor tells why the process ends (SIGXCPU), the harder one only ends it.
-        hard = value + 2 if name == "RLIMIT_CPU" and hardest == resource.RLIM_INFINITY else value
+        hard = (
+            value + 2
+            if name == "RLIMIT_CPU" and hardest == resource.RLIM_INFINITY
+            else value
+        )
         try:
             resource.setrlimit(kind, (value, hard))
         except (ValueError, OSError):  # macOS refuses RLIMIT_AS

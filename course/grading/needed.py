@@ -11,7 +11,9 @@ import symtable
 import warnings
 from collections.abc import Sequence
 
-DYNAMIC = frozenset({"globals", "locals", "vars", "eval", "exec", "__import__", "get_ipython"})
+DYNAMIC = frozenset(
+    {"globals", "locals", "vars", "eval", "exec", "__import__", "get_ipython"}
+)
 
 
 def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
@@ -26,7 +28,9 @@ def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
     kept: set[int] = {i for i, (bound, _) in enumerate(names) if "*" in bound}
     used = used.union(*(names[i][1] for i in kept))
     while True:
-        more = {i for i, (bound, _) in enumerate(names) if i not in kept and bound & used}
+        more = {
+            i for i, (bound, _) in enumerate(names) if i not in kept and bound & used
+        }
         if not more:
             return tuple(sorted(kept))
         kept |= more
@@ -59,12 +63,18 @@ def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
     return frozenset(bound), frozenset(used)
 
 
-def modules_used(preamble: Sequence[str], answers: Sequence[str], among: frozenset[str]) -> tuple[str, ...]:
+def modules_used(
+    preamble: Sequence[str], answers: Sequence[str], among: frozenset[str]
+) -> tuple[str, ...]:
     """Which of these packages the answers' cells use: they import one, or take a name that an import cell bound.
 
     What merely stands in an import cell does not count.
     """
-    bound = {name: package for source in (*preamble, *answers) for name, package in _packages(source)}
+    bound = {
+        name: package
+        for source in (*preamble, *answers)
+        for name, package in _packages(source)
+    }
     used = {package for source in answers for _, package in _packages(source)}
     for source in answers:
         used |= {bound[name] for name in names_of(source)[1] if name in bound}
@@ -82,9 +92,14 @@ def _packages(source: str) -> list[tuple[str, str]]:
     pairs = []
     for node in nodes:
         if isinstance(node, ast.Import):
-            pairs += [(a.asname or a.name.split(".")[0], a.name.split(".")[0]) for a in node.names]
+            pairs += [
+                (a.asname or a.name.split(".")[0], a.name.split(".")[0])
+                for a in node.names
+            ]
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            pairs += [(a.asname or a.name, node.module.split(".")[0]) for a in node.names]
+            pairs += [
+                (a.asname or a.name, node.module.split(".")[0]) for a in node.names
+            ]
     return pairs
 
 
@@ -94,4 +109,8 @@ def _imports_everything(node: ast.AST) -> bool:
 
 def _added_to(node: ast.AST) -> list[str]:
     """The name in ``name += ...``, which a symbol table does not count as used."""
-    return [node.target.id] if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) else []
+    return (
+        [node.target.id]
+        if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name)
+        else []
+    )

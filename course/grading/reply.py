@@ -34,10 +34,15 @@ class Reply:
 def read_bytes(path: Path, limit: int) -> bytes:
     """The first bytes of a plain file; nothing of a link, a pipe or a device that stands in its place."""
     flags = (
-        os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+        os.O_RDONLY
+        | getattr(os, "O_NOFOLLOW", 0)
+        | getattr(os, "O_NONBLOCK", 0)
+        | getattr(os, "O_BINARY", 0)
     )
     with os.fdopen(os.open(path, flags), "rb") as file:
-        return file.read(limit) if stat.S_ISREG(os.fstat(file.fileno()).st_mode) else b""
+        return (
+            file.read(limit) if stat.S_ISREG(os.fstat(file.fileno()).st_mode) else b""
+        )
 
 
 def checked_reply(told: Any, cells: int, cases: int, results: int) -> Reply:
@@ -47,7 +52,10 @@ def checked_reply(told: Any, cells: int, cases: int, results: int) -> Reply:
     notes = tuple(
         (note[0], clean(note[1], TEXT_LIMIT * 3))
         for note in _list(told.get("notes", []))[:cells]
-        if isinstance(note, list) and len(note) == 2 and type(note[0]) is int and 0 <= note[0] < cells
+        if isinstance(note, list)
+        and len(note) == 2
+        and type(note[0]) is int
+        and 0 <= note[0] < cells
     )
     held = tuple(word for word in LIMIT_WORDS if word in _list(told.get("held", [])))
     if told.get("missing") is True:
@@ -55,7 +63,11 @@ def checked_reply(told: Any, cells: int, cases: int, results: int) -> Reply:
     if told.get("blank") is True:
         return Reply(blank=True, notes=notes, held=held)
     if "fault" in told:
-        return Reply(fault=clean(told["fault"], TEXT_LIMIT * 3) or "it stopped", notes=notes, held=held)
+        return Reply(
+            fault=clean(told["fault"], TEXT_LIMIT * 3) or "it stopped",
+            notes=notes,
+            held=held,
+        )
     outcomes = tuple(_outcome(one, results) for one in _list(told.get("outcomes")))
     if len(outcomes) != cases:
         raise wire.Unreadable(f"{len(outcomes)} results for {cases} cases")
@@ -65,11 +77,16 @@ def checked_reply(told: Any, cells: int, cases: int, results: int) -> Reply:
 def _outcome(told: Any, results: int) -> Outcome:
     if not isinstance(told, dict) or told.get("kind") not in KINDS:
         raise wire.Unreadable("a result of unknown kind")
-    text, printed = clean(told.get("text", ""), TEXT_LIMIT * 3), clean(told.get("printed", ""), PRINTED_LIMIT)
+    text, printed = (
+        clean(told.get("text", ""), TEXT_LIMIT * 3),
+        clean(told.get("printed", ""), PRINTED_LIMIT),
+    )
     if told["kind"] != "value":
         return Outcome(told["kind"], text=text, printed=printed)
     values = _list(told.get("values"))
-    if len(values) != results or not all(isinstance(value, np.ndarray) for value in values):
+    if len(values) != results or not all(
+        isinstance(value, np.ndarray) for value in values
+    ):
         raise wire.Unreadable("a result that is not made of arrays")
     return Outcome("value", tuple(values), text, printed)
 
@@ -85,4 +102,7 @@ def clean(text: Any, limit: int) -> str:
     if not isinstance(text, str):
         return ""
     plain = text[:limit].encode("utf-8", "replace").decode("utf-8")
-    return "".join(c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}" for c in plain)
+    return "".join(
+        c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}"
+        for c in plain
+    )

@@ -52,7 +52,11 @@ class Submission:
         """Whether it is marked, or a person has to look at it, or it cannot be used."""
         if self.lesson is None:
             return "unusable"
-        return "needs a person" if any(row.points is None for row in self.rows) else "marked"
+        return (
+            "needs a person"
+            if any(row.points is None for row in self.rows)
+            else "marked"
+        )
 
     @property
     def total(self) -> int:
@@ -68,19 +72,31 @@ class Submission:
 def digest_of(content: bytes, file: str, notebook: NotebookFile | None) -> str:
     """A digest of what a submission is: its bytes, its name, the lesson it is judged by, and this version."""
     lesson = notebook.lesson if notebook else None
-    exercises = [(e.name, e.points, e.kind, len(e.mistakes)) for e in lesson.exercises] if lesson else []
+    exercises = (
+        [(e.name, e.points, e.kind, len(e.mistakes)) for e in lesson.exercises]
+        if lesson
+        else []
+    )
     told = [__version__, file, lesson.file_name if lesson else "", exercises]
-    return hashlib.sha256(repr(told).encode("utf-8", "replace") + b"\0" + content).hexdigest()
+    return hashlib.sha256(
+        repr(told).encode("utf-8", "replace") + b"\0" + content
+    ).hexdigest()
 
 
 def key_of(digest: str, seed: int, limits: Limits) -> str:
     """A digest of all that a submission's marks hang on: what it is, the seed and the limits."""
-    return hashlib.sha256(repr([digest, seed, sorted(asdict(limits).items())]).encode()).hexdigest()
+    return hashlib.sha256(
+        repr([digest, seed, sorted(asdict(limits).items())]).encode()
+    ).hexdigest()
 
 
 def columns(exercises: Iterable[str]) -> tuple[str, ...]:
     """The table's columns for these exercises: points, state and reason of each."""
-    own = [column for name in exercises for column in (name, f"{name}_state", f"{name}_reason")]
+    own = [
+        column
+        for name in exercises
+        for column in (name, f"{name}_state", f"{name}_reason")
+    ]
     return (*FIRST, *own, *LAST)
 
 
@@ -125,15 +141,23 @@ def read_table(path: Path) -> tuple[tuple[str, ...], list[dict[str, str]]]:
     header = tuple(lines[0]) if lines else ()
     exercises = tuple(column for column in header if f"{column}_state" in header)
     if header != columns(exercises):
-        raise ValueError(f"out: expected a table of marks or a new file; {path} holds something else")
-    rows = [dict(zip(header, line, strict=True)) for line in lines[1:] if len(line) == len(header)]
+        raise ValueError(
+            f"out: expected a table of marks or a new file; {path} holds something else"
+        )
+    rows = [
+        dict(zip(header, line, strict=True))
+        for line in lines[1:]
+        if len(line) == len(header)
+    ]
     return exercises, [row for row in rows if KEY.fullmatch(row["key"])]
 
 
 class Table:
     """The table on disk: whole rows first, then one more with every ``add``."""
 
-    def __init__(self, path: Path, exercises: Sequence[str], rows: Sequence[Mapping[str, str]]) -> None:
+    def __init__(
+        self, path: Path, exercises: Sequence[str], rows: Sequence[Mapping[str, str]]
+    ) -> None:
         self.path = path
         self.columns = columns(exercises)
         self.rows = list(rows)
@@ -172,7 +196,9 @@ def write_whole(path: Path, write: Any) -> None:
     """Write a text file whole or not at all; ``write`` is called with it open."""
     handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", errors="replace", newline="") as file:
+        with os.fdopen(
+            handle, "w", encoding="utf-8", errors="replace", newline=""
+        ) as file:
             write(file)
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)

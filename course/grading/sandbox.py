@@ -22,8 +22,9 @@ from course.grading.reply import MESSAGE_LIMIT, Reply, checked_reply, clean, rea
 PACKAGE = Path(__file__).resolve().parents[1]
 CHILD = Path(__file__).with_name("child.py")
 KEPT_ENVIRONMENT = (
-    "PATH LD_LIBRARY_PATH DYLD_LIBRARY_PATH DYLD_FALLBACK_LIBRARY_PATH SYSTEMROOT SYSTEMDRIVE WINDIR".split()
-)
+    "PATH LD_LIBRARY_PATH DYLD_LIBRARY_PATH DYLD_FALLBACK_LIBRARY_PATH "
+    "SYSTEMROOT SYSTEMDRIVE WINDIR"
+).split()
 START_SECONDS = 60.0  # for Python and NumPy to load, on the slowest disk
 POLL_SECONDS = 0.01
 MOST_FILES = 2_000
@@ -78,7 +79,9 @@ def isolation(limits: Limits) -> tuple[str, ...]:
     job = Job((("def probe(): return 1.0", False),), "probe", "function", (), 1, ({},))
     run = run_job(job, limits)
     if run.reply is None or [o.kind for o in run.reply.outcomes] != ["value"]:
-        raise SandboxFailure(f"a plain answer could not be run: {run.end} {run.detail}".strip())
+        raise SandboxFailure(
+            f"a plain answer could not be run: {run.end} {run.detail}".strip()
+        )
     watched = ("memory by watching",) if _watches_memory() else ()
     return ("separate process", "clock", *run.reply.held, *watched, "audit hook")
 
@@ -90,7 +93,9 @@ def run_job(job: Job, limits: Limits, *, cancel: threading.Event | None = None) 
     """
     started = time.monotonic()
     try:
-        temporary = tempfile.TemporaryDirectory(prefix="course-", ignore_cleanup_errors=True)
+        temporary = tempfile.TemporaryDirectory(
+            prefix="course-", ignore_cleanup_errors=True
+        )
         try:
             run = _run_in(Path(temporary.name).resolve(), job, limits, cancel)
         finally:
@@ -100,7 +105,9 @@ def run_job(job: Job, limits: Limits, *, cancel: threading.Event | None = None) 
     return replace(run, seconds=time.monotonic() - started)
 
 
-def _run_in(folder: Path, job: Job, limits: Limits, cancel: threading.Event | None) -> Run:
+def _run_in(
+    folder: Path, job: Job, limits: Limits, cancel: threading.Event | None
+) -> Run:
     _write_job(job, limits, folder)
     with (folder / "stderr").open("wb") as errors:
         process = subprocess.Popen(
@@ -131,7 +138,11 @@ def _write_job(job: Job, limits: Limits, folder: Path) -> None:
     }  # fmt: skip
     (folder / "job").write_bytes(wire.pack(told))
     root = PACKAGE.parent
-    path = [entry for entry in sys.path if entry and Path(entry).resolve() not in (root, PACKAGE)]
+    path = [
+        entry
+        for entry in sys.path
+        if entry and Path(entry).resolve() not in (root, PACKAGE)
+    ]
     if "site-packages" in root.parts:
         path.append(str(root))
     closed = [str(PACKAGE), str(root / "solutions")]
@@ -143,19 +154,36 @@ def _write_job(job: Job, limits: Limits, folder: Path) -> None:
 def _environment(work: Path) -> dict[str, str]:
     """Nothing of the parent's environment but where libraries are."""
     kept = {name: os.environ[name] for name in KEPT_ENVIRONMENT if name in os.environ}
-    places = dict.fromkeys(("HOME", "USERPROFILE", "TMPDIR", "TMP", "TEMP", "MPLCONFIGDIR"), str(work))
-    threads = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1")
-    return {**kept, **places, **threads, "MPLBACKEND": "Agg", "LANG": "C.UTF-8", "LC_ALL": "C.UTF-8"}
+    places = dict.fromkeys(
+        ("HOME", "USERPROFILE", "TMPDIR", "TMP", "TEMP", "MPLCONFIGDIR"), str(work)
+    )
+    threads = dict.fromkeys(
+        ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1"
+    )
+    return {
+        **kept,
+        **places,
+        **threads,
+        "MPLBACKEND": "Agg",
+        "LANG": "C.UTF-8",
+        "LC_ALL": "C.UTF-8",
+    }
 
 
 def _own_group() -> dict[str, Any]:
     if sys.platform == "win32":
-        return {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP | subprocess.CREATE_NO_WINDOW}
+        return {
+            "creationflags": subprocess.CREATE_NEW_PROCESS_GROUP
+            | subprocess.CREATE_NO_WINDOW
+        }
     return {"start_new_session": True}
 
 
 def _wait(
-    process: subprocess.Popen[bytes], folder: Path, limits: Limits, cancel: threading.Event | None
+    process: subprocess.Popen[bytes],
+    folder: Path,
+    limits: Limits,
+    cancel: threading.Event | None,
 ) -> End | None:
     """Wait for the end; gives the limit that was passed, or None where the process ended by itself.
 
@@ -203,7 +231,12 @@ def _watches_memory() -> bool:
 
 def _resident_mb(pid: int) -> float:
     """Memory of a process as ps tells it; 0 where it tells nothing."""
-    told = subprocess.run(["ps", "-o", "rss=", "-p", str(pid)], capture_output=True, text=True, check=False)
+    told = subprocess.run(
+        ["ps", "-o", "rss=", "-p", str(pid)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     return int(told.stdout) / 1000 if told.stdout.strip().isdigit() else 0.0
 
 
@@ -221,17 +254,29 @@ def _kill(process: subprocess.Popen[bytes]) -> None:
 def _read(job: Job, folder: Path, end: End | None, code: int) -> Run:
     stage, index = _stage(folder, len(job.cells), len(job.cases))
     if not stage:
-        errors = read_bytes(folder / "stderr", 10_000)[-2000:].decode("utf-8", "replace").strip()
-        raise SandboxFailure(f"the process for an answer did not start (exit code {code}): {errors}")
+        errors = (
+            read_bytes(folder / "stderr", 10_000)[-2000:]
+            .decode("utf-8", "replace")
+            .strip()
+        )
+        raise SandboxFailure(
+            f"the process for an answer did not start (exit code {code}): {errors}"
+        )
     if end is not None:
         return Run(end, stage, index)
     if code:
         return _ended(code, stage, index)
     try:
-        message = read_bytes(folder / "reply", MESSAGE_LIMIT + 1) if (folder / "reply").exists() else b""
+        message = (
+            read_bytes(folder / "reply", MESSAGE_LIMIT + 1)
+            if (folder / "reply").exists()
+            else b""
+        )
         if not message:
             return Run("ended", stage, index, detail="exit code 0")
-        reply = checked_reply(wire.unpack(message), len(job.cells), len(job.cases), job.results)
+        reply = checked_reply(
+            wire.unpack(message), len(job.cells), len(job.cases), job.results
+        )
         return Run("replied", stage, index, reply)
     except Exception as error:  # whatever a stranger's data may bring about, it is their reply that is wrong
         return Run("unreadable", stage, index, detail=clean(str(error), 200))
@@ -256,7 +301,12 @@ def _stage(folder: Path, cells: int, cases: int) -> tuple[str, int]:
         words = read_bytes(folder / "stage", 64).decode("ascii", "replace").split()
     except OSError:
         words = []
-    if len(words) == 2 and words[0] in ("cell", "case") and words[1].isdigit() and len(words[1]) < 9:
+    if (
+        len(words) == 2
+        and words[0] in ("cell", "case")
+        and words[1].isdigit()
+        and len(words[1]) < 9
+    ):
         index = int(words[1])
         if index < (cells if words[0] == "cell" else cases):
             return words[0], index

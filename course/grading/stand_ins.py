@@ -15,7 +15,9 @@ from types import ModuleType
 from typing import Any
 
 WORKBOOK = ("check", "hint", "predict", "progress", "show", "use")
-LATER = frozenset({"IPython", "cvxpy", "ipywidgets", "k3d", "matplotlib", "pandas", "scipy", "sympy"})
+LATER = frozenset(
+    {"IPython", "cvxpy", "ipywidgets", "k3d", "matplotlib", "pandas", "scipy", "sympy"}
+)
 LATER_NAME = "__import_later__"
 #: What takes seconds to load: an answer that uses it finds it loaded when its clock starts.
 SLOW = frozenset({"cvxpy"})

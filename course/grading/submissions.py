@@ -9,7 +9,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from course.exercises.definition import Lesson
-from course.exercises.notebook_file import MAXIMUM_BYTES, NotebookFile, UnusableNotebook, read_notebook
+from course.exercises.notebook_file import (
+    MAXIMUM_BYTES,
+    NotebookFile,
+    UnusableNotebook,
+    read_notebook,
+)
 from course.grading.reply import clean
 from course.grading.report import digest_of
 
@@ -41,14 +46,21 @@ def find_tasks(
     """
     tasks = [_task(folder, path, lessons, feedback) for path in _files(folder, own)]
     if not tasks:
-        raise ValueError(f"folder: expected submissions in {folder}; got an empty folder")
+        raise ValueError(
+            f"folder: expected submissions in {folder}; got an empty folder"
+        )
     names = [task.page.name.lower() for task in tasks]
-    return [task if names.count(task.page.name.lower()) == 1 else _with_own_page(task) for task in tasks]
+    return [
+        task if names.count(task.page.name.lower()) == 1 else _with_own_page(task)
+        for task in tasks
+    ]
 
 
 def _with_own_page(task: Task) -> Task:
     """The task with a page that no other submission has, though the student's name is the same."""
-    return replace(task, page=task.page.with_name(f"{task.page.stem}-{task.digest[:8]}.html"))
+    return replace(
+        task, page=task.page.with_name(f"{task.page.stem}-{task.digest[:8]}.html")
+    )
 
 
 def _files(folder: Path, own: Sequence[Path]) -> list[Path]:
@@ -57,8 +69,16 @@ def _files(folder: Path, own: Sequence[Path]) -> list[Path]:
     found = []
     for place, folders, names in os.walk(folder):
         here = Path(place)
-        folders[:] = sorted(n for n in folders if not _left_behind(n) and (here / n).resolve() not in ours)
-        found += [here / n for n in sorted(names) if not _left_behind(n) and (here / n).resolve() not in ours]
+        folders[:] = sorted(
+            n
+            for n in folders
+            if not _left_behind(n) and (here / n).resolve() not in ours
+        )
+        found += [
+            here / n
+            for n in sorted(names)
+            if not _left_behind(n) and (here / n).resolve() not in ours
+        ]
     return found
 
 
@@ -83,7 +103,9 @@ def _task(folder: Path, path: Path, lessons: Sequence[Lesson], feedback: Path) -
     student = student_of(path.relative_to(folder), lessons)
     ending = f"{lesson.number}-{lesson.name}" if lesson else "unusable"
     page = feedback / f"{page_name(student or path.stem)}--{ending}.html"
-    return Task(file, student, digest_of(content, file, notebook), page, notebook, reason)
+    return Task(
+        file, student, digest_of(content, file, notebook), page, notebook, reason
+    )
 
 
 def student_of(file: Path, lessons: Sequence[Lesson]) -> str:
@@ -102,7 +124,12 @@ def _is_lesson(name: str, lesson: Lesson) -> bool:
     """Whether a folder is named after a lesson: "10", "lesson 10", "10-impulse"."""
     words = re.sub(r"[\W_]+", " ", name.lower()).split()
     named = [lesson.number, *lesson.name.lower().split("-")]
-    return words in ([lesson.number], ["lesson", lesson.number], named, ["lesson", *named])
+    return words in (
+        [lesson.number],
+        ["lesson", lesson.number],
+        named,
+        ["lesson", *named],
+    )
 
 
 def page_name(name: str) -> str:

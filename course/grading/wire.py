@@ -18,7 +18,9 @@ import numpy as np
 HEADER_LIMIT = 8_000_000
 BODY_LIMIT = 64_000_000
 _LENGTH = struct.Struct("<Q")
-_DTYPE = re.compile(r"[<>|=]?(?:b1|[iu][1248]|f(?:2|4|8|12|16)|c(?:8|16|24|32)|U\d{1,3})")
+_DTYPE = re.compile(
+    r"[<>|=]?(?:b1|[iu][1248]|f(?:2|4|8|12|16)|c(?:8|16|24|32)|U\d{1,3})"
+)
 
 
 class Unreadable(ValueError):
@@ -28,7 +30,9 @@ class Unreadable(ValueError):
 def pack(value: Any) -> bytes:
     """A tree of None, bool, int, float, str, arrays, tuples, lists and dicts (keys are str) as one message."""
     body = bytearray()
-    header = json.dumps(_encoded(value, body), ensure_ascii=False, separators=(",", ":"))
+    header = json.dumps(
+        _encoded(value, body), ensure_ascii=False, separators=(",", ":")
+    )
     head = header.encode("utf-8", "replace")
     return _LENGTH.pack(len(head)) + head + bytes(body)
 
@@ -39,7 +43,11 @@ def unpack(message: bytes) -> Any:
         raise Unreadable("too short")
     (length,) = _LENGTH.unpack_from(message)
     body = message[_LENGTH.size + length :]
-    if length > HEADER_LIMIT or length > len(message) - _LENGTH.size or len(body) > BODY_LIMIT:
+    if (
+        length > HEADER_LIMIT
+        or length > len(message) - _LENGTH.size
+        or len(body) > BODY_LIMIT
+    ):
         raise Unreadable("lengths out of bounds")
     try:
         tree = json.loads(message[_LENGTH.size : _LENGTH.size + length].decode("utf-8"))
@@ -66,7 +74,9 @@ def _encoded(value: Any, body: bytearray) -> Any:
         return {"dict": {name: _encoded(part, body) for name, part in value.items()}}
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
-    raise TypeError(f"value: expected arrays, numbers, text and tuples of them; got {type(value).__name__}")
+    raise TypeError(
+        f"value: expected arrays, numbers, text and tuples of them; got {type(value).__name__}"
+    )
 
 
 def _decoded(tree: Any, body: bytes) -> Any:
@@ -94,7 +104,11 @@ def _array(spec: Any, body: bytes) -> np.ndarray:
     name, shape, offset = spec
     if not isinstance(name, str) or not _DTYPE.fullmatch(name):
         raise Unreadable("an array of a type that is not sent")
-    if not isinstance(shape, list) or len(shape) > 32 or not all(_is_count(n) for n in [*shape, offset]):
+    if (
+        not isinstance(shape, list)
+        or len(shape) > 32
+        or not all(_is_count(n) for n in [*shape, offset])
+    ):
         raise Unreadable("an array of a shape that is none")
     dtype = np.dtype(name)
     count = math.prod(shape)
@@ -106,7 +120,10 @@ def _array(spec: Any, body: bytes) -> np.ndarray:
     if dtype.kind == "b":
         return (raw != 0).reshape(shape)
     array = np.frombuffer(raw.tobytes(), dtype).reshape(shape)
-    if dtype.kind == "U" and np.frombuffer(raw.tobytes(), dtype.str[0] + "u4").max() > 0x10FFFF:
+    if (
+        dtype.kind == "U"
+        and np.frombuffer(raw.tobytes(), dtype.str[0] + "u4").max() > 0x10FFFF
+    ):
         raise Unreadable("text with characters that are none")
     return array
 

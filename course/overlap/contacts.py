@@ -9,7 +9,17 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course.arrays import Array, IntArray, choice, failure, indices, read_only, scalars, shaped, unit_vectors
+from course.arrays import (
+    Array,
+    IntArray,
+    choice,
+    failure,
+    indices,
+    read_only,
+    scalars,
+    shaped,
+    unit_vectors,
+)
 from course.arrays import matrices as matrices_of
 from course.arrays import vectors as vectors_of
 
@@ -61,18 +71,27 @@ class Contacts:
         shaped("body_b", body_b, (count,))
         if np.any(body_a == body_b):
             index = int(np.argmax(body_a == body_b))
-            raise failure("body_b", "another body than body_a", f"body {body_b[index]} twice", (index,))
+            raise failure(
+                "body_b",
+                "another body than body_a",
+                f"body {body_b[index]} twice",
+                (index,),
+            )
         checked: dict[str, NDArray[Any]] = {
             "body_a": body_a,
             "body_b": body_b,
             "point": _table("point", vectors_of("point", self.point), (count, 3)),
             "normal": _table("normal", unit_vectors("normal", self.normal), (count, 3)),
-            "separation": _table("separation", scalars("separation", self.separation), (count,)),
+            "separation": _table(
+                "separation", scalars("separation", self.separation), (count,)
+            ),
             "feature": _features(self.feature, count),
         }
         edges, curved = checked["feature"] == "edges", checked["feature"] == "curved"
         for side in "ab":
-            checked[f"edge_{side}"] = _edges(f"edge_{side}", getattr(self, f"edge_{side}"), edges)
+            checked[f"edge_{side}"] = _edges(
+                f"edge_{side}", getattr(self, f"edge_{side}"), edges
+            )
             checked[f"curvature_{side}"] = _curvatures(
                 f"curvature_{side}", getattr(self, f"curvature_{side}"), curved
             )
@@ -90,7 +109,11 @@ class Contacts:
             index = np.atleast_1d(np.asarray(which))
             if index.dtype != bool and not (index.size and index.dtype.kind in "iu"):
                 if index.size:
-                    raise failure("contacts[...]", "a mask, whole numbers or a slice", f"{which!r:.60}")
+                    raise failure(
+                        "contacts[...]",
+                        "a mask, whole numbers or a slice",
+                        f"{which!r:.60}",
+                    )
                 index = index.astype(np.intp)
             if index.dtype == bool:
                 shaped("contacts[mask]", index, (len(self),))
@@ -123,7 +146,9 @@ class Contacts:
                 raise failure("parts", "Contacts", type(part).__name__, (i,))
         columns: list[Any] = []
         for field, column in zip(
-            fields(Contacts), zip(*(p._arrays() for p in parts), strict=True), strict=True
+            fields(Contacts),
+            zip(*(p._arrays() for p in parts), strict=True),
+            strict=True,
         ):
             columns.append(_joined(field.name, column, [len(p) for p in parts]))
         return Contacts(*columns)
@@ -132,7 +157,9 @@ class Contacts:
         return tuple(getattr(self, field.name) for field in fields(self))
 
 
-def _joined(name: str, column: Sequence[NDArray[Any] | None], counts: Sequence[int]) -> Any:
+def _joined(
+    name: str, column: Sequence[NDArray[Any] | None], counts: Sequence[int]
+) -> Any:
     present = [array for array in column if array is not None]
     if not present or (name == "pair" and len(present) < len(column)):
         return None
@@ -154,17 +181,26 @@ def _features(value: ArrayLike | None, count: int) -> NDArray[Any]:
     if value is None:
         return np.full(count, "face_b", dtype="<U6")
     feature = np.asarray(value)
-    for word in np.unique(feature) if feature.dtype.kind == "U" else feature.ravel().tolist():
+    for word in (
+        np.unique(feature) if feature.dtype.kind == "U" else feature.ravel().tolist()
+    ):
         choice("feature", str(word) if isinstance(word, np.str_) else word, FEATURES)
     return _table("feature", feature.astype("<U6"), (count,))
 
 
-def _needed(name: str, value: Any, rows: NDArray[np.bool_], core: tuple[int, ...]) -> NDArray[Any] | None:
+def _needed(
+    name: str, value: Any, rows: NDArray[np.bool_], core: tuple[int, ...]
+) -> NDArray[Any] | None:
     """The array with zeros in the rows nobody reads, ready to be checked."""
     if value is None:
         if np.any(rows):
             word = "edges" if name.startswith("edge") else "curved"
-            raise failure(name, f"an array, as a feature is {word!r}", "None", (int(np.argmax(rows)),))
+            raise failure(
+                name,
+                f"an array, as a feature is {word!r}",
+                "None",
+                (int(np.argmax(rows)),),
+            )
         return None
     array = np.asarray(value)
     shaped(name, array, (rows.size, *core))
@@ -177,7 +213,9 @@ def _edges(name: str, value: Any, rows: NDArray[np.bool_]) -> Any:
         return None
     flat = rows & ~np.any(vectors_of(name, read), axis=1)
     if np.any(flat):
-        raise failure(name, "directions that are not zero", "length 0.0", (int(np.argmax(flat)),))
+        raise failure(
+            name, "directions that are not zero", "length 0.0", (int(np.argmax(flat)),)
+        )
     return np.asarray(value, dtype=np.float64)
 
 

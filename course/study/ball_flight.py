@@ -6,7 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, broadcast, in_range, non_negative, positive, scalar, whole_number
+from course.arrays import (
+    Array,
+    ArrayLike,
+    broadcast,
+    in_range,
+    non_negative,
+    positive,
+    scalar,
+    whole_number,
+)
 
 #: Of free fall [m/s^2].
 GRAVITY = 9.81
@@ -48,14 +57,22 @@ class BallEvents:
         from_height = np.concatenate([[height], np.zeros(self.time.size)])[flight]
         speed = np.concatenate([[0.0], self.speed])[flight]
         since = t - began
-        z, v = from_height + since * (speed - 0.5 * gravity * since), speed - gravity * since
+        z, v = (
+            from_height + since * (speed - 0.5 * gravity * since),
+            speed - gravity * since,
+        )
         known = self.finished | (flight < self.time.size)
         z = np.where(t >= self.rest, 0.0, np.where(known, z, np.nan))
-        return BallMotion(t, z, np.where(t >= self.rest, 0.0, np.where(known, v, np.nan)))
+        return BallMotion(
+            t, z, np.where(t >= self.rest, 0.0, np.where(known, v, np.nan))
+        )
 
 
 def ball_motion(
-    time: ArrayLike, height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike = GRAVITY
+    time: ArrayLike,
+    height: ArrayLike,
+    restitution: ArrayLike,
+    gravity: ArrayLike = GRAVITY,
 ) -> BallMotion:
     """The dropped ball in closed form.
 
@@ -85,10 +102,20 @@ def ball_motion(
 
     left = np.where(loses, 1 - q * (1 - base) / (2 * base), 1.0)
     flying = (q >= 0) & (left > 0) & (e > 0)
-    k = np.floor(np.where(loses, np.log(np.where(flying, left, 1.0)) / np.log(base), np.maximum(q, 0) / 2))
-    k = k - (q < began(k)) + (q >= began(k + 1))  # where rounding put it on the wrong side of an impact
+    k = np.floor(
+        np.where(
+            loses,
+            np.log(np.where(flying, left, 1.0)) / np.log(base),
+            np.maximum(q, 0) / 2,
+        )
+    )
+    k = (
+        k - (q < began(k)) + (q >= began(k + 1))
+    )  # where rounding put it on the wrong side of an impact
     since, speed = (q - began(k)) * fall, np.where(flying, e ** (k + 1), 0.0) * g * fall
-    z = np.where(q < 0, h - 0.5 * g * t**2, np.maximum(since * (speed - 0.5 * g * since), 0.0))
+    z = np.where(
+        q < 0, h - 0.5 * g * t**2, np.maximum(since * (speed - 0.5 * g * since), 0.0)
+    )
     v = np.where(q < 0, -g * t, speed - g * since)
     moving = (q < 0) | flying
     return BallMotion(t, np.where(moving, z, 0.0)[()], np.where(moving, v, 0.0)[()])
@@ -117,7 +144,10 @@ def ball_events(
         rest_speed: [m/s]; above g times the time that matters is a fair choice.
         max_events: impacts after which it gives up.
     """
-    h, g = float(positive("height", scalar("height", height))), float(positive("gravity", gravity))
+    h, g = (
+        float(positive("height", scalar("height", height))),
+        float(positive("gravity", gravity)),
+    )
     e = float(in_range("restitution", scalar("restitution", restitution), 0, 1))
     end = float(non_negative("duration", scalar("duration", duration)))
     slow = float(non_negative("rest_speed", scalar("rest_speed", rest_speed)))
@@ -129,7 +159,11 @@ def ball_events(
         times.append(float(time))
         if speed <= slow:
             speeds.append(0.0)
-            return BallEvents(np.array(times), np.array(speeds), float(time), True, (h, g))
+            return BallEvents(
+                np.array(times), np.array(speeds), float(time), True, (h, g)
+            )
         speeds.append(float(speed))
         time, speed = time + 2 * speed / g, e * speed
-    return BallEvents(np.array(times), np.array(speeds), np.inf, bool(time > end), (h, g))
+    return BallEvents(
+        np.array(times), np.array(speeds), np.inf, bool(time > end), (h, g)
+    )

@@ -6,7 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, positive, scalar, scalars, vectors, whole_number
+from course.arrays import (
+    Array,
+    ArrayLike,
+    failure,
+    positive,
+    scalar,
+    scalars,
+    vectors,
+    whole_number,
+)
 from course.contact.collisions import LAWS, resolve_collisions
 from course.dynamics.bodies import Bodies
 from course.overlap.contacts import Contacts
@@ -15,7 +24,9 @@ from course.overlap.contacts import Contacts
 POOL_RADIUS, POOL_MASS = 0.028575, 0.17
 
 
-def ball_contacts(position: ArrayLike, radius: ArrayLike, *, margin: float = 1e-9) -> Contacts:
+def ball_contacts(
+    position: ArrayLike, radius: ArrayLike, *, margin: float = 1e-9
+) -> Contacts:
     """All pairs of balls closer than a margin, i < j, body A the one with the lower number.
 
     Args:
@@ -65,7 +76,11 @@ def touching_row(
 
 
 def cradle(
-    velocity: ArrayLike, *, law: str = "simultaneous", restitution: float = 1.0, mass: ArrayLike = 1.0
+    velocity: ArrayLike,
+    *,
+    law: str = "simultaneous",
+    restitution: float = 1.0,
+    mass: ArrayLike = 1.0,
 ) -> Array:
     """Velocities of a row of touching balls after they collide, by a law of ``resolve_collisions``, (n,)."""
     bodies, contacts = touching_row(velocity, mass=mass)
@@ -92,7 +107,11 @@ class SpringCradle:
 
 
 def cradle_by_springs(
-    velocity: ArrayLike, *, exponent: float = 1.5, stiffness: float = 1.0, mass: ArrayLike = 1.0
+    velocity: ArrayLike,
+    *,
+    exponent: float = 1.5,
+    stiffness: float = 1.0,
+    mass: ArrayLike = 1.0,
 ) -> SpringCradle:
     """Newton's cradle with its contacts as springs that push and never pull: f = k delta^exponent.
 
@@ -123,24 +142,39 @@ def cradle_by_springs(
     weight, unit = m / np.max(m), length / fastest
 
     def rate(_: float, state: Array) -> Array:
-        push = np.concatenate([[0.0], np.maximum(-np.diff(state[:n]), 0.0) ** power, [0.0]])
+        push = np.concatenate(
+            [[0.0], np.maximum(-np.diff(state[:n]), 0.0) ** power, [0.0]]
+        )
         return np.concatenate([state[n:], (push[:-1] - push[1:]) / weight])
 
     state, pieces, began = np.concatenate([np.zeros(n), v / fastest]), [], 0.0
     for _ in range(1000):
         times = np.linspace(began, began + 2.0, 81)
         part = solve_ivp(
-            rate, (began, began + 2.0), state, method="DOP853", t_eval=times, rtol=1e-10, atol=1e-12
+            rate,
+            (began, began + 2.0),
+            state,
+            method="DOP853",
+            t_eval=times,
+            rtol=1e-10,
+            atol=1e-12,
         )
         pieces.append((times[:-1], part.y[:, :-1]))
         state, began = part.y[:, -1], began + 2.0
         if np.all(np.diff(state[:n]) >= 0) and np.all(np.diff(state[n:]) >= 0):
             break
     pieces.append((np.array([began]), state[:, None]))
-    time, states = np.concatenate([p[0] for p in pieces]), np.concatenate([p[1] for p in pieces], axis=1)
+    time, states = (
+        np.concatenate([p[0] for p in pieces]),
+        np.concatenate([p[1] for p in pieces], axis=1),
+    )
     force = k * (np.maximum(-np.diff(states[:n], axis=0), 0.0) * length) ** power
     return SpringCradle(
-        time * unit, states[:n].T * length, states[n:].T * fastest, force.T, state[n:] * fastest
+        time * unit,
+        states[:n].T * length,
+        states[n:].T * fastest,
+        force.T,
+        state[n:] * fastest,
     )
 
 
@@ -165,7 +199,9 @@ def compare_cradles(velocity: ArrayLike) -> CradleComparison:
     rows += [cradle_by_springs(velocity, exponent=power).final for power in (1.0, 1.5)]
     table = np.array(rows)
     return CradleComparison(
-        (*LAWS, "linear springs", "Hertz springs"), table, np.abs(table - table[-1]).max(axis=1)
+        (*LAWS, "linear springs", "Hertz springs"),
+        table,
+        np.abs(table - table[-1]).max(axis=1),
     )
 
 
@@ -176,7 +212,10 @@ def rack(*, rows: int = 5, radius: float = POOL_RADIUS, spacing: float = 0.0) ->
         rows: 5 make 15 balls.
         spacing: gap between neighbours [m]; 0 makes them touch.
     """
-    count, r = whole_number("rows", rows, minimum=1), float(positive("radius", scalar("radius", radius)))
+    count, r = (
+        whole_number("rows", rows, minimum=1),
+        float(positive("radius", scalar("radius", radius))),
+    )
     row = np.repeat(np.arange(count), np.arange(1, count + 1))
     place = np.concatenate([np.arange(k + 1) - 0.5 * k for k in range(count)])
     pitch = 2 * r + scalar("spacing", spacing)
@@ -229,5 +268,9 @@ def billiard_break(
 def _speeds(velocity: ArrayLike) -> Array:
     v = scalars("velocity", velocity)
     if v.ndim != 1 or v.size < 2:
-        raise failure("velocity", "the speeds of at least two balls, shape (n,)", f"shape {v.shape}")
+        raise failure(
+            "velocity",
+            "the speeds of at least two balls, shape (n,)",
+            f"shape {v.shape}",
+        )
     return v

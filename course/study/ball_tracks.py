@@ -6,7 +6,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, choice, failure, in_range, indices, positive, scalar, scalars
+from course.arrays import (
+    Array,
+    ArrayLike,
+    choice,
+    failure,
+    in_range,
+    indices,
+    positive,
+    scalar,
+    scalars,
+)
 from course.contact.collisions import LAWS, resolve_collisions
 from course.dynamics.bodies import Bodies
 from course.overlap.contacts import Contacts
@@ -56,11 +66,19 @@ def roll(
         table: lower and upper corner, (2,) each [m], of cushions in x and y; None for an endless plane.
         law, restitution: of ``resolve_collisions``.
     """
-    r, end = float(positive("radius", scalar("radius", radius))), float(positive("duration", duration))
+    r, end = (
+        float(positive("radius", scalar("radius", radius))),
+        float(positive("duration", duration)),
+    )
     choice("law", law, LAWS)
     e = float(in_range("restitution", scalar("restitution", restitution), 0, 1))
     if np.any(bodies.fixed):
-        raise failure("bodies", "free balls", "a body of infinite mass", (int(np.argmax(bodies.fixed)),))
+        raise failure(
+            "bodies",
+            "free balls",
+            "a body of infinite mass",
+            (int(np.argmax(bodies.fixed)),),
+        )
     low, high = _cushions(table, r)
     state, time = bodies, 0.0
     times, places, speeds, events = [0.0], [bodies.position], [bodies.velocity], 0
@@ -77,16 +95,26 @@ def roll(
         speeds.append(state.velocity)
         if time >= end:
             break
-    return BallTracks(np.array(times), np.array(places), np.array(speeds), events, time >= end)
+    return BallTracks(
+        np.array(times), np.array(places), np.array(speeds), events, time >= end
+    )
 
 
-def _cushions(table: tuple[ArrayLike, ArrayLike] | None, radius: float) -> tuple[Array, Array]:
+def _cushions(
+    table: tuple[ArrayLike, ArrayLike] | None, radius: float
+) -> tuple[Array, Array]:
     """Where centres may be."""
     if table is None:
         return np.full(3, -np.inf), np.full(3, np.inf)
     lower, upper = scalars("table", table[0]), scalars("table", table[1])
-    if lower.shape != (2,) or upper.shape != (2,) or np.any(upper - lower <= 2 * radius):
-        raise failure("table", "two corners (x, y), lower below upper", f"{table!r:.60}")
+    if (
+        lower.shape != (2,)
+        or upper.shape != (2,)
+        or np.any(upper - lower <= 2 * radius)
+    ):
+        raise failure(
+            "table", "two corners (x, y), lower below upper", f"{table!r:.60}"
+        )
     return np.append(lower + radius, -np.inf), np.append(upper - radius, np.inf)
 
 
@@ -104,14 +132,24 @@ def _next_event(x: Array, v: Array, radius: float, low: Array, high: Array) -> f
     pair = np.maximum(gap[meets], 0.0) / (closing[meets] + np.sqrt(root[meets]))
     with np.errstate(divide="ignore", invalid="ignore"):
         side = np.where(v > 0, (high - x) / v, np.where(v < 0, (low - x) / v, np.inf))
-    return float(min(np.min(pair, initial=np.inf), max(np.min(side, initial=np.inf), 0.0)))
+    return float(
+        min(np.min(pair, initial=np.inf), max(np.min(side, initial=np.inf), 0.0))
+    )
 
 
-def _collide(state: Bodies, radius: float, low: Array, high: Array, law: str, restitution: float) -> Bodies:
-    touching, n = ball_contacts(state.position, radius, margin=1e-7 * radius), len(state)
+def _collide(
+    state: Bodies, radius: float, low: Array, high: Array, law: str, restitution: float
+) -> Bodies:
+    touching, n = (
+        ball_contacts(state.position, radius, margin=1e-7 * radius),
+        len(state),
+    )
     frame = Bodies.balls(np.inf, 1.0, np.zeros((1, 3)))
     both = Bodies(
-        *(np.concatenate([getattr(state, f), getattr(frame, f)]) for f in Bodies.__dataclass_fields__)
+        *(
+            np.concatenate([getattr(state, f), getattr(frame, f)])
+            for f in Bodies.__dataclass_fields__
+        )
     )
     parts = [touching]
     for limit, sign in ((low, 1.0), (high, -1.0)):
@@ -119,6 +157,10 @@ def _collide(state: Bodies, radius: float, low: Array, high: Array, law: str, re
         normal = sign * np.eye(3)[axis]
         point = state.position[ball] - radius * normal
         ids = indices("ball", ball)
-        parts.append(Contacts(ids, np.full(ids.size, n), point, normal, np.zeros(ids.size)))
+        parts.append(
+            Contacts(ids, np.full(ids.size, n), point, normal, np.zeros(ids.size))
+        )
     after = resolve_collisions(both, Contacts.concatenate(parts), restitution, law=law)
-    return replace(state, momentum=after.momentum[:n], angular_momentum=after.angular_momentum[:n])
+    return replace(
+        state, momentum=after.momentum[:n], angular_momentum=after.angular_momentum[:n]
+    )

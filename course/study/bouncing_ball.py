@@ -12,7 +12,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, choice, failure, in_range, non_negative, positive, scalar, scalars
+from course.arrays import (
+    Array,
+    ArrayLike,
+    choice,
+    failure,
+    in_range,
+    non_negative,
+    positive,
+    scalar,
+    scalars,
+)
 from course.study.ball_flight import GRAVITY, BallMotion, ball_events
 
 ORDERS = ("ode", "bullet")
@@ -38,19 +48,61 @@ class PublishedBouncing:
 PUBLISHED_BOUNCING = PublishedBouncing(
     step=np.array([1e-5, 4e-5, 1e-4, 4e-4, 1e-3, 4e-3, 1e-2, 4e-2, 1e-1]),
     ode_error=np.array(
-        [0.0185024, 0.296044, 1.85055, 29.631, 185.027, 2982.68, 18808.3, 313419.0, 2.03326e6]
+        [
+            0.0185024,
+            0.296044,
+            1.85055,
+            29.631,
+            185.027,
+            2982.68,
+            18808.3,
+            313419.0,
+            2.03326e6,
+        ]
     ),
     bullet_error=np.array(
-        [7.52322, 120.372, 752.345, 12038.5, 75245.4, 1.20178e6, 7.40664e6, 1.19223e8, 7.67704e8]
+        [
+            7.52322,
+            120.372,
+            752.345,
+            12038.5,
+            75245.4,
+            1.20178e6,
+            7.40664e6,
+            1.19223e8,
+            7.67704e8,
+        ]
     ),
     dart_error=np.array(
-        [7.38571, 30.5831, 483.166, 10870.7, 72274.4, 1.18966e6, 7.37588e6, 1.19086e8, 7.67291e8]
+        [
+            7.38571,
+            30.5831,
+            483.166,
+            10870.7,
+            72274.4,
+            1.18966e6,
+            7.37588e6,
+            1.19086e8,
+            7.67291e8,
+        ]
     ),
     raisim_error=np.array(
-        [0.101869, 1.00818, 0.918387, 31.3531, 415.806, 1606.01, 548.46, 12691.3, 607745.0]
+        [
+            0.101869,
+            1.00818,
+            0.918387,
+            31.3531,
+            415.806,
+            1606.01,
+            548.46,
+            12691.3,
+            607745.0,
+        ]
     ),
     ode_seconds=np.array([187, 46.6, 19.4, 4.54, 1.88, 0.471, 0.184, 0.0496, 0.0182]),
-    bullet_seconds=np.array([81.3, 20.4, 8.40, 2.09, 0.862, 0.228, 0.0991, 0.0306, 0.0146]),
+    bullet_seconds=np.array(
+        [81.3, 20.4, 8.40, 2.09, 0.862, 0.228, 0.0991, 0.0306, 0.0146]
+    ),
     source=(
         "github.com/leggedrobotics/SimBenchmark, data/bouncing/sample.csv; its authors develop RaiSim,"
         " whose figures here are with its error reduction on"
@@ -95,7 +147,12 @@ def bouncing_ball_step(
 
 
 def bouncing_loop(
-    order: str, step: float, *, height: float = DROP, radius: float = RADIUS, duration: float = DURATION
+    order: str,
+    step: float,
+    *,
+    height: float = DROP,
+    radius: float = RADIUS,
+    duration: float = DURATION,
 ) -> BallMotion:
     """Every step of a fixed-step loop at e = 1, written to be read; ``energy_error`` is the fast one.
 
@@ -169,7 +226,10 @@ def bouncing_errors(step: ArrayLike = tuple(PUBLISHED_BOUNCING.step)) -> Bouncin
 
 
 def _samples(step: float, duration: float) -> int:
-    h, end = float(positive("step", scalar("step", step))), float(positive("duration", duration))
+    h, end = (
+        float(positive("step", scalar("step", step))),
+        float(positive("duration", duration)),
+    )
     # Cut off, not rounded, as SimBenchmark does: 20/4e-5 is 499999.99999999994 in
     # float64, and only 499999 samples give its last digit there.
     count = int(end / h)
@@ -199,13 +259,17 @@ def _flights(order: str, step: float, count: int) -> list[BallMotion]:
         slope = step * v - 0.5 * drop
         k_max = int((slope + np.sqrt(slope**2 + 2 * drop * max(z, 0.0))) / drop) + 2
         k = np.arange(min(k_max, count - done) + 1)
-        heights = np.asarray(z + k * (step * v) - drop * (0.5 * k * (k + 1)), dtype=np.float64)
+        heights = np.asarray(
+            z + k * (step * v) - drop * (0.5 * k * (k + 1)), dtype=np.float64
+        )
         velocities = np.asarray(v - k * (GRAVITY * step), dtype=np.float64)
         deciding = velocities if order == "ode" else velocities - GRAVITY * step
         low = np.flatnonzero((heights < RADIUS) & (deciding < 0))
         end = int(low[0]) + 1 if low.size else min(k_max, count - done)
         end = min(end, count - done)
-        flights.append(BallMotion(_times(step, end) + step * done, heights[:end], velocities[:end]))
+        flights.append(
+            BallMotion(_times(step, end) + step * done, heights[:end], velocities[:end])
+        )
         done += end
         if low.size:
             v = after_bounce(float(velocities[end - 1]))

@@ -11,7 +11,16 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, IntArray, failure, indices, scalar, scalars, shaped
+from course.arrays import (
+    Array,
+    ArrayLike,
+    IntArray,
+    failure,
+    indices,
+    scalar,
+    scalars,
+    shaped,
+)
 from course.contact import contact_wrench
 from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
 from course.dynamics import Bodies, reference_motion
@@ -20,7 +29,9 @@ from course.study.moving_contacts import SECOND_FIVE
 from course.study.resting_layouts import RestingScene
 
 
-def measured_accelerations(scene: RestingScene, contact_force: ArrayLike, *, step: float = 3e-3) -> Array:
+def measured_accelerations(
+    scene: RestingScene, contact_force: ArrayLike, *, step: float = 3e-3
+) -> Array:
     """d_ddot of every contact under these contact forces, from the motion alone: no A, no b (syllabus row 21).
 
     The bodies move for two steps to both sides of the moment under the external and the contact forces, integrated
@@ -39,17 +50,28 @@ def measured_accelerations(scene: RestingScene, contact_force: ArrayLike, *, ste
     contacts, force = scene.contacts, scalars("contact_force", contact_force)
     shaped("contact_force", force, (len(contacts),))
     if contacts.feature is not None and np.any(contacts.feature != "face_b"):
-        raise failure("scene", "contacts of faces of B", f"{sorted(set(contacts.feature.tolist()))}")
+        raise failure(
+            "scene",
+            "contacts of faces of B",
+            f"{sorted(set(contacts.feature.tolist()))}",
+        )
     push, twist = contact_wrench(scene.bodies, contacts, force)
     free = ~scene.bodies.fixed[:, None]
     wrench = free * (scene.force + push), free * (scene.torque + twist)
     h = scalar("step", step)
 
     def gaps(time: float) -> Array:
-        bodies = reference_motion(scene.bodies, lambda *_: wrench, [time])[0] if time else scene.bodies
+        bodies = (
+            reference_motion(scene.bodies, lambda *_: wrench, [time])[0]
+            if time
+            else scene.bodies
+        )
         return _carried_gaps(scene.bodies, bodies, contacts)
 
-    terms = [w * gaps(o * h) for o, w in zip(SECOND_FIVE.offsets, SECOND_FIVE.weights, strict=True)]
+    terms = [
+        w * gaps(o * h)
+        for o, w in zip(SECOND_FIVE.offsets, SECOND_FIVE.weights, strict=True)
+    ]
     return np.sum(terms, axis=0) / h**2
 
 
@@ -63,7 +85,9 @@ def tilted_foot(scene: RestingScene, foot: int, angle: float) -> RestingScene:
     which = int(indices("foot", foot, len(scene.contacts)))
     normal = scene.contacts.normal.copy()
     tilt = scalar("angle", angle)
-    normal[which] = np.cos(tilt) * normal[which] + np.sin(tilt) * np.array([1.0, 0.0, 0.0])
+    normal[which] = np.cos(tilt) * normal[which] + np.sin(tilt) * np.array(
+        [1.0, 0.0, 0.0]
+    )
     normal[which] /= np.linalg.norm(normal[which])
     return replace(scene, contacts=replace(scene.contacts, normal=normal))
 
@@ -77,7 +101,9 @@ def plain_arrays(scene: RestingScene) -> tuple[tuple[Any, ...], tuple[Any, ...]]
     """
     contacts, bodies = scene.contacts, scene.bodies
     fixed = bodies.fixed[:, None, None]
-    inverse = np.where(fixed, 0.0, np.linalg.inv(np.where(fixed, np.eye(3), bodies.inertia)))
+    inverse = np.where(
+        fixed, 0.0, np.linalg.inv(np.where(fixed, np.eye(3), bodies.inertia))
+    )
     described = contacts.body_a, contacts.body_b, contacts.point, contacts.normal
     return described, (bodies.mass, inverse, bodies.rotation, bodies.position)
 
@@ -113,8 +139,13 @@ def matrix_cost(bodies: Bodies, contacts: Contacts) -> MatrixCost:
     jacobian, inverse = contact_jacobian(bodies, contacts), inverse_mass_matrix(bodies)
     c, n = len(contacts), len(bodies)
     moved = inverse @ jacobian.T
-    first = int(np.bincount(inverse.indices, minlength=6 * n) @ np.diff(jacobian.T.tocsr().indptr))
-    second = int(np.bincount(jacobian.indices, minlength=6 * n) @ np.diff(moved.tocsr().indptr))
+    first = int(
+        np.bincount(inverse.indices, minlength=6 * n)
+        @ np.diff(jacobian.T.tocsr().indptr)
+    )
+    second = int(
+        np.bincount(jacobian.indices, minlength=6 * n) @ np.diff(moved.tocsr().indptr)
+    )
     meetings = np.zeros((c, n), dtype=int)
     meetings[np.arange(c), contacts.body_a] += 1
     meetings[np.arange(c), contacts.body_b] += 1
@@ -134,7 +165,11 @@ def exact_matrix(bodies: Bodies, contacts: Contacts) -> Array:
     weight = exact(np.where(bodies.fixed, 0.0, bodies.mass))
     inverse_mass = np.array([1 / m if m else Fraction(0) for m in weight], dtype=object)
     inverse = exact(bodies.world_inverse_inertia)
-    point, normal, position = exact(contacts.point), exact(contacts.normal), exact(bodies.position)
+    point, normal, position = (
+        exact(contacts.point),
+        exact(contacts.normal),
+        exact(bodies.position),
+    )
     sides = [(contacts.body_a, 1), (contacts.body_b, -1)]
     lever = [_cross(point - position[body], normal) for body, _ in sides]
     c = len(contacts)
@@ -147,7 +182,11 @@ def exact_matrix(bodies: Bodies, contacts: Contacts) -> Array:
                     k = body_i[i]
                     if k == body_j[j]:
                         turning = w_i[i] @ (inverse[k] @ w_j[j])
-                        total += sign_i * sign_j * (inverse_mass[k] * (normal[i] @ normal[j]) + turning)
+                        total += (
+                            sign_i
+                            * sign_j
+                            * (inverse_mass[k] * (normal[i] @ normal[j]) + turning)
+                        )
             a[i, j] = a[j, i] = float(total)
     return a
 

@@ -18,7 +18,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, broadcast, choice, failure, in_range, positive, scalar, scalars
+from course.arrays import (
+    Array,
+    ArrayLike,
+    broadcast,
+    choice,
+    failure,
+    in_range,
+    positive,
+    scalar,
+    scalars,
+)
 
 RULES = ("as printed", "with curvature", "with curvature, located")
 
@@ -58,7 +68,9 @@ class Dome:
     def speed(self, angle: ArrayLike) -> Array:
         """v while it slides, (...) [m/s]."""
         theta = in_range("angle", angle, self.start, np.pi / 2)
-        return np.sqrt(2 * self.gravity * self.radius * (np.cos(self.start) - np.cos(theta)))
+        return np.sqrt(
+            2 * self.gravity * self.radius * (np.cos(self.start) - np.cos(theta))
+        )
 
     def flight(self, angle: ArrayLike, time: ArrayLike) -> Array:
         """Where the particle is if the dome lets go of it at this angle: a parabola, (..., 2) of y and z [m]."""
@@ -66,7 +78,11 @@ class Dome:
         t = scalars("time", time)
         broadcast(angle=(out, 1), time=(t, 0))
         v, t = self.speed(angle)[..., None], t[..., None]
-        return self.radius * out + t * v * along - 0.5 * self.gravity * t**2 * np.array([0.0, 1.0])
+        return (
+            self.radius * out
+            + t * v * along
+            - 0.5 * self.gravity * t**2 * np.array([0.0, 1.0])
+        )
 
     def gap(self, angle: ArrayLike, time: ArrayLike) -> Array:
         """The gap in that flight, |p| - R, (...) [m]; below 0 inside the dome."""
@@ -91,7 +107,9 @@ class Dome:
         return 2 * self.speed(angle) ** 2 / self.radius - self.gravity * np.cos(angle)
 
 
-def slide_off(dome: Dome, step: float, *, rule: str = "with curvature") -> tuple[float, int]:
+def slide_off(
+    dome: Dome, step: float, *, rule: str = "with curvature"
+) -> tuple[float, int]:
     """Step a particle down the dome until d_ddot without a force is positive.
 
     theta_ddot = (g/R) sin theta by the classical Runge-Kutta method of order
@@ -112,7 +130,9 @@ def slide_off(dome: Dome, step: float, *, rule: str = "with curvature") -> tuple
     choice("rule", rule, RULES)
     h = float(positive("step", scalar("step", step)))
     if dome.start == 0:
-        raise failure("dome.start", "an angle above 0, from where it slides by itself", "0")
+        raise failure(
+            "dome.start", "an angle above 0, from where it slides by itself", "0"
+        )
     pull, factor = dome.gravity / dome.radius, 2.0 if rule == "as printed" else 1.0
     state, count = np.array([dome.start, 0.0]), 0
     value = before = -np.inf

@@ -29,7 +29,12 @@ class FallingBoxes:
 
 
 def falling_boxes(
-    time: ArrayLike, *, count: int = 3, side: float = 0.5, gap: float = 0.4, gravity: float = 9.81
+    time: ArrayLike,
+    *,
+    count: int = 3,
+    side: float = 0.5,
+    gap: float = 0.4,
+    gravity: float = 9.81,
 ) -> FallingBoxes:
     """Boxes one above the other fall from rest, each onto what is below, and stay (restitution 0).
 
@@ -43,8 +48,13 @@ def falling_boxes(
         gravity: [m/s^2].
     """
     t = non_negative("time", time)
-    s, g = float(positive("side", scalar("side", side))), float(positive("gravity", scalar("gravity", gravity)))
+    s, g = (
+        float(positive("side", scalar("side", side))),
+        float(positive("gravity", scalar("gravity", gravity))),
+    )
     place = s * np.arange(count)
     fall = float(positive("gap", scalar("gap", gap))) * (1 + np.arange(count))
     unasked = place + fall - 0.5 * g * t[:, None] ** 2
-    return FallingBoxes(t, s, np.maximum(place, unasked), unasked, np.sqrt(2 * fall / g))
+    return FallingBoxes(
+        t, s, np.maximum(place, unasked), unasked, np.sqrt(2 * fall / g)
+    )

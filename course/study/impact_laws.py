@@ -13,12 +13,26 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, in_range, positive, scalar, scalars, shaped, whole_number
+from course.arrays import (
+    Array,
+    ArrayLike,
+    failure,
+    in_range,
+    positive,
+    scalar,
+    scalars,
+    shaped,
+    whole_number,
+)
 from course.contact.collisions import APPROACHING
 
 
 def impulses_in_turn(
-    matrix: ArrayLike, normal_velocity: ArrayLike, restitution: float, *, passes: int = 1000
+    matrix: ArrayLike,
+    normal_velocity: ArrayLike,
+    restitution: float,
+    *,
+    passes: int = 1000,
 ) -> tuple[Array, int]:
     """Impulses of the sequential law and how often it went through all contacts.
 
@@ -44,7 +58,11 @@ def impulses_in_turn(
 
 
 def impulses_at_once(
-    matrix: ArrayLike, normal_velocity: ArrayLike, restitution: float, *, sweeps: int = 1000
+    matrix: ArrayLike,
+    normal_velocity: ArrayLike,
+    restitution: float,
+    *,
+    sweeps: int = 1000,
 ) -> tuple[Array, int]:
     """Impulses of the simultaneous law by projected Gauss-Seidel, and the number of sweeps.
 
@@ -59,11 +77,15 @@ def impulses_at_once(
     impulse = np.zeros(u.size)
     for _ in range(whole_number("sweeps", sweeps)):
         for i in range(u.size):
-            impulse[i] = max(0.0, impulse[i] - (a[i] @ impulse + (1 + e) * u[i]) / a[i, i])
+            impulse[i] = max(
+                0.0, impulse[i] - (a[i] @ impulse + (1 + e) * u[i]) / a[i, i]
+            )
     return impulse, sweeps
 
 
-def impulses_by_springs(matrix: ArrayLike, normal_velocity: ArrayLike, *, exponent: float = 1.0) -> Array:
+def impulses_by_springs(
+    matrix: ArrayLike, normal_velocity: ArrayLike, *, exponent: float = 1.0
+) -> Array:
     """Impulses of equal springs at all contacts, stiff enough that nothing else moves, nothing lost.
 
     delta' = -(u + A p), p' = max(delta, 0)^exponent, to ten digits, until all contacts have parted. 1 is a linear
@@ -85,17 +107,23 @@ def impulses_by_springs(matrix: ArrayLike, normal_velocity: ArrayLike, *, expone
     size = u.size
 
     def rate(_: float, state: Array) -> Array:
-        return np.concatenate([-(u + a @ state[size:]), np.maximum(state[:size], 0.0) ** power])
+        return np.concatenate(
+            [-(u + a @ state[size:]), np.maximum(state[:size], 0.0) ** power]
+        )
 
     state = np.zeros(2 * size)
     for _ in range(500):
-        state = solve_ivp(rate, (0.0, 2.0), state, method="DOP853", rtol=1e-10, atol=1e-12).y[:, -1]
+        state = solve_ivp(
+            rate, (0.0, 2.0), state, method="DOP853", rtol=1e-10, atol=1e-12
+        ).y[:, -1]
         if np.all(state[:size] <= 0) and np.all(u + a @ state[size:] >= 0):
             return np.asarray(state[size:])
     raise failure("normal_velocity", "contacts that come apart again", str(u))
 
 
-def impulses_by_steps(matrix: ArrayLike, normal_velocity: ArrayLike, step: float) -> tuple[Array, int]:
+def impulses_by_steps(
+    matrix: ArrayLike, normal_velocity: ArrayLike, step: float
+) -> tuple[Array, int]:
     """The linear springs of ``impulses_by_springs`` with a fixed step (symplectic Euler), and the number of steps.
 
     Args:
@@ -117,11 +145,17 @@ def impulses_by_steps(matrix: ArrayLike, normal_velocity: ArrayLike, step: float
     raise failure("step", "one that brings the contacts apart again", f"{h:g}")
 
 
-def _impact(matrix: ArrayLike, velocity: ArrayLike, restitution: float) -> tuple[Array, Array, float]:
+def _impact(
+    matrix: ArrayLike, velocity: ArrayLike, restitution: float
+) -> tuple[Array, Array, float]:
     a, u = scalars("matrix", matrix), scalars("normal_velocity", velocity)
     if a.ndim != 2 or a.shape[0] != a.shape[1]:
         raise failure("matrix", "shape (c, c)", f"shape {a.shape}")
     shaped("normal_velocity", u, a.shape[:1])
     if np.any(np.diagonal(a) <= 0):
         raise failure("matrix", "a positive diagonal", str(np.diagonal(a).min()))
-    return a, u, float(in_range("restitution", scalar("restitution", restitution), 0, 1))
+    return (
+        a,
+        u,
+        float(in_range("restitution", scalar("restitution", restitution), 0, 1)),
+    )

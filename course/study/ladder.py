@@ -18,7 +18,16 @@ from __future__ import annotations
 import numpy as np
 
 from course import rotations
-from course.arrays import Array, ArrayLike, broadcast, failure, in_range, positive, scalar, scalars
+from course.arrays import (
+    Array,
+    ArrayLike,
+    broadcast,
+    failure,
+    in_range,
+    positive,
+    scalar,
+    scalars,
+)
 from course.dynamics import Bodies
 from course.overlap import Contacts
 from course.study.resting_scenes import GRAVITY, RestingScene
@@ -27,7 +36,9 @@ from course.study.resting_scenes import GRAVITY, RestingScene
 BREADTH = 0.4
 
 
-def ladder_gaps(y: ArrayLike, z: ArrayLike, angle: ArrayLike, *, length: ArrayLike = 4.0) -> Array:
+def ladder_gaps(
+    y: ArrayLike, z: ArrayLike, angle: ArrayLike, *, length: ArrayLike = 4.0
+) -> Array:
     """The gaps of a ladder anywhere: foot to floor and top to wall (syllabus row 19).
 
     Args:
@@ -43,7 +54,9 @@ def ladder_gaps(y: ArrayLike, z: ArrayLike, angle: ArrayLike, *, length: ArrayLi
     half = 0.5 * positive("length", length)
     batch = broadcast(y=(y, 0), z=(z, 0), angle=(theta, 0), length=(half, 0))
     foot, top = z - half * np.sin(theta), -y - half * np.cos(theta)
-    return np.stack([np.broadcast_to(foot, batch), np.broadcast_to(top, batch)], axis=-1)
+    return np.stack(
+        [np.broadcast_to(foot, batch), np.broadcast_to(top, batch)], axis=-1
+    )
 
 
 def ladder(
@@ -72,12 +85,19 @@ def ladder(
     """
     theta, omega = scalar("angle", angle), scalar("rate", rate)
     if not 0 < theta < np.pi / 2:
-        raise failure("angle", "a number between 0 and pi/2, both excluded", repr(theta))
+        raise failure(
+            "angle", "a number between 0 and pi/2, both excluded", repr(theta)
+        )
     if kerb and omega != 0:
         raise failure("rate", "0 where a kerb holds the foot", repr(omega))
-    half, m = 0.5 * scalar("length", positive("length", length)), scalar("mass", positive("mass", mass))
+    half, m = (
+        0.5 * scalar("length", positive("length", length)),
+        scalar("mass", positive("mass", mass)),
+    )
     along = np.array([0.0, np.cos(theta), np.sin(theta)])  # from foot to top
-    across = np.array([0.0, np.sin(theta), np.cos(theta)])  # the centre moves on a circle about the corner
+    across = np.array(
+        [0.0, np.sin(theta), np.cos(theta)]
+    )  # the centre moves on a circle about the corner
     centre = half * along * (1, -1, 1)
     square, broad = (2 * half) ** 2, BREADTH**2
     inertia = m / 12 * np.diag([square, broad, square + broad])
@@ -130,7 +150,9 @@ def sliding_ladder_forces(
     return mass * np.stack(np.broadcast_arrays(floor, wall), axis=-1)
 
 
-def standing_ladder_forces(angle: ArrayLike, *, mass: float = 10.0, gravity: float = GRAVITY) -> Array:
+def standing_ladder_forces(
+    angle: ArrayLike, *, mass: float = 10.0, gravity: float = GRAVITY
+) -> Array:
     """What floor, wall and kerb push with while the ladder stands: m g, m g/(2 tan theta) twice, (..., 3) [N].
 
     The moments about the foot balance: f_2 l sin theta = m g (l/2) cos theta.

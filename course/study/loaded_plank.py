@@ -10,14 +10,25 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import failure, positive, scalar
-from course.study.resting_layouts import UP, RestingScene, contacts_at, weighed, with_ground
+from course.study.resting_layouts import (
+    UP,
+    RestingScene,
+    contacts_at,
+    weighed,
+    with_ground,
+)
 
 #: Breadth along x [m]; it has no part in what happens in the plane.
 BREADTH = 0.4
 
 
 def loaded_plank(
-    load_at: float, *, load: float = 20.0, mass: float = 10.0, length: float = 3.0, feet: float = 0.5
+    load_at: float,
+    *,
+    load: float = 20.0,
+    mass: float = 10.0,
+    length: float = 3.0,
+    feet: float = 0.5,
 ) -> RestingScene:
     """The plank at rest, body 0, on the ground, body 1; contact 0 is the left foot at y = -feet, 1 the right one.
 
@@ -31,16 +42,26 @@ def loaded_plank(
     Raises:
         ValueError: a load that is not on the plank, masses or lengths that are not positive.
     """
-    y, half = scalar("load_at", load_at), 0.5 * scalar("length", positive("length", length))
+    y, half = (
+        scalar("load_at", load_at),
+        0.5 * scalar("length", positive("length", length)),
+    )
     if abs(y) > half:
-        raise failure("load_at", f"a place on the plank, from {-half:g} to {half:g}", repr(y))
-    p, m = (scalar(name, positive(name, value)) for name, value in (("load", load), ("mass", mass)))
+        raise failure(
+            "load_at", f"a place on the plank, from {-half:g} to {half:g}", repr(y)
+        )
+    p, m = (
+        scalar(name, positive(name, value))
+        for name, value in (("load", load), ("mass", mass))
+    )
     foot = scalar("feet", positive("feet", feet))
     centre = p * y / (p + m)
     turning = m * (length**2 / 12 + centre**2) + p * (y - centre) ** 2
     rolling = m * BREADTH**2 / 12
     bodies = with_ground(
-        [p + m], np.diag([turning, rolling, turning + rolling])[None], np.array([[0.0, centre, 0.0]])
+        [p + m],
+        np.diag([turning, rolling, turning + rolling])[None],
+        np.array([[0.0, centre, 0.0]]),
     )
     point = np.array([[0.0, -foot, 0.0], [0.0, foot, 0.0]])
     contacts = contacts_at(np.zeros(2), np.ones(2), point, np.tile(UP, (2, 1)))

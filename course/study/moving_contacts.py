@@ -15,7 +15,16 @@ from typing import Any
 import numpy as np
 
 from course import rotations
-from course.arrays import Array, ArrayLike, choice, failure, positive, scalar, scalars, whole_number
+from course.arrays import (
+    Array,
+    ArrayLike,
+    choice,
+    failure,
+    positive,
+    scalar,
+    scalars,
+    whole_number,
+)
 from course.dynamics import Bodies, reference_motion
 from course.overlap import Contacts
 
@@ -52,7 +61,9 @@ class MovingContact:
         """The bodies at this time [s], before or after 0."""
         if time == 0:
             return self.bodies
-        return reference_motion(self.bodies, lambda *_: (self.force, self.torque), [time])[0]
+        return reference_motion(
+            self.bodies, lambda *_: (self.force, self.torque), [time]
+        )[0]
 
     def contacts(self, bodies: Bodies) -> Contacts:
         """The one contact of A and B as they lie now: points, N and d from the shapes alone."""
@@ -75,7 +86,10 @@ class MovingContact:
         if self.kind == "edges":
             data = {"edge_a": axis_a[None], "edge_b": axis_b[None]}
         if self.kind == "curved":
-            data = {"curvature_a": np.eye(3)[None] / RADII[0], "curvature_b": np.eye(3)[None] / RADII[1]}
+            data = {
+                "curvature_a": np.eye(3)[None] / RADII[0],
+                "curvature_b": np.eye(3)[None] / RADII[1],
+            }
         halfway = point_a - 0.5 * d * normal
         return Contacts(np.array([0]), np.array([1]), halfway[None], normal[None], np.array([float(d)]),
                         np.array([self.kind]), **data)  # fmt: skip
@@ -110,11 +124,15 @@ def moving_contact(kind: str, *, seed: int = 13, gap: float = 0.0) -> MovingCont
     second = 0.5 * (root @ np.swapaxes(root, 1, 2) + np.eye(3))
     inertia = np.trace(second, axis1=1, axis2=2)[:, None, None] * np.eye(3) - second
     spots, (axis_a, axis_b) = rng.normal(size=(2, 3)), _unit(rng.normal(size=(2, 3)))
-    spots = np.zeros((2, 3)) if kind == "curved" else spots  # balls about their centres of mass
+    spots = (
+        np.zeros((2, 3)) if kind == "curved" else spots
+    )  # balls about their centres of mass
     bodies = Bodies(rng.uniform(0.5, 3, 2), inertia, rng.normal(size=(2, 3)), _unit(rng.normal(size=(2, 4))),
                     *0.6 * rng.normal(size=(2, 2, 3)))  # fmt: skip
     force, torque = rng.normal(size=(2, 2, 3))
-    scene = MovingContact(kind, bodies, spots[0], spots[1], axis_a, axis_b, force, torque)
+    scene = MovingContact(
+        kind, bodies, spots[0], spots[1], axis_a, axis_b, force, torque
+    )
     contacts = scene.contacts(bodies)
     shift = (scalar("gap", gap) - contacts.separation[0]) * contacts.normal[0]
     position = bodies.position + np.stack([shift, np.zeros(3)])
@@ -148,10 +166,17 @@ class TurningPair:
 
     def bodies(self, time: float = 0.0) -> Bodies:
         """Bar and plank at this time [s], 1 kg each, moment 1 kg m^2."""
-        turns = rotations.from_rotation_vector([[self.rate_a * time, 0, 0], [self.rate_b * time, 0, 0]])
+        turns = rotations.from_rotation_vector(
+            [[self.rate_a * time, 0, 0], [self.rate_b * time, 0, 0]]
+        )
         spin = [[self.rate_a, 0, 0], [self.rate_b, 0, 0]]
         return Bodies(
-            np.ones(2), np.stack([np.eye(3)] * 2), self._centres, turns, np.zeros((2, 3)), np.array(spin)
+            np.ones(2),
+            np.stack([np.eye(3)] * 2),
+            self._centres,
+            turns,
+            np.zeros((2, 3)),
+            np.array(spin),
         )
 
     def contacts(self, time: float = 0.0) -> Contacts:
@@ -161,7 +186,11 @@ class TurningPair:
         normal = turn_b[:, 2]
         d = (corner - x_b) @ normal - 0.5 * self.thickness
         return Contacts(
-            np.array([0]), np.array([1]), (corner - 0.5 * d * normal)[None], normal[None], np.array([d])
+            np.array([0]),
+            np.array([1]),
+            (corner - 0.5 * d * normal)[None],
+            normal[None],
+            np.array([d]),
         )
 
     def gap(self, time: float) -> float:
@@ -170,7 +199,9 @@ class TurningPair:
 
     def outlines(self, time: float) -> Array:
         """The corners of bar and plank in the plane, (2, 4, 2) [m]."""
-        half = np.array([[self.half_a, 0.5 * self.thickness], [self.half_b, 0.5 * self.thickness]])
+        half = np.array(
+            [[self.half_a, 0.5 * self.thickness], [self.half_b, 0.5 * self.thickness]]
+        )
         corners = half[:, None] * [[-1, -1], [1, -1], [1, 1], [-1, 1]]
         turn = self.bodies(time).rotation[:, 1:, 1:]
         return self._centres[:, None, 1:] + np.einsum("bij,bcj->bci", turn, corners)
@@ -217,8 +248,12 @@ class FlyingCorners:
 def flying_corners(count: int, *, seed: int = 13) -> FlyingCorners:
     """Corners and faces drawn by seed; the gaps are whatever comes."""
     rng = np.random.default_rng(seed)
-    position, velocity, omega, arm = rng.normal(size=(4, 2, whole_number("count", count, minimum=1), 3))
-    return FlyingCorners(position, velocity, omega, arm, _unit(rng.normal(size=(count, 3))))
+    position, velocity, omega, arm = rng.normal(
+        size=(4, 2, whole_number("count", count, minimum=1), 3)
+    )
+    return FlyingCorners(
+        position, velocity, omega, arm, _unit(rng.normal(size=(count, 3)))
+    )
 
 
 @dataclass(frozen=True)
@@ -235,19 +270,30 @@ class Stencil:
     derivative: int
     order: int
 
-    def difference(self, value: Callable[[float], float], time: float, step: float) -> float:
+    def difference(
+        self, value: Callable[[float], float], time: float, step: float
+    ) -> float:
         """The quotient for f = value at this time with step h."""
         h = scalar("step", positive("step", step))
-        terms = [w * value(time + o * h) for o, w in zip(self.offsets, self.weights, strict=True)]
+        terms = [
+            w * value(time + o * h)
+            for o, w in zip(self.offsets, self.weights, strict=True)
+        ]
         return float(sum(terms)) / h**self.derivative
 
 
 FORWARD = Stencil("one-sided", (0, 1), (-1, 1), 1, 1)
 CENTRAL = Stencil("central", (-1, 1), (-1 / 2, 1 / 2), 1, 2)
-FIVE_POINTS = Stencil("five points", (-2, -1, 1, 2), (1 / 12, -8 / 12, 8 / 12, -1 / 12), 1, 4)
+FIVE_POINTS = Stencil(
+    "five points", (-2, -1, 1, 2), (1 / 12, -8 / 12, 8 / 12, -1 / 12), 1, 4
+)
 SECOND = Stencil("three points of d", (-1, 0, 1), (1, -2, 1), 2, 2)
 SECOND_FIVE = Stencil(
-    "five points of d", (-2, -1, 0, 1, 2), (-1 / 12, 16 / 12, -30 / 12, 16 / 12, -1 / 12), 2, 4
+    "five points of d",
+    (-2, -1, 0, 1, 2),
+    (-1 / 12, 16 / 12, -30 / 12, 16 / 12, -1 / 12),
+    2,
+    4,
 )
 
 
@@ -268,7 +314,9 @@ class DifferenceErrors:
     def best(self, name: str) -> tuple[float, float]:
         """The step with the least error of a stencil, and that error."""
         if name not in self.error:
-            raise failure("name", "one of " + ", ".join(map(repr, self.error)), repr(name))
+            raise failure(
+                "name", "one of " + ", ".join(map(repr, self.error)), repr(name)
+            )
         least = int(np.argmin(self.error[name]))
         return float(self.step[least]), float(self.error[name][least])
 
@@ -291,7 +339,10 @@ def difference_errors(
         unit: of the rate.
     """
     h = positive("steps", scalars("steps", steps))
-    errors = {s.name: np.array([abs(s.difference(f, time, x) - exact) for x in h.tolist()]) for s, f in tries}
+    errors = {
+        s.name: np.array([abs(s.difference(f, time, x) - exact) for x in h.tolist()])
+        for s, f in tries
+    }
     return DifferenceErrors(h, errors, unit)
 
 
@@ -306,7 +357,9 @@ def _turned(arrow: Array, omega: Array, time: float | complex) -> Any:
     speed = np.linalg.norm(omega, axis=-1, keepdims=True)
     axis, angle = omega / speed, speed * time
     along = axis * np.sum(axis * arrow, axis=-1, keepdims=True)
-    return along + (arrow - along) * np.cos(angle) + np.cross(axis, arrow) * np.sin(angle)
+    return (
+        along + (arrow - along) * np.cos(angle) + np.cross(axis, arrow) * np.sin(angle)
+    )
 
 
 def _unit(vector: Array) -> Array:

@@ -12,7 +12,9 @@ from course.overlap import Contacts
 from course.study.resting_layouts import UP, RestingScene, contacts_at, weighed
 
 
-def pile(count: int, rng: np.random.Generator, *, spread: float = 0.3, rounds: int = 150) -> RestingScene:
+def pile(
+    count: int, rng: np.random.Generator, *, spread: float = 0.3, rounds: int = 150
+) -> RestingScene:
     """Balls of different sizes settled in a square bin, walls and floor fixed; about 3 contacts a ball.
 
     They sink, are pushed apart where they overlap, and sink a little more at
@@ -38,7 +40,9 @@ def pile(count: int, rng: np.random.Generator, *, spread: float = 0.3, rounds: i
     for k, sink in enumerate([*falling, *np.zeros(rounds), *np.full(rounds, 5e-4)]):
         x[:, 2] -= sink
         if k % 3 == 0:
-            near = cKDTree(x).query_pairs(2 * radius.max() + 0.05, output_type="ndarray")
+            near = cKDTree(x).query_pairs(
+                2 * radius.max() + 0.05, output_type="ndarray"
+            )
         x = np.clip(x + _pushed_apart(x, radius, near), lowest, highest)
     return _ball_contacts(x, radius, width)
 
@@ -52,7 +56,9 @@ def cannonballs(layers: int) -> RestingScene:
         grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
         spots.append(np.column_stack([grid, np.full(len(grid), 0.5 + k / np.sqrt(2))]))
     centres = np.concatenate(spots)
-    return replace(_ball_contacts(centres, np.full(len(centres), 0.5), None), name="cannonballs")
+    return replace(
+        _ball_contacts(centres, np.full(len(centres), 0.5), None), name="cannonballs"
+    )
 
 
 def wedged_ball(angle: float = 0.5) -> RestingScene:
@@ -62,8 +68,12 @@ def wedged_ball(angle: float = 0.5) -> RestingScene:
     well: what two contacts push in all need not be unique.
     """
     lean = scalar("angle", angle)
-    normal = np.array([[np.cos(lean), 0, np.sin(lean)], [-np.cos(lean), 0, np.sin(lean)]])
-    bodies = Bodies.balls(np.array([1.0, np.inf]), 0.5, np.array([[0, 0, 0], [0, 0, -9.0]]))
+    normal = np.array(
+        [[np.cos(lean), 0, np.sin(lean)], [-np.cos(lean), 0, np.sin(lean)]]
+    )
+    bodies = Bodies.balls(
+        np.array([1.0, np.inf]), 0.5, np.array([[0, 0, 0], [0, 0, -9.0]])
+    )
     contacts = contacts_at(np.zeros(2), np.ones(2), -0.5 * normal, normal)
     return weighed("ball between two walls", bodies, contacts)
 
@@ -81,7 +91,10 @@ def balls_on_domes(count: int, rng: np.random.Generator) -> RestingScene:
     centres = np.concatenate([spot + (r + dome)[:, None] * out, spot])
     mass = np.append(rng.uniform(0.5, 2, count), np.full(count, np.inf))
     bodies = Bodies.balls(
-        mass, np.append(r, dome), centres, np.concatenate([2 * along, np.zeros((count, 3))])
+        mass,
+        np.append(r, dome),
+        centres,
+        np.concatenate([2 * along, np.zeros((count, 3))]),
     )
     spin = np.zeros((2 * count, 3))
     spin[:count] = rng.normal(size=(count, 3)) * bodies.inertia[:count, 0, :1]
@@ -102,8 +115,12 @@ def _pushed_apart(x: Array, radius: Array, pairs: IntArray) -> Array:
     hit = overlap > 0
     i, j, n = i[hit], j[hit], len(x)
     step = (0.5 * overlap[hit] / distance[hit])[:, None] * between[hit]
-    share = np.maximum(1.0, 0.5 * (np.bincount(i, minlength=n) + np.bincount(j, minlength=n)))
-    moved = [np.bincount(i, step[:, k], n) - np.bincount(j, step[:, k], n) for k in range(3)]
+    share = np.maximum(
+        1.0, 0.5 * (np.bincount(i, minlength=n) + np.bincount(j, minlength=n))
+    )
+    moved = [
+        np.bincount(i, step[:, k], n) - np.bincount(j, step[:, k], n) for k in range(3)
+    ]
     return np.stack(moved, axis=1) / share[:, None]
 
 
@@ -112,7 +129,9 @@ def _ball_contacts(x: Array, radius: Array, width: float | None) -> RestingScene
     from scipy.spatial import cKDTree
 
     n, close = len(x), 0.01 * radius.min()
-    pairs = cKDTree(x).query_pairs(2.1 * radius.max(), output_type="ndarray").reshape(-1, 2)
+    pairs = (
+        cKDTree(x).query_pairs(2.1 * radius.max(), output_type="ndarray").reshape(-1, 2)
+    )
     i, j = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))].T
     distance = np.linalg.norm(x[i] - x[j], axis=1)
     gap = distance - radius[i] - radius[j]
@@ -121,16 +140,33 @@ def _ball_contacts(x: Array, radius: Array, width: float | None) -> RestingScene
     parts = [(i, j, x[j] + (radius[j] + 0.5 * gap)[:, None] * normal, normal, gap)]
     sides = [(UP, 0.0)]
     if width is not None:
-        sides += [(np.eye(3)[k], 0.0) for k in (0, 1)] + [(-np.eye(3)[k], -width) for k in (0, 1)]
+        sides += [(np.eye(3)[k], 0.0) for k in (0, 1)] + [
+            (-np.eye(3)[k], -width) for k in (0, 1)
+        ]
     for out, level in sides:
         height = x @ out - level - radius
         ball = np.flatnonzero(height < close)
         point = x[ball] - (radius[ball] + 0.5 * height[ball])[:, None] * out
-        parts.append((ball, np.full(ball.size, n), point, np.tile(out, (ball.size, 1)), height[ball]))
-    a, b, point, normal, gap = (np.concatenate(column) for column in zip(*parts, strict=True))
-    mass, centres = np.append(4 / 3 * np.pi * radius**3, np.inf), np.concatenate([x, -UP[None]])
+        parts.append(
+            (
+                ball,
+                np.full(ball.size, n),
+                point,
+                np.tile(out, (ball.size, 1)),
+                height[ball],
+            )
+        )
+    a, b, point, normal, gap = (
+        np.concatenate(column) for column in zip(*parts, strict=True)
+    )
+    mass, centres = (
+        np.append(4 / 3 * np.pi * radius**3, np.inf),
+        np.concatenate([x, -UP[None]]),
+    )
     bodies = Bodies.balls(mass, np.append(radius, 1.0), centres)
     curvature = (1 / np.append(radius, np.inf))[:, None, None] * np.eye(3)
     feature = np.full(a.size, "curved")
-    contacts = Contacts(a, b, point, normal, gap, feature, None, None, curvature[a], curvature[b])
+    contacts = Contacts(
+        a, b, point, normal, gap, feature, None, None, curvature[a], curvature[b]
+    )
     return weighed(f"pile of {n} balls", bodies, contacts)

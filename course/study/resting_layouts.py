@@ -8,7 +8,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from course import rotations
-from course.arrays import Array, ArrayLike, IntArray, choice, positive, scalar, whole_number
+from course.arrays import (
+    Array,
+    ArrayLike,
+    IntArray,
+    choice,
+    positive,
+    scalar,
+    whole_number,
+)
 from course.contact import ContactSystem, contact_system
 from course.dynamics import Bodies
 from course.overlap import Contacts
@@ -44,7 +52,10 @@ class RestingScene:
 
 
 def table(
-    legs: int = 4, *, offset: tuple[float, float] = (0.1, 0.05), half_widths: tuple[float, float] = (0.5, 0.3)
+    legs: int = 4,
+    *,
+    offset: tuple[float, float] = (0.1, 0.05),
+    half_widths: tuple[float, float] = (0.5, 0.3),
 ) -> RestingScene:
     """A table of 1 kg on the ground, 4 legs at the corners, any other number on the ellipse through these.
 
@@ -59,7 +70,14 @@ def table(
     whole_number("legs", legs, minimum=1)
     a, b = half_widths
     angle = 2 * np.pi * (np.arange(legs) + 0.5) / legs
-    feet = np.stack([np.sqrt(2) * a * np.cos(angle), np.sqrt(2) * b * np.sin(angle), np.zeros(legs)], axis=1)
+    feet = np.stack(
+        [
+            np.sqrt(2) * a * np.cos(angle),
+            np.sqrt(2) * b * np.sin(angle),
+            np.zeros(legs),
+        ],
+        axis=1,
+    )
     centre = np.array([*offset, 0.7])
     bodies = with_ground([1.0], np.diag([0.2, 0.3, 0.4])[None], centre[None])
     contacts = contacts_at(np.zeros(legs), np.ones(legs), feet, np.tile(UP, (legs, 1)))
@@ -67,7 +85,11 @@ def table(
 
 
 def stack(
-    count: int, *, mass: ArrayLike = 1.0, corners: int = 4, size: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    count: int,
+    *,
+    mass: ArrayLike = 1.0,
+    corners: int = 4,
+    size: tuple[float, float, float] = (1.0, 1.0, 1.0),
 ) -> RestingScene:
     """A tower of boxes, the lowest on the ground; each rests on 4 corners, or on 1 point under its centre.
 
@@ -81,16 +103,31 @@ def stack(
     choice("corners", str(corners), ("1", "4"))
     masses = np.broadcast_to(positive("mass", mass), count)
     height = size[2] * np.arange(count)
-    position = np.stack([np.zeros(count), np.zeros(count), height + 0.5 * size[2]], axis=1)
-    bodies = with_ground(masses, _box_inertia(masses, np.tile(size, (count, 1))), position)
-    corner = np.zeros((1, 3)) if corners == 1 else 0.5 * np.array(FOUR) * (size[0], size[1], 0)
+    position = np.stack(
+        [np.zeros(count), np.zeros(count), height + 0.5 * size[2]], axis=1
+    )
+    bodies = with_ground(
+        masses, _box_inertia(masses, np.tile(size, (count, 1))), position
+    )
+    corner = (
+        np.zeros((1, 3))
+        if corners == 1
+        else 0.5 * np.array(FOUR) * (size[0], size[1], 0)
+    )
     point = (corner + height[:, None, None] * UP).reshape(-1, 3)
     upper = np.repeat(np.arange(count), len(corner))
-    contacts = contacts_at(upper, np.where(upper == 0, count, upper - 1), point, np.tile(UP, (len(point), 1)))
+    contacts = contacts_at(
+        upper,
+        np.where(upper == 0, count, upper - 1),
+        point,
+        np.tile(UP, (len(point), 1)),
+    )
     return weighed(f"stack of {count}", bodies, contacts)
 
 
-def wall(rows: int, columns: int, *, depth: int = 1, mass: ArrayLike = 1.0) -> RestingScene:
+def wall(
+    rows: int, columns: int, *, depth: int = 1, mass: ArrayLike = 1.0
+) -> RestingScene:
     """Bricks of 2 x 1 x 1 m in running bond: each rests on two below, at 4 corners each.
 
     Every other row is a brick shorter. With a depth of several bricks these
@@ -114,17 +151,26 @@ def wall(rows: int, columns: int, *, depth: int = 1, mass: ArrayLike = 1.0) -> R
     count = len(low)
     masses = np.broadcast_to(positive("mass", mass), count)
     size = np.array([2.0, 1.0, 1.0])
-    bodies = with_ground(masses, _box_inertia(masses, np.tile(size, (count, 1))), low + 0.5 * size)
+    bodies = with_ground(
+        masses, _box_inertia(masses, np.tile(size, (count, 1))), low + 0.5 * size
+    )
     upper, lower = _supports(low, size)
     ground = np.flatnonzero(low[:, 2] == 0)
-    upper, lower = np.concatenate([ground, upper]), np.concatenate([np.full(ground.size, count), lower])
-    below = np.where((lower == count)[:, None], low[upper], low[np.minimum(lower, count - 1)])
+    upper, lower = (
+        np.concatenate([ground, upper]),
+        np.concatenate([np.full(ground.size, count), lower]),
+    )
+    below = np.where(
+        (lower == count)[:, None], low[upper], low[np.minimum(lower, count - 1)]
+    )
     start, end = np.maximum(low[upper], below), np.minimum(low[upper], below) + size
     at = 0.5 * (np.array(FOUR) + (1, 1, 0))
     point = start[:, None] * (1 - at) + end[:, None] * at
     point[:, :, 2] = low[upper, None, 2]
     normal = np.tile(UP, (4 * upper.size, 1))
-    contacts = contacts_at(np.repeat(upper, 4), np.repeat(lower, 4), point.reshape(-1, 3), normal)
+    contacts = contacts_at(
+        np.repeat(upper, 4), np.repeat(lower, 4), point.reshape(-1, 3), normal
+    )
     return weighed(f"wall of {count} bricks", bodies, contacts)
 
 
@@ -138,12 +184,18 @@ def tangle(count: int, contacts: int, rng: np.random.Generator) -> RestingScene:
     whole_number("contacts", contacts)
     root = rng.normal(size=(count, 3, 3))
     mass = rng.uniform(0.5, 2, count)
-    bodies = with_ground(mass, root @ np.swapaxes(root, 1, 2) + 0.1 * np.eye(3), rng.normal(size=(count, 3)))
+    bodies = with_ground(
+        mass,
+        root @ np.swapaxes(root, 1, 2) + 0.1 * np.eye(3),
+        rng.normal(size=(count, 3)),
+    )
     a = rng.integers(count, size=contacts)
     b = (a + rng.integers(1, count + 1, size=contacts)) % (count + 1)
     normal = rng.normal(size=(contacts, 3))
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    scene = weighed("tangle", bodies, contacts_at(a, b, rng.normal(size=(contacts, 3)), normal))
+    scene = weighed(
+        "tangle", bodies, contacts_at(a, b, rng.normal(size=(contacts, 3)), normal)
+    )
     push = rng.normal(size=(2, count + 1, 3))
     return replace(scene, force=scene.force + push[0], torque=push[1])
 
@@ -157,10 +209,18 @@ def spinning_between_pins(rate: float = 2.0, gravity: float = 0.0) -> RestingSce
     """
     bodies = with_ground([1.0], np.eye(3)[None] / 6, np.zeros((1, 3)))
     spin = np.array([[0, 0, scalar("rate", rate) / 6], [0, 0, 0]])
-    point, normal = np.array([[-0.5, 0, 0], [0.5, 0, 0]]), np.array([[1.0, 0, 0], [-1.0, 0, 0]])
+    point, normal = (
+        np.array([[-0.5, 0, 0], [0.5, 0, 0]]),
+        np.array([[1.0, 0, 0], [-1.0, 0, 0]]),
+    )
     contacts = contacts_at(np.zeros(2), np.ones(2), point, normal)
     contacts = replace(contacts, feature=np.array(["face_a", "face_a"]))
-    scene = weighed("block between two pins", replace(bodies, angular_momentum=spin), contacts, gravity)
+    scene = weighed(
+        "block between two pins",
+        replace(bodies, angular_momentum=spin),
+        contacts,
+        gravity,
+    )
     return replace(scene, solvable=rate == 0)
 
 
@@ -170,7 +230,11 @@ def leaning_rod(angle: float, *, length: float = 1.0) -> RestingScene:
     The ground carries m g / (1 + 3 cos^2 angle) at that moment.
     """
     tilt = scalar("angle", angle)
-    centre = 0.5 * scalar("length", positive("length", length)) * np.array([np.cos(tilt), 0.0, np.sin(tilt)])
+    centre = (
+        0.5
+        * scalar("length", positive("length", length))
+        * np.array([np.cos(tilt), 0.0, np.sin(tilt)])
+    )
     along = np.outer(centre, centre) / (centre @ centre)
     inertia = length**2 / 12 * (np.eye(3) - along) + 1e-6 * along
     bodies = with_ground([1.0], inertia[None], centre[None])
@@ -187,7 +251,10 @@ def side_by_side(scenes: Sequence[RestingScene]) -> RestingScene:
         for s, n in zip(scenes, start, strict=False)
     ]
     joined = Bodies(
-        *(np.concatenate([getattr(b, name) for b in bodies]) for name in Bodies.__dataclass_fields__)
+        *(
+            np.concatenate([getattr(b, name) for b in bodies])
+            for name in Bodies.__dataclass_fields__
+        )
     )
     return RestingScene(
         f"{len(scenes)} scenes", joined, Contacts.concatenate(contacts),
@@ -196,7 +263,9 @@ def side_by_side(scenes: Sequence[RestingScene]) -> RestingScene:
     )  # fmt: skip
 
 
-def weighed(name: str, bodies: Bodies, contacts: Contacts, gravity: float = GRAVITY) -> RestingScene:
+def weighed(
+    name: str, bodies: Bodies, contacts: Contacts, gravity: float = GRAVITY
+) -> RestingScene:
     """A scene in which only gravity acts."""
     weight = -np.where(bodies.fixed, 0.0, bodies.mass)[:, None] * gravity * UP
     return RestingScene(name, bodies, contacts, weight, np.zeros((len(bodies), 3)))
@@ -213,13 +282,21 @@ def with_ground(mass: ArrayLike, inertia: Array, position: Array) -> Bodies:
 
 def contacts_at(a: ArrayLike, b: ArrayLike, point: Array, normal: Array) -> Contacts:
     """Touching contacts on faces of B."""
-    return Contacts(np.asarray(a, dtype=int), np.asarray(b, dtype=int), point, normal, np.zeros(len(point)))
+    return Contacts(
+        np.asarray(a, dtype=int),
+        np.asarray(b, dtype=int),
+        point,
+        normal,
+        np.zeros(len(point)),
+    )
 
 
 def _box_inertia(mass: Array, size: Array) -> Array:
     """m/12 (y^2 + z^2, x^2 + z^2, x^2 + y^2) on the diagonal, (n, 3, 3)."""
     square = size**2
-    return (mass[:, None] / 12 * (square.sum(axis=1, keepdims=True) - square))[:, :, None] * np.eye(3)
+    return (mass[:, None] / 12 * (square.sum(axis=1, keepdims=True) - square))[
+        :, :, None
+    ] * np.eye(3)
 
 
 def _supports(low: Array, size: Array) -> tuple[IntArray, IntArray]:
@@ -229,7 +306,9 @@ def _supports(low: Array, size: Array) -> tuple[IntArray, IntArray]:
     # Bricks within 3.9 once rows are 3 apart: all that may lie on each other.
     pairs = cKDTree(low * (1, 1, 3)).query_pairs(3.9, output_type="ndarray")
     first, second = pairs.T if len(pairs) else np.zeros((2, 0), dtype=int)
-    upper, lower = np.where(low[first, 2] > low[second, 2], (first, second), (second, first))
+    upper, lower = np.where(
+        low[first, 2] > low[second, 2], (first, second), (second, first)
+    )
     apart = np.abs(low[upper] - low[lower])
     on = (apart[:, 2] == size[2]) & np.all(apart[:, :2] < size[:2] - 1e-9, axis=1)
     upper, lower = upper[on], lower[on]

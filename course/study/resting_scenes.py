@@ -86,31 +86,48 @@ def random_scene(seed: int | Sequence[int], *, contacts: int = 100) -> RestingSc
     scene = kinds[str(rng.choice(list(kinds)))]()
     still = not np.any(scene.bodies.momentum)
     changes: dict[str, Callable[[RestingScene], RestingScene]] = {
-        "mass ratio": lambda s: weighed_anew(s, 10.0 ** rng.uniform(-3, 3, len(s.bodies))),
-        "shaken": lambda s: shaken(s, rng, strength=float(10.0 ** rng.uniform(-3, 0.5))),
+        "mass ratio": lambda s: weighed_anew(
+            s, 10.0 ** rng.uniform(-3, 3, len(s.bodies))
+        ),
+        "shaken": lambda s: shaken(
+            s, rng, strength=float(10.0 ** rng.uniform(-3, 0.5))
+        ),
         "redundant": lambda s: with_redundant_points(s, rng),
         "duplicates": lambda s: with_duplicates(s, rng),
         "parting": lambda s: about_to_part(s, float(rng.choice([0.0, 1.0]))),
-        "moving": lambda s: on_a_moving_ground(s, rng.normal(size=3), rng.normal(size=3)),
+        "moving": lambda s: on_a_moving_ground(
+            s, rng.normal(size=3), rng.normal(size=3)
+        ),
     }
     for change, make in changes.items():
-        if rng.uniform() < CHANCES[change] and (still or change not in ("mass ratio", "moving")):
+        if rng.uniform() < CHANCES[change] and (
+            still or change not in ("mass ratio", "moving")
+        ):
             scene = make(scene)
     return replace(scene, contacts=scene.contacts[:0]) if contacts == 0 else scene
 
 
-def _kinds(rng: np.random.Generator, contacts: int) -> dict[str, Callable[[], RestingScene]]:
+def _kinds(
+    rng: np.random.Generator, contacts: int
+) -> dict[str, Callable[[], RestingScene]]:
     """What a scene of this many contacts may be."""
-    side, edge = max(round(np.sqrt(contacts / 8)), 2), max(round((contacts / 16) ** (1 / 3)), 2)
+    side, edge = (
+        max(round(np.sqrt(contacts / 8)), 2),
+        max(round((contacts / 16) ** (1 / 3)), 2),
+    )
     return {
-        "tables": lambda: side_by_side([_any_table(rng) for _ in range(max(contacts // 4, 1))]),
+        "tables": lambda: side_by_side(
+            [_any_table(rng) for _ in range(max(contacts // 4, 1))]
+        ),
         "domes": lambda: balls_on_domes(contacts, rng),
         "stack": lambda: stack(max(contacts // 4, 1), corners=int(rng.choice([1, 4]))),
         "wall": lambda: wall(max(side + int(rng.integers(-side // 2, side)), 1), side),
         "block": lambda: wall(edge, edge, depth=edge),
         "pile": lambda: pile(max(contacts // 3, 1), rng),
         "cannonballs": lambda: cannonballs(max(round((contacts * 0.75) ** (1 / 3)), 1)),
-        "tangle": lambda: tangle(max(int(contacts * 10.0 ** rng.uniform(-1.5, 0)), 1), contacts, rng),
+        "tangle": lambda: tangle(
+            max(int(contacts * 10.0 ** rng.uniform(-1.5, 0)), 1), contacts, rng
+        ),
     }
 
 

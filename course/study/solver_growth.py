@@ -39,11 +39,15 @@ class SolverGrowth:
             ValueError: a method that is not among them, or was asked fewer than two systems.
         """
         if name not in self.method:
-            raise ValueError(f"name: expected one of {', '.join(self.method)}; got {name!r}")
+            raise ValueError(
+                f"name: expected one of {', '.join(self.method)}; got {name!r}"
+            )
         row = self.seconds[self.method.index(name)]
         asked = np.isfinite(row)
         if np.count_nonzero(asked) < 2:
-            raise ValueError(f"name: expected a method asked at least twice; got {name!r}")
+            raise ValueError(
+                f"name: expected a method asked at least twice; got {name!r}"
+            )
         return float(np.polyfit(np.log(self.contacts[asked]), np.log(row[asked]), 1)[0])
 
 
@@ -66,9 +70,13 @@ def solver_growth(
     """
     contacts = np.array([len(s) for s in systems], dtype=float)
     if not systems or not methods:
-        raise ValueError("systems: expected at least one, and at least one method; got none")
+        raise ValueError(
+            "systems: expected at least one, and at least one method; got none"
+        )
     if np.any(np.diff(contacts) <= 0):
-        raise ValueError(f"systems: expected ascending numbers of contacts; got {contacts.tolist()}")
+        raise ValueError(
+            f"systems: expected ascending numbers of contacts; got {contacts.tolist()}"
+        )
     limits = up_to or {}
     rows = np.full((3, len(methods), len(systems)), np.nan)
     for i, (name, method) in enumerate(methods.items()):
@@ -78,7 +86,9 @@ def solver_growth(
     return SolverGrowth(contacts, tuple(methods), *rows)
 
 
-def _measured(method: Solver, system: ContactSystem, repeats: int) -> tuple[float, float, float]:
+def _measured(
+    method: Solver, system: ContactSystem, repeats: int
+) -> tuple[float, float, float]:
     start = time.perf_counter()
     found = method(system)
     best = time.perf_counter() - start
@@ -86,5 +96,7 @@ def _measured(method: Solver, system: ContactSystem, repeats: int) -> tuple[floa
         start = time.perf_counter()
         found = method(system)
         elapsed = time.perf_counter() - start
-        best = elapsed if k == 0 else min(best, elapsed)  # the first run may have loaded something
+        best = (
+            elapsed if k == 0 else min(best, elapsed)
+        )  # the first run may have loaded something
     return best, float(found.iterations), float(found.residual)

@@ -31,7 +31,12 @@ BOX = (0.5, 0.3, 0.2)
 
 
 def falling_rods(
-    angle: ArrayLike, *, place: ArrayLike = 1.0, mass: float = 1.0, length: float = 1.0, speed: float = 1.0
+    angle: ArrayLike,
+    *,
+    place: ArrayLike = 1.0,
+    mass: float = 1.0,
+    length: float = 1.0,
+    speed: float = 1.0,
 ) -> tuple[Bodies, Contacts]:
     """Thin rods that fall without turning and touch a fixed floor at one point, and that contact of each.
 
@@ -44,26 +49,42 @@ def falling_rods(
         place: 1 the lower end, 0 the middle, -1 the upper end, (n,) or one number.
         mass, length, speed: of every rod [kg], [m], [m/s].
     """
-    theta, where = np.atleast_1d(scalars("angle", angle)), in_range("place", place, -1, 1)
+    theta, where = (
+        np.atleast_1d(scalars("angle", angle)),
+        in_range("place", place, -1, 1),
+    )
     theta, where = np.broadcast_arrays(theta, where)
-    m, size = (float(positive(name, scalar(name, x))) for name, x in (("mass", mass), ("length", length)))
+    m, size = (
+        float(positive(name, scalar(name, x)))
+        for name, x in (("mass", mass), ("length", length))
+    )
     n = theta.size
     axis = np.stack([np.cos(theta), np.zeros(n), -np.sin(theta)], axis=-1)
     across = m * size**2 / 12
     inertia = np.broadcast_to(np.diag([0.01 * across, across, across]), (n + 1, 3, 3))
     orientation = np.concatenate(
-        [rotations.from_rotation_vector(theta[:, None] * [0.0, 1.0, 0.0]), [[0, 0, 0, 1]]]
+        [
+            rotations.from_rotation_vector(theta[:, None] * [0.0, 1.0, 0.0]),
+            [[0, 0, 0, 1]],
+        ]
     )
     momentum = np.zeros((n + 1, 3))
     momentum[:n, 2] = -m * float(positive("speed", scalar("speed", speed)))
     zero = np.zeros((n + 1, 3))
-    bodies = Bodies(np.append(np.full(n, m), np.inf), inertia, zero, orientation, momentum, zero)
+    bodies = Bodies(
+        np.append(np.full(n, m), np.inf), inertia, zero, orientation, momentum, zero
+    )
     point = 0.5 * size * where[:, None] * axis
     return bodies, _on_the_floor(np.arange(n), n, point)
 
 
 def rod_on_spring(
-    angle: float, stiffness: float, *, mass: float = 1.0, length: float = 1.0, speed: float = 1.0
+    angle: float,
+    stiffness: float,
+    *,
+    mass: float = 1.0,
+    length: float = 1.0,
+    speed: float = 1.0,
 ) -> float:
     """Impulse that a spring under the lower end of a falling rod gives it before the end leaves it again [N s].
 
@@ -81,14 +102,25 @@ def rod_on_spring(
     theta = scalar("angle", angle)
     k, m, size, v = (
         float(positive(name, scalar(name, x)))
-        for name, x in (("stiffness", stiffness), ("mass", mass), ("length", length), ("speed", speed))
+        for name, x in (
+            ("stiffness", stiffness),
+            ("mass", mass),
+            ("length", length),
+            ("speed", speed),
+        )
     )
     half, inertia = 0.5 * size, m * size**2 / 12
 
     def rate(_: float, state: Array) -> list[float]:
         z, turned, z_rate, turning, _ = state
         force = k * max(half * np.sin(turned) - z, 0.0)
-        return [z_rate, turning, force / m, -force * half * np.cos(turned) / inertia, force]
+        return [
+            z_rate,
+            turning,
+            force / m,
+            -force * half * np.cos(turned) / inertia,
+            force,
+        ]
 
     def leaves(_: float, state: Array) -> float:
         return float(state[0] - half * np.sin(state[1]))
@@ -96,7 +128,15 @@ def rod_on_spring(
     leaves.terminal, leaves.direction = True, 1.0  # type: ignore[attr-defined]
     longest = 4 * np.pi * np.sqrt(m / k)
     start = [half * np.sin(theta), theta, -v, 0.0, 0.0]
-    motion = solve_ivp(rate, (0, longest), start, method="DOP853", rtol=1e-10, atol=1e-13, events=leaves)
+    motion = solve_ivp(
+        rate,
+        (0, longest),
+        start,
+        method="DOP853",
+        rtol=1e-10,
+        atol=1e-13,
+        events=leaves,
+    )
     if not motion.t_events[0].size:
         raise failure("stiffness", "a spring that throws the rod back", f"{k:g}")
     return float(motion.y_events[0][0, 4])
@@ -118,11 +158,23 @@ def box_on_corners(
     half = positive("half_extents", vectors("half_extents", half_extents))
     inertia = np.diag(half @ half - half**2) / 3
     momentum, angular = np.zeros((2, 2, 3))
-    momentum[0], angular[0] = vectors("velocity", velocity), inertia @ vectors("spin", spin)
+    momentum[0], angular[0] = (
+        vectors("velocity", velocity),
+        inertia @ vectors("spin", spin),
+    )
     position = np.array([[0.0, 0.0, half[2]], [0.0, 0.0, 0.0]])
     both = np.stack([inertia, np.eye(3)])
-    bodies = Bodies(np.array([1.0, np.inf]), both, position, rotations.identity(2), momentum, angular)
-    corner = np.array([[x * half[0], y * half[1], 0.0] for x in (-1, 1) for y in (-1, 1)])
+    bodies = Bodies(
+        np.array([1.0, np.inf]),
+        both,
+        position,
+        rotations.identity(2),
+        momentum,
+        angular,
+    )
+    corner = np.array(
+        [[x * half[0], y * half[1], 0.0] for x in (-1, 1) for y in (-1, 1)]
+    )
     return bodies, _on_the_floor(np.zeros(4, int), 1, corner)
 
 
@@ -146,7 +198,9 @@ class BoxLandings:
     normal_velocity: Array
 
 
-def box_landings(count: int = 20, *, seed: int = 12, spread: float = 0.8) -> BoxLandings:
+def box_landings(
+    count: int = 20, *, seed: int = 12, spread: float = 0.8
+) -> BoxLandings:
     """A box that comes down at 1 m/s on four corners at once, with drawn spins about the two level axes.
 
     Drawn again where a corner would come in slower than 0.05 m/s, so that all four take part.
@@ -194,11 +248,20 @@ def outcomes_by_order(
     """Body 0 after the same impact, with the contacts listed in each of these orders."""
     rows = np.array([list(order) for order in orders])
     count = len(contacts)
-    if rows.shape != (len(rows), count) or not np.all(np.sort(rows, axis=1) == np.arange(count)):
-        raise failure("orders", f"orders of the contacts 0 to {count - 1}", str(orders)[:60])
-    after = [resolve_collisions(bodies, contacts[order], restitution, law=law) for order in rows]
+    if rows.shape != (len(rows), count) or not np.all(
+        np.sort(rows, axis=1) == np.arange(count)
+    ):
+        raise failure(
+            "orders", f"orders of the contacts 0 to {count - 1}", str(orders)[:60]
+        )
+    after = [
+        resolve_collisions(bodies, contacts[order], restitution, law=law)
+        for order in rows
+    ]
     return OrderOutcomes(
-        rows, np.array([a.velocity[0] for a in after]), np.array([a.angular_velocity[0] for a in after])
+        rows,
+        np.array([a.velocity[0] for a in after]),
+        np.array([a.angular_velocity[0] for a in after]),
     )
 
 
@@ -213,10 +276,14 @@ def rod_on_two_pegs(place: float) -> tuple[Bodies, Contacts]:
     """
     where = float(in_range("place", scalar("place", place), 0, 1))
     bodies, _ = falling_rods(0.0)
-    return bodies, _on_the_floor(np.zeros(2, int), 1, 0.5 * where * np.array([[-1.0, 0, 0], [1.0, 0, 0]]))
+    return bodies, _on_the_floor(
+        np.zeros(2, int), 1, 0.5 * where * np.array([[-1.0, 0, 0], [1.0, 0, 0]])
+    )
 
 
 def _on_the_floor(body: IntArray, floor: int, point: Array) -> Contacts:
     """Contacts of bodies on a fixed one below them, n = z."""
     count = len(point)
-    return Contacts(body, np.full(count, floor), point, np.tile(UP, (count, 1)), np.zeros(count))
+    return Contacts(
+        body, np.full(count, floor), point, np.tile(UP, (count, 1)), np.zeros(count)
+    )

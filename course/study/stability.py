@@ -71,7 +71,11 @@ def growth_per_step(values: ArrayLike) -> Array:
 
 
 def find_threshold(
-    is_stable: Callable[[float], bool], lower: float, upper: float, *, tolerance: float = 1e-3
+    is_stable: Callable[[float], bool],
+    lower: float,
+    upper: float,
+    *,
+    tolerance: float = 1e-3,
 ) -> float:
     """Where a method stops being stable as a knob grows, by bisection.
 
@@ -85,9 +89,15 @@ def find_threshold(
     Raises:
         ValueError: the lower value is not stable, or the upper one is.
     """
-    low, high, width = scalar("lower", lower), scalar("upper", upper), scalar("tolerance", tolerance)
+    low, high, width = (
+        scalar("lower", lower),
+        scalar("upper", upper),
+        scalar("tolerance", tolerance),
+    )
     if not 0 < low < high:
-        raise failure("lower", "a value above 0 and below upper", f"{low!r} with upper {high!r}")
+        raise failure(
+            "lower", "a value above 0 and below upper", f"{low!r} with upper {high!r}"
+        )
     if not width > 0:
         raise failure("tolerance", "a positive number", repr(width))
     if not is_stable(low):
@@ -101,7 +111,11 @@ def find_threshold(
 
 
 def oscillator_growth(
-    method: Integrator, frequency_step: ArrayLike, *, damping_ratio: ArrayLike = 0.0, steps: int = 1000
+    method: Integrator,
+    frequency_step: ArrayLike,
+    *,
+    damping_ratio: ArrayLike = 0.0,
+    steps: int = 1000,
 ) -> Array:
     """By what factor a step multiplies the energy of an oscillator x_ddot = -w^2 x - 2 z w x_dot, on average.
 
@@ -119,13 +133,19 @@ def oscillator_growth(
         The factor, (...); above 1 the method makes energy. Energy that only
         swings, as symplectic Euler's does, leaves a trace of order 1/steps.
     """
-    x, z = positive("frequency_step", frequency_step), non_negative("damping_ratio", damping_ratio)
+    x, z = (
+        positive("frequency_step", frequency_step),
+        non_negative("damping_ratio", damping_ratio),
+    )
     batch = broadcast(frequency_step=(x, 0), damping_ratio=(z, 0))
     count = whole_number("steps", steps, minimum=1)
     w, z = np.broadcast_to(x, batch).ravel(), np.broadcast_to(z, batch).ravel()
 
     def wrench(bodies: Bodies, time: float) -> tuple[Array, Array]:
-        force = -((w**2)[:, None]) * bodies.position - (2 * z * w)[:, None] * bodies.momentum
+        force = (
+            -((w**2)[:, None]) * bodies.position
+            - (2 * z * w)[:, None] * bodies.momentum
+        )
         return force, np.zeros(force.shape)
 
     # Not along an axis of the phase plane, where a first step may be special.
@@ -144,7 +164,9 @@ def oscillator_growth(
         size = np.hypot(w * bodies.position[:, 0], bodies.momentum[:, 0])
         logarithm += 2 * np.log(size)
         bodies = replace(
-            bodies, position=bodies.position / size[:, None], momentum=bodies.momentum / size[:, None]
+            bodies,
+            position=bodies.position / size[:, None],
+            momentum=bodies.momentum / size[:, None],
         )
     return np.exp(logarithm / count).reshape(batch)[()]
 
@@ -172,7 +194,9 @@ class StabilityMap:
     def thresholds(self, *, slack: float = 1e-2) -> Array:
         """The largest knob up to which each method is stable throughout, (m,): 0 where it never is."""
         stable = np.logical_and.accumulate(self.stable(slack=slack), axis=1)
-        return np.where(stable.any(axis=1), self.knob[np.maximum(stable.sum(axis=1) - 1, 0)], 0.0)
+        return np.where(
+            stable.any(axis=1), self.knob[np.maximum(stable.sum(axis=1) - 1, 0)], 0.0
+        )
 
     def table(self) -> list[dict[str, Any]]:
         """One dictionary for each method and knob."""
@@ -184,7 +208,10 @@ class StabilityMap:
 
 
 def stability_map(
-    methods: Mapping[str, Callable[[Array], ArrayLike]], knob: ArrayLike, *, knob_name: str
+    methods: Mapping[str, Callable[[Array], ArrayLike]],
+    knob: ArrayLike,
+    *,
+    knob_name: str,
 ) -> StabilityMap:
     """Measure the growth per step of every method at every value of a knob.
 
@@ -198,7 +225,9 @@ def stability_map(
     """
     values = positive("knob", knob)
     if values.ndim != 1 or not values.size or np.any(np.diff(values) <= 0):
-        raise failure("knob", "ascending numbers of shape (k,)", f"{values.tolist()!r:.60}")
+        raise failure(
+            "knob", "ascending numbers of shape (k,)", f"{values.tolist()!r:.60}"
+        )
     if not methods:
         raise failure("methods", "at least one", "none")
     rows = []
@@ -211,7 +240,11 @@ def stability_map(
 
 def _slope(name: str, abscissa: Array, values: Array) -> float:
     if abscissa.ndim != 1 or abscissa.size < 2 or np.ptp(abscissa) == 0:
-        raise failure(name, "at least two different ones, shape (k,)", f"shape {abscissa.shape}")
+        raise failure(
+            name, "at least two different ones, shape (k,)", f"shape {abscissa.shape}"
+        )
     if values.shape != abscissa.shape:
-        raise failure("values", f"shape {abscissa.shape} as {name}", f"shape {values.shape}")
+        raise failure(
+            "values", f"shape {abscissa.shape} as {name}", f"shape {values.shape}"
+        )
     return float(np.polyfit(abscissa, np.log(values), 1)[0])

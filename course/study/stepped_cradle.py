@@ -7,7 +7,9 @@ import numpy as np
 from course.arrays import Array, ArrayLike, failure, positive, scalar, scalars
 
 
-def cradle_by_steps(velocity: ArrayLike, step: float, *, exponent: float = 1.5) -> tuple[Array, int]:
+def cradle_by_steps(
+    velocity: ArrayLike, step: float, *, exponent: float = 1.5
+) -> tuple[Array, int]:
     """Final velocities of a row of touching equal balls, by velocity Verlet on contact springs, and the work.
 
     f = k delta^exponent pushes and never pulls (1.5: elastic spheres, Hertz;
@@ -24,8 +26,15 @@ def cradle_by_steps(velocity: ArrayLike, step: float, *, exponent: float = 1.5) 
     """
     v = np.array(scalars("velocity", velocity))
     if v.ndim != 1 or v.size < 2:
-        raise failure("velocity", "the speeds of at least two balls, shape (n,)", f"shape {v.shape}")
-    h, power = float(positive("step", scalar("step", step))), scalar("exponent", exponent)
+        raise failure(
+            "velocity",
+            "the speeds of at least two balls, shape (n,)",
+            f"shape {v.shape}",
+        )
+    h, power = (
+        float(positive("step", scalar("step", step))),
+        scalar("exponent", exponent),
+    )
     x, push = np.zeros(v.size), np.zeros(v.size)
     count = 0
     while count * h < 1000.0:

@@ -62,7 +62,9 @@ class Tumble:
     @property
     def angular_velocity(self) -> Array:
         """omega = R I^-1 R'L, world axes, (t, 3) [rad/s]."""
-        return np.einsum("tij,tj->ti", self.rotation, self.seen_from_body / self.moments)
+        return np.einsum(
+            "tij,tj->ti", self.rotation, self.seen_from_body / self.moments
+        )
 
     @property
     def turning_energy(self) -> Array:
@@ -73,10 +75,14 @@ class Tumble:
 def handle_mass_properties() -> Any:
     """Mass, centre and inertia of the steel T, in axes through the middle of its crossbar."""
     boxes = zip(HANDLE_CENTERS, HANDLE_HALF_EXTENTS, strict=True)
-    return combined_mass_properties([box_mass_properties(c, np.eye(3), e, density=STEEL) for c, e in boxes])
+    return combined_mass_properties(
+        [box_mass_properties(c, np.eye(3), e, density=STEEL) for c, e in boxes]
+    )
 
 
-def spinning_handle(*, tilt: float = np.radians(1.0), spin: float = 6.0, axis: int = 1) -> Bodies:
+def spinning_handle(
+    *, tilt: float = np.radians(1.0), spin: float = 6.0, axis: int = 1
+) -> Bodies:
     """The handle at the origin, L upright, and one of its axes almost along L.
 
     The moments are least about the crossbar (axis 0), middle about the stem
@@ -88,11 +94,18 @@ def spinning_handle(*, tilt: float = np.radians(1.0), spin: float = 6.0, axis: i
         axis: 0, 1 or 2.
     """
     solid = handle_mass_properties()
-    return spinning_body(np.diag(solid.inertia), mass=float(solid.mass), tilt=tilt, spin=spin, axis=axis)
+    return spinning_body(
+        np.diag(solid.inertia), mass=float(solid.mass), tilt=tilt, spin=spin, axis=axis
+    )
 
 
 def spinning_body(
-    moments: ArrayLike, *, mass: float = 1.0, tilt: float = np.radians(1.0), spin: float = 6.0, axis: int = 1
+    moments: ArrayLike,
+    *,
+    mass: float = 1.0,
+    tilt: float = np.radians(1.0),
+    spin: float = 6.0,
+    axis: int = 1,
 ) -> Bodies:
     """One body at the origin, L upright, and one of its axes almost along L.
 
@@ -114,13 +127,24 @@ def spinning_body(
     across = np.cross(leaning, up)
     size = float(np.linalg.norm(across))
     angle = np.arctan2(size, leaning @ up)
-    turn = rotations.from_rotation_vector(angle * across / size if size > 0 else angle * np.array([1.0, 0.0, 0.0]))
+    turn = rotations.from_rotation_vector(
+        angle * across / size if size > 0 else angle * np.array([1.0, 0.0, 0.0])
+    )
     none = np.zeros((1, 3))
     length = moment[axis] * scalar("spin", spin)
-    return Bodies(np.array([mass]), np.diag(moment)[None], none, turn[None], none, length * up[None])
+    return Bodies(
+        np.array([mass]),
+        np.diag(moment)[None],
+        none,
+        turn[None],
+        none,
+        length * up[None],
+    )
 
 
-def free_tumble(bodies: Bodies, times: ArrayLike, *, gravity: ArrayLike = (0.0, 0.0, 0.0)) -> Tumble:
+def free_tumble(
+    bodies: Bodies, times: ArrayLike, *, gravity: ArrayLike = (0.0, 0.0, 0.0)
+) -> Tumble:
     """The exact motion of one body without torque; even gravity bends its path and nothing else.
 
     Turning by Jacobi's elliptic functions (``course.dynamics.torque_free_rotation``), the centre on its parabola.
@@ -132,15 +156,23 @@ def free_tumble(bodies: Bodies, times: ArrayLike, *, gravity: ArrayLike = (0.0, 
     """
     t = scalars("times", times)
     if len(bodies) != 1 or bodies.fixed[0]:
-        raise failure("bodies", "one body that is free to move", f"{len(bodies)} with {int(bodies.fixed.sum())} fixed")
+        raise failure(
+            "bodies",
+            "one body that is free to move",
+            f"{len(bodies)} with {int(bodies.fixed.sum())} fixed",
+        )
     if t.ndim != 1 or not t.size:
         raise failure("times", "shape (t,) with at least one", f"shape {t.shape}")
     moments, axes = principal_axes(bodies.inertia[0])
     start = bodies.rotation[0] @ axes
     _, turn = torque_free_rotation(moments, start.T @ bodies.angular_momentum[0], t)
-    x, v = parabola(bodies.position[0], bodies.velocity[0], vectors("gravity", gravity), t)
+    x, v = parabola(
+        bodies.position[0], bodies.velocity[0], vectors("gravity", gravity), t
+    )
     rotation = start @ rotations.to_matrix(turn)
-    return Tumble(t, moments, float(bodies.mass[0]), x, v, rotation, bodies.angular_momentum[0])
+    return Tumble(
+        t, moments, float(bodies.mass[0]), x, v, rotation, bodies.angular_momentum[0]
+    )
 
 
 def turnover_times(tumble: Tumble, axis: int = 1) -> Array:
@@ -152,12 +184,19 @@ def turnover_times(tumble: Tumble, axis: int = 1) -> Array:
 
     l_body = tumble.seen_from_body
     rate = np.cross(l_body, l_body / tumble.moments)
-    roots = CubicHermiteSpline(tumble.times, l_body[:, axis], rate[:, axis]).roots(extrapolate=False)
+    roots = CubicHermiteSpline(tumble.times, l_body[:, axis], rate[:, axis]).roots(
+        extrapolate=False
+    )
     return np.asarray(roots)
 
 
 def tilt_growth(
-    moments: ArrayLike, *, axis: int = 1, spin: float = 1.0, tilt: float = 1e-6, turns: float = 10.0
+    moments: ArrayLike,
+    *,
+    axis: int = 1,
+    spin: float = 1.0,
+    tilt: float = 1e-6,
+    turns: float = 10.0,
 ) -> Array:
     """How fast a small tilt grows, measured on the motion [1/s]; 0 where it does not.
 
@@ -177,16 +216,30 @@ def tilt_growth(
     if moment.ndim != 2:
         raise failure("moments", "shape (n, 3)", f"shape {moment.shape}")
     several = [spinning_body(one, tilt=tilt, spin=spin, axis=axis) for one in moment]
-    names = ("mass", "inertia", "position", "orientation", "momentum", "angular_momentum")
-    bodies = Bodies(*(np.concatenate([getattr(b, name) for b in several]) for name in names))
+    names = (
+        "mass",
+        "inertia",
+        "position",
+        "orientation",
+        "momentum",
+        "angular_momentum",
+    )
+    bodies = Bodies(
+        *(np.concatenate([getattr(b, name) for b in several]) for name in names)
+    )
     step = 2 * np.pi / abs(scalar("spin", spin)) / 60
     times: Array = step * np.arange(round(60 * turns) + 1, dtype=float)
     across = []
     for _ in times:
         seen = np.einsum("nji,nj->ni", bodies.rotation, bodies.angular_momentum)
-        across.append(np.linalg.norm(np.delete(seen, axis, axis=1), axis=1) / np.linalg.norm(seen, axis=1))
+        across.append(
+            np.linalg.norm(np.delete(seen, axis, axis=1), axis=1)
+            / np.linalg.norm(seen, axis=1)
+        )
         bodies = splitting(bodies, None, step, order=4)
-    return np.array([_slope_between(times, one, 10 * tilt, 1e-2) for one in np.transpose(across)])
+    return np.array(
+        [_slope_between(times, one, 10 * tilt, 1e-2) for one in np.transpose(across)]
+    )
 
 
 def method_of(plain: PlainStep) -> Integrator:
@@ -197,7 +250,9 @@ def method_of(plain: PlainStep) -> Integrator:
             has it, for n bodies at once.
     """
 
-    def method(bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0) -> Bodies:
+    def method(
+        bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0
+    ) -> Bodies:
         none = np.zeros(bodies.position.shape)
         force, torque = (none, none) if wrench is None else wrench(bodies, time)
         x, turned, p, momentum = plain(
@@ -205,7 +260,11 @@ def method_of(plain: PlainStep) -> Integrator:
             bodies.mass, bodies.inertia, force, torque, step,
         )  # fmt: skip
         return replace(
-            bodies, position=x, orientation=rotations.from_matrix(turned), momentum=p, angular_momentum=momentum
+            bodies,
+            position=x,
+            orientation=rotations.from_matrix(turned),
+            momentum=p,
+            angular_momentum=momentum,
         )
 
     return method
@@ -221,12 +280,16 @@ def even_spin_error(bodies: Bodies, times: ArrayLike) -> Array:
         times: (t,) [s].
     """
     truth = free_tumble(bodies, times)
-    even = rotations.turned(bodies.orientation, truth.times[:, None] * bodies.angular_velocity)
+    even = rotations.turned(
+        bodies.orientation, truth.times[:, None] * bodies.angular_velocity
+    )
     _, axes = principal_axes(bodies.inertia[0])
     return _angle_between(rotations.to_matrix(even) @ axes, truth.rotation)
 
 
-def turn_for(bodies: Bodies, method: Integrator, duration: float, step: float, **options: Any) -> Bodies:
+def turn_for(
+    bodies: Bodies, method: Integrator, duration: float, step: float, **options: Any
+) -> Bodies:
     """The bodies after a time without forces, by as many whole steps of at most ``step`` as it takes [s]."""
     count = max(1, round(duration / scalar("step", step)))
     for _ in range(count):
@@ -234,17 +297,36 @@ def turn_for(bodies: Bodies, method: Integrator, duration: float, step: float, *
     return bodies
 
 
-def turn_by_plain_steps(bodies: Bodies, plain: PlainStep, duration: float, step: float) -> Bodies:
+def turn_by_plain_steps(
+    bodies: Bodies, plain: PlainStep, duration: float, step: float
+) -> Bodies:
     """As ``turn_for``, by a step on plain arrays, with no checks between the steps."""
     count = max(1, round(duration / scalar("step", step)))
     none = np.zeros(bodies.position.shape)
-    x, turned, p, momentum = bodies.position, bodies.rotation, bodies.momentum, bodies.angular_momentum
+    x, turned, p, momentum = (
+        bodies.position,
+        bodies.rotation,
+        bodies.momentum,
+        bodies.angular_momentum,
+    )
     for _ in range(count):
         x, turned, p, momentum = plain(
-            x, turned, p, momentum, bodies.mass, bodies.inertia, none, none, duration / count
+            x,
+            turned,
+            p,
+            momentum,
+            bodies.mass,
+            bodies.inertia,
+            none,
+            none,
+            duration / count,
         )
     return replace(
-        bodies, position=x, orientation=rotations.from_matrix(turned), momentum=p, angular_momentum=momentum
+        bodies,
+        position=x,
+        orientation=rotations.from_matrix(turned),
+        momentum=p,
+        angular_momentum=momentum,
     )
 
 
@@ -260,11 +342,18 @@ def turn_in_body_axes(bodies: Bodies, duration: float, step: float) -> Bodies:
         omega = np.einsum("nij,nj->ni", inverse, l_body)
         u, w = q[:, :3], q[:, 3:]
         along = w * omega + np.cross(u, omega)
-        q = q + 0.5 * h * np.concatenate([along, -np.sum(u * omega, axis=-1, keepdims=True)], axis=-1)
+        q = q + 0.5 * h * np.concatenate(
+            [along, -np.sum(u * omega, axis=-1, keepdims=True)], axis=-1
+        )
         q = q / np.linalg.norm(q, axis=-1, keepdims=True)
         l_body = l_body + h * np.cross(l_body, omega)
     position = bodies.position + duration * bodies.velocity
-    return replace(bodies, position=position, orientation=q, angular_momentum=rotations.rotate(q, l_body))
+    return replace(
+        bodies,
+        position=position,
+        orientation=q,
+        angular_momentum=rotations.rotate(q, l_body),
+    )
 
 
 def orientation_error(bodies: Bodies, truth: Bodies) -> float:
@@ -286,13 +375,21 @@ def counting_wrench() -> tuple[Wrench, list[int]]:
 def _angle_between(one: Array, other: Array) -> Array:
     """The angle of the turn that takes one rotation matrix to the other, (...) [rad]; exact for small ones too."""
     apart = np.swapaxes(other, -1, -2) @ one
-    sine = 0.5 * np.linalg.norm(apart - np.swapaxes(apart, -1, -2), axis=(-2, -1)) / np.sqrt(2.0)
-    return np.asarray(np.arctan2(sine, 0.5 * (np.trace(apart, axis1=-2, axis2=-1) - 1.0)))
+    sine = (
+        0.5
+        * np.linalg.norm(apart - np.swapaxes(apart, -1, -2), axis=(-2, -1))
+        / np.sqrt(2.0)
+    )
+    return np.asarray(
+        np.arctan2(sine, 0.5 * (np.trace(apart, axis1=-2, axis2=-1) - 1.0))
+    )
 
 
 def _slope_between(times: Array, sizes: Array, low: float, high: float) -> float:
     """The rate of growth while a size is between two bounds for the first time; 0 where it never is."""
-    within = (np.maximum.accumulate(sizes) > low) & (np.maximum.accumulate(sizes) < high)
+    within = (np.maximum.accumulate(sizes) > low) & (
+        np.maximum.accumulate(sizes) < high
+    )
     return growth_rate(times[within], sizes[within]) if within.sum() > 2 else 0.0
 
 

@@ -23,7 +23,9 @@ from course.arrays import Array, choice, failure, positive, scalar, whole_number
 ARITHMETICS = ("float64", "float32", "exact")
 
 
-def count_collisions(mass_ratio: float | Fraction, *, arithmetic: str = "float64") -> int:
+def count_collisions(
+    mass_ratio: float | Fraction, *, arithmetic: str = "float64"
+) -> int:
     """How many collisions, by doing them one after the other.
 
     p_hat = 2 (v1 - v2)/(1/m1 + 1/m2) while block 2 is slower than block 1
@@ -67,7 +69,10 @@ def _count_exactly(ratio: Fraction) -> int:
     v_1, v_2, count = 0, -1, 0
     while True:
         if v_2 < v_1:
-            v_1, v_2 = (m - heavy) * v_1 + 2 * heavy * v_2, 2 * m * v_1 + (heavy - m) * v_2
+            v_1, v_2 = (
+                (m - heavy) * v_1 + 2 * heavy * v_2,
+                2 * m * v_1 + (heavy - m) * v_2,
+            )
             # the wall's turn comes next, in the same units
             if v_1 < 0:
                 v_1, count = -v_1, count + 1
@@ -168,7 +173,11 @@ def two_blocks(
     if not 0 < x_1 < x_2:
         raise failure("start", "0 < x1 < x2", f"{start}")
     if predicted_count(heavy) > max_events:
-        raise failure("mass_ratio", f"at most {max_events} collisions", f"{predicted_count(heavy)}")
+        raise failure(
+            "mass_ratio",
+            f"at most {max_events} collisions",
+            f"{predicted_count(heavy)}",
+        )
     time, reduced_mass = 0.0, 1 / (1 + 1 / heavy)
     times, walls, places, speeds = [], [], [], [(v_1, v_2)]
     while v_2 < v_1 or v_1 < 0:
@@ -201,7 +210,9 @@ def _ratio(mass_ratio: float | Fraction) -> Fraction:
     elif isinstance(mass_ratio, int | np.integer) and not isinstance(mass_ratio, bool):
         ratio = Fraction(int(mass_ratio))
     else:
-        ratio = Fraction(float(positive("mass_ratio", scalar("mass_ratio", mass_ratio))))
+        ratio = Fraction(
+            float(positive("mass_ratio", scalar("mass_ratio", mass_ratio)))
+        )
     if ratio <= 0:
         raise failure("mass_ratio", "a positive number", str(ratio))
     return ratio

@@ -75,9 +75,17 @@ class WorkPrecision:
 
     def table(self) -> list[dict[str, Any]]:
         """One dictionary a run, in the order measured."""
-        columns = zip(self.method, self.knob, self.error, self.seconds, self.count, strict=True)
+        columns = zip(
+            self.method, self.knob, self.error, self.seconds, self.count, strict=True
+        )
         return [
-            {"method": m, "knob": float(k), "error": float(e), "seconds": float(s), "count": int(c)}
+            {
+                "method": m,
+                "knob": float(k),
+                "error": float(e),
+                "seconds": float(s),
+                "count": int(c),
+            }
             for m, k, e, s, c in columns
         ]
 
@@ -91,21 +99,34 @@ def work_precision(
     once. Raises ``ValueError`` for no methods, no knobs, or a negative or NaN error.
     """
     if not methods or any(not m.knobs for m in methods):
-        raise ValueError("methods: expected at least one, each with at least one knob; got none")
-    rows = [(m.name, knob, *_measure(problem, m, knob, repeats)) for m in methods for knob in m.knobs]
+        raise ValueError(
+            "methods: expected at least one, each with at least one knob; got none"
+        )
+    rows = [
+        (m.name, knob, *_measure(problem, m, knob, repeats))
+        for m in methods
+        for knob in m.knobs
+    ]
     names, knobs, errors, seconds, counts = zip(*rows, strict=True)
     return WorkPrecision(
-        problem, count_unit, names, *(np.array(column, dtype=float) for column in (knobs, errors, seconds, counts))
+        problem,
+        count_unit,
+        names,
+        *(np.array(column, dtype=float) for column in (knobs, errors, seconds, counts)),
     )
 
 
-def _measure(problem: Problem, method: Method, knob: float, repeats: int) -> tuple[float, float, int]:
+def _measure(
+    problem: Problem, method: Method, knob: float, repeats: int
+) -> tuple[float, float, int]:
     start = time.perf_counter()
     answer, count = method.run(knob)
     best = time.perf_counter() - start
     error = float(problem.error(answer))
     if not error >= 0.0:
-        raise ValueError(f"problem.error: expected a number >= 0; got {error} for {method.name} at {knob}")
+        raise ValueError(
+            f"problem.error: expected a number >= 0; got {error} for {method.name} at {knob}"
+        )
     for _ in range(repeats if best < 1.0 else 0):
         start = time.perf_counter()
         method.run(knob)

@@ -14,7 +14,9 @@ from typing import Any
 
 BEGIN = re.compile(r"^(\s*)# BEGIN SOLUTION\s*$")
 END = re.compile(r"^\s*# END SOLUTION\s*$")
-ALMOST = re.compile(r"#.*\b(begin|end)\s+solution\b", re.IGNORECASE)  # a marker misspelt would hand the answer out
+ALMOST = re.compile(
+    r"#.*\b(begin|end)\s+solution\b", re.IGNORECASE
+)  # a marker misspelt would hand the answer out
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -39,8 +41,12 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
         drift.append(f"lessons/{source.name}: {what}")
         if not check:
             _write(target, wanted)
-    strangers = {p.name for p in (root / "lessons").glob("*.ipynb")} - {p.name for p in sources}
-    return drift + [f"lessons/{name}: has no solution to be made from" for name in sorted(strangers)]
+    strangers = {p.name for p in (root / "lessons").glob("*.ipynb")} - {
+        p.name for p in sources
+    }
+    return drift + [
+        f"lessons/{name}: has no solution to be made from" for name in sorted(strangers)
+    ]
 
 
 def lesson_text(source: Path) -> str:
@@ -53,7 +59,9 @@ def lesson_text(source: Path) -> str:
         if cell.cell_type != "code":
             if ALMOST.search(cell.source):
                 where = f"{source.name}, cell {index}"
-                raise BrokenSource(f"{where}: expected solutions in code cells only; got one in text")
+                raise BrokenSource(
+                    f"{where}: expected solutions in code cells only; got one in text"
+                )
             continue
         cell.outputs, cell.execution_count = [], None
         cell.metadata.pop("execution", None)
@@ -65,13 +73,17 @@ def blank(code: str, *, where: str = "the cell") -> str:
     """Code with each marked solution replaced by ``...``; raises ``BrokenSource`` for markers unpaired or misspelt."""
     kept: list[str] = []
     inside = False
-    for line in code.replace("\r\n", "\n").split("\n"):  # splitlines would cut texts at other separators too
+    for line in code.replace("\r\n", "\n").split(
+        "\n"
+    ):  # splitlines would cut texts at other separators too
         begin, end = BEGIN.match(line), END.match(line)
         if ALMOST.search(line) and not (begin or end):
             wanted = "# BEGIN SOLUTION or # END SOLUTION alone in a line"
             raise BrokenSource(f"{where}: expected {wanted}; got {line.strip()!r}")
         if (begin and inside) or (end and not inside):
-            raise BrokenSource(f"{where}: expected BEGIN SOLUTION and END SOLUTION in turn; got {line.strip()!r}")
+            raise BrokenSource(
+                f"{where}: expected BEGIN SOLUTION and END SOLUTION in turn; got {line.strip()!r}"
+            )
         if begin:
             kept.append(f"{begin.group(1)}...")
             inside = True
@@ -80,7 +92,9 @@ def blank(code: str, *, where: str = "the cell") -> str:
         elif not inside:
             kept.append(line)
     if inside:
-        raise BrokenSource(f"{where}: expected # END SOLUTION before the cell ends; got none")
+        raise BrokenSource(
+            f"{where}: expected # END SOLUTION before the cell ends; got none"
+        )
     return "\n".join(kept)
 
 
@@ -91,11 +105,16 @@ def execute(source: Path, *, seconds_per_cell: int = 60) -> None:
 
     notebook = nbformat.read(source, as_version=4)
     client = NotebookClient(
-        notebook, timeout=seconds_per_cell, kernel_name="python3", resources={"metadata": {"path": str(source.parent)}}
+        notebook,
+        timeout=seconds_per_cell,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(source.parent)}},
     )
     client.execute()
     for cell in notebook.cells:
-        cell.metadata.pop("execution", None)  # times of day differ at every run and say nothing
+        cell.metadata.pop(
+            "execution", None
+        )  # times of day differ at every run and say nothing
     notebook.metadata = _metadata(notebook.metadata)
     notebook.metadata.pop("widgets", None)
     _write(source, str(nbformat.writes(notebook)) + "\n")
@@ -106,8 +125,16 @@ def _metadata(metadata: Any) -> Any:
     import nbformat
 
     kept = {
-        "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
-        "language_info": {"file_extension": ".py", "mimetype": "text/x-python", "name": "python"},
+        "kernelspec": {
+            "display_name": "Python 3 (ipykernel)",
+            "language": "python",
+            "name": "python3",
+        },
+        "language_info": {
+            "file_extension": ".py",
+            "mimetype": "text/x-python",
+            "name": "python",
+        },
     }
     if "course" in metadata:
         kept["course"] = metadata["course"]

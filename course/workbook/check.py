@@ -15,7 +15,13 @@ from typing import Any
 import numpy as np
 
 from course.exercises.answer import as_function, call_all, is_stub
-from course.exercises.definition import Exercise, Lesson, Prediction, find_exercise, find_prediction
+from course.exercises.definition import (
+    Exercise,
+    Lesson,
+    Prediction,
+    find_exercise,
+    find_prediction,
+)
 from course.exercises.message import Message, Part, verdict_message
 from course.exercises.verdict import Verdict, judge
 from course.workbook import progress
@@ -38,22 +44,40 @@ def check(answer: Any, name: str | None = None) -> None:
     _refuse_borrowed(answer)
     verdict = judge_here(exercise, answer)
     if not verdict.passed and verdict.state != "not attempted":
-        verdict = replace(verdict, reason=(*_unfinished_before(lesson, exercise, answer), *verdict.reason))
+        verdict = replace(
+            verdict,
+            reason=(*_unfinished_before(lesson, exercise, answer), *verdict.reason),
+        )
     progress.record("check", name, state=verdict.state)
-    if not verdict.passed and verdict.state != "not attempted" and verdict.mistake is None:
-        progress.record_unrecognised(name, _source(answer), str(verdict_message(exercise, verdict)))
+    if (
+        not verdict.passed
+        and verdict.state != "not attempted"
+        and verdict.mistake is None
+    ):
+        progress.record_unrecognised(
+            name, _source(answer), str(verdict_message(exercise, verdict))
+        )
     passed = progress.state().passed
     if verdict.passed:
         following = progress.next_exercise(lesson, name, passed)
         left = progress.minutes_left(lesson, passed)
         after = (
-            Part("next", f"{following.name}; about {left} minutes of exercises left in this lesson")
+            Part(
+                "next",
+                f"{following.name}; about {left} minutes of exercises left in this lesson",
+            )
             if following
             else Part("next", "that was the last core exercise of this lesson"),
         )
     else:
         taken = progress.state().hints.get(name, 0)
-        advice = "the first of three hints" if taken == 0 else "the next hint" if taken < 3 else "the reference"
+        advice = (
+            "the first of three hints"
+            if taken == 0
+            else "the next hint"
+            if taken < 3
+            else "the reference"
+        )
         after = (Part("stuck?", f"hint({name!r}) gives {advice}"),)
     display_message(verdict_message(exercise, verdict, after=after))
 
@@ -64,12 +88,16 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
         return Verdict(exercise.name, "not attempted")
     cases = exercise.draw()
     try:
-        function = as_function(answer, exercise.kind, exercise.name, [a.name for a in exercise.arguments])
+        function = as_function(
+            answer, exercise.kind, exercise.name, [a.name for a in exercise.arguments]
+        )
     except (TypeError, ValueError) as error:
         return Verdict(exercise.name, "error", reason=(str(error),))
     try:
         with _told_if_it_runs_on(exercise.name):
-            outcomes = call_all(function, [c.arguments for c in cases], len(exercise.results))
+            outcomes = call_all(
+                function, [c.arguments for c in cases], len(exercise.results)
+            )
     except KeyboardInterrupt:
         told = "Stopped by hand: it ran on. Look for a loop whose end is never reached."
         display_message(Message("error", f"{exercise.name}: {told}", ()))
@@ -80,9 +108,13 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
 @contextlib.contextmanager
 def _told_if_it_runs_on(name: str) -> Iterator[None]:
     """A word in the notebook after some seconds: a cell that only stays busy tells a student nothing."""
-    way = Part("stop it", "with the square button in the toolbar (interrupt the kernel)")
+    way = Part(
+        "stop it", "with the square button in the toolbar (interrupt the kernel)"
+    )
     look = Part("look for", "a loop whose end is never reached")
-    message = Message("error", f"{name}: still running after {RUNS_ON} seconds", (way, look))
+    message = Message(
+        "error", f"{name}: still running after {RUNS_ON} seconds", (way, look)
+    )
     timer = threading.Timer(RUNS_ON, display_message, (message,))
     timer.daemon = True
     if in_notebook():
@@ -93,13 +125,23 @@ def _told_if_it_runs_on(name: str) -> Iterator[None]:
         timer.cancel()
 
 
-def _unfinished_before(lesson: Lesson, exercise: Exercise, answer: Any) -> tuple[str, ...]:
+def _unfinished_before(
+    lesson: Lesson, exercise: Exercise, answer: Any
+) -> tuple[str, ...]:
     """One line for each earlier exercise of the lesson whose function the answer calls and that is not right yet."""
     if not inspect.isfunction(answer):
         return ()
-    called = {step.argval for step in dis.get_instructions(answer) if step.opname == "LOAD_GLOBAL"}
+    called = {
+        step.argval
+        for step in dis.get_instructions(answer)
+        if step.opname == "LOAD_GLOBAL"
+    }
     earlier = lesson.exercises[: lesson.exercises.index(exercise)]
-    own = [(e, answer.__globals__[e.name]) for e in earlier if e.name in called and e.name in answer.__globals__]
+    own = [
+        (e, answer.__globals__[e.name])
+        for e in earlier
+        if e.name in called and e.name in answer.__globals__
+    ]
     return tuple(
         f"It calls your {e.name}, which does not pass its own check yet: mend that first."
         for e, function in own
@@ -119,14 +161,22 @@ def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) ->
     lent = _is_lent(answer)
     if not lent:
         _refuse_borrowed(answer)
-    yours = getattr(answer, MARK, "reference") == "yours" if lent else judge_here(exercise, answer).passed
-    print(f"{name}: {'yours' if yours else 'the reference for now, until yours passes its check'}")
+    yours = (
+        getattr(answer, MARK, "reference") == "yours"
+        if lent
+        else judge_here(exercise, answer).passed
+    )
+    print(
+        f"{name}: {'yours' if yours else 'the reference for now, until yours passes its check'}"
+    )
     if lent or (yours and exercise.kind == "expression"):
         return answer
     if exercise.kind == "expression":
         if len(symbols) != len(exercise.arguments):
             wanted = ", ".join(a.name for a in exercise.arguments)
-            raise ValueError(f"symbols: expected those for {wanted}, in this order; got {len(symbols)} of them")
+            raise ValueError(
+                f"symbols: expected those for {wanted}, in this order; got {len(symbols)} of them"
+            )
         # A copy: SymPy keeps what it built, and a student's equal expression would be the very same object.
         _lent.append(copy.copy(exercise.reference(*symbols)))
         return _lent[-1]
@@ -154,10 +204,18 @@ def predict(name: str, answer: Any = None) -> None:
         way = f"put {_wanted(prediction)} where the ... stands, then run the cell again"
         first = f"commit first: predict({name!r}, ...) with {_wanted(prediction)}"
         ask = Part("answer", way if answer is Ellipsis else first)
-        display_message(Message("not attempted", f"Your prediction: {prediction.question}", (*choices, ask)))
+        display_message(
+            Message(
+                "not attempted",
+                f"Your prediction: {prediction.question}",
+                (*choices, ask),
+            )
+        )
         return
     try:
-        given = progress.predicted(name) if answer is None else _given(prediction, answer)
+        given = (
+            progress.predicted(name) if answer is None else _given(prediction, answer)
+        )
     except ValueError as error:
         display_message(Message("not attempted", f"Not an answer yet: {error}", ()))
         return
@@ -166,7 +224,9 @@ def predict(name: str, answer: Any = None) -> None:
         if prediction.later:
             said = _said(prediction, given) + _unit(prediction)
             noted = Part("answer", f"in the section {prediction.later}")
-            display_message(Message("not attempted", f"Noted: you said {said}", (noted,)))
+            display_message(
+                Message("not attempted", f"Noted: you said {said}", (noted,))
+            )
             return
     display_message(_outcome_message(prediction, given))
 
@@ -175,9 +235,19 @@ def _outcome_message(prediction: Prediction, given: Any) -> Message:
     """What came of a prediction."""
     outcome, unit = prediction.outcome(), _unit(prediction)
     right = _close(prediction, given, outcome)
-    parts = [Part("you said", _said(prediction, given) + unit), Part("it is", _said(prediction, outcome) + unit)]
+    parts = [
+        Part("you said", _said(prediction, given) + unit),
+        Part("it is", _said(prediction, outcome) + unit),
+    ]
     if not right:
-        tempting = next((text for key, text in prediction.wrong.items() if _close(prediction, given, key)), "")
+        tempting = next(
+            (
+                text
+                for key, text in prediction.wrong.items()
+                if _close(prediction, given, key)
+            ),
+            "",
+        )
         parts += [Part("tempting", tempting)] if tempting else []
     parts.append(Part("why", prediction.explanation))
     headline = "As you predicted" if right else "Not what you predicted"
@@ -203,7 +273,7 @@ def _given(prediction: Prediction, answer: Any) -> Any:
         number = float(answer)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}") from None
-    if np.isnan(number):        # infinity is an answer: never, for ever
+    if np.isnan(number):  # infinity is an answer: never, for ever
         raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}")
     return number
 
@@ -211,20 +281,29 @@ def _given(prediction: Prediction, answer: Any) -> Any:
 def _close(prediction: Prediction, given: Any, outcome: Any) -> bool:
     if prediction.choices:
         return bool(given == outcome)
-    return abs(given - float(outcome)) <= prediction.tolerance * abs(float(outcome)) + 1e-12
+    return (
+        abs(given - float(outcome))
+        <= prediction.tolerance * abs(float(outcome)) + 1e-12
+    )
 
 
 def _said(prediction: Prediction, value: Any) -> str:
     if prediction.choices:
         return f"{value}: {prediction.choices[value]}"
-    return "0" if abs(float(value)) < 1e-12 else str(show(float(value), 4 if abs(float(value)) < 1e4 else 8))
+    return (
+        "0"
+        if abs(float(value)) < 1e-12
+        else str(show(float(value), 4 if abs(float(value)) < 1e4 else 8))
+    )
 
 
 def _name_of(answer: Any, name: str | None) -> str:
     if name is None:
         name = getattr(answer, "__name__", None)
     if not isinstance(name, str):
-        raise ValueError('name: expected the exercise\'s name for an expression, as in check(p_hat, "p_hat"); got none')
+        raise ValueError(
+            'name: expected the exercise\'s name for an expression, as in check(p_hat, "p_hat"); got none'
+        )
     return name
 
 
@@ -235,9 +314,13 @@ def _is_lent(answer: Any) -> bool:
 def _refuse_borrowed(answer: Any) -> None:
     module = getattr(answer, "__module__", "") or ""
     if _is_lent(answer):
-        raise ValueError("answer: expected a function or an expression of your own; got what use() returned")
+        raise ValueError(
+            "answer: expected a function or an expression of your own; got what use() returned"
+        )
     if module == "course" or module.startswith("course."):
-        raise ValueError(f"answer: expected a function of your own; got one of {module}")
+        raise ValueError(
+            f"answer: expected a function of your own; got one of {module}"
+        )
 
 
 def _source(answer: Any) -> str:

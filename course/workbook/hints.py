@@ -25,21 +25,34 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
     what was seen before); opening the reference is recorded.
     Raises ``ValueError`` for an unknown name.
     """
-    name = name_or_function if isinstance(name_or_function, str) else getattr(name_or_function, "__name__", None)
+    name = (
+        name_or_function
+        if isinstance(name_or_function, str)
+        else getattr(name_or_function, "__name__", None)
+    )
     if not isinstance(name, str):
         words = 'expected an exercise\'s name or function, as in hint("p_hat")'
         raise ValueError(f"name: {words}; got {name_or_function!r}")
     lesson, exercise = find_exercise(name)
     taken = progress.state().hints.get(name, 0)
     # In a new kernel the first call shows again what was seen before: running a whole notebook opens nothing new.
-    tier = taken if taken and not progress.hinted_in_this_session(name) else min(taken + 1, 4)
+    tier = (
+        taken
+        if taken and not progress.hinted_in_this_session(name)
+        else min(taken + 1, 4)
+    )
     progress.record("hint", name, tier=tier)
     shown = range(1, min(tier, 3) + 1)
-    parts = [Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text") for t in shown]
+    parts = [
+        Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text")
+        for t in shown
+    ]
     if tier <= 3:
         more = TIERS[tier] if tier < 3 else "the reference itself"
         parts.append(Part("next", f"hint({name!r}) once more for {more}"))
-        display_message(Message("not attempted", f"Hint {tier} of 3: {name}", tuple(parts)))
+        display_message(
+            Message("not attempted", f"Hint {tier} of 3: {name}", tuple(parts))
+        )
         return
     parts.append(Part("the reference", answer_source(lesson, exercise), "code"))
     display_message(Message("not attempted", f"The reference: {name}", tuple(parts)))
@@ -51,12 +64,18 @@ def answer_source(lesson: Lesson, exercise: Exercise, root: Path = ROOT) -> str:
     (The reference in ``course`` also checks its arguments, which would hide the few lines that matter.)
     """
     try:
-        cells = json.loads((root / "solutions" / lesson.file_name).read_text(encoding="utf-8"))["cells"]
+        cells = json.loads(
+            (root / "solutions" / lesson.file_name).read_text(encoding="utf-8")
+        )["cells"]
     except (OSError, ValueError, KeyError):
         cells = []
     for cell in cells:
         if cell.get("metadata", {}).get("course", {}).get("exercise") == exercise.name:
             lines = "".join(cell["source"]).splitlines()
-            kept = [line for line in lines if not BEGIN.match(line) and not END.match(line)]
-            return "\n".join(line for line in kept if not line.startswith("check(")).strip()
+            kept = [
+                line for line in lines if not BEGIN.match(line) and not END.match(line)
+            ]
+            return "\n".join(
+                line for line in kept if not line.startswith("check(")
+            ).strip()
     return textwrap.dedent(inspect.getsource(exercise.reference))

@@ -34,15 +34,21 @@ class ThisPython(KernelSpecManager):
         return spec
 
 
-def start(root: Path, notebook: Path | None, *, port: int | None, browser: bool) -> None:
+def start(
+    root: Path, notebook: Path | None, *, port: int | None, browser: bool
+) -> None:
     """Serve JupyterLab until Ctrl-C. ``notebook`` (below ``root``) is opened; a taken port gets the next one."""
     # While it loads there is nothing to tidy up, and an interrupt in the midst of imports can get lost.
     signal.signal(signal.SIGINT, lambda number, frame: os._exit(130))
     from jupyterlab.labapp import LabApp
 
-    put_first("PYTHONPATH", root)       # kernels start in the notebook's folder, not in the project's
+    put_first(
+        "PYTHONPATH", root
+    )  # kernels start in the notebook's folder, not in the project's
     put_first("JUPYTER_CONFIG_PATH", CONFIGURATION)
-    server = LabApp.initialize_server(argv=options(root, notebook, port=port, browser=browser))
+    server = LabApp.initialize_server(
+        argv=options(root, notebook, port=port, browser=browser)
+    )
     # Jupyter's own handler asks back, and without a terminal it leaves the interrupt to wherever it strikes.
     signal.signal(signal.SIGINT, lambda number, frame: server.stop(from_signal=True))
     server.start()
@@ -50,14 +56,20 @@ def start(root: Path, notebook: Path | None, *, port: int | None, browser: bool)
 
 def put_first(variable: str, folder: Path) -> None:
     """Put a folder before the others that an environment variable lists."""
-    others = [path for path in os.environ.get(variable, "").split(os.pathsep) if path and path != str(folder)]
+    others = [
+        path
+        for path in os.environ.get(variable, "").split(os.pathsep)
+        if path and path != str(folder)
+    ]
     os.environ[variable] = os.pathsep.join([str(folder), *others])
 
 
-def options(root: Path, notebook: Path | None, *, port: int | None = None, browser: bool = True) -> list[str]:
+def options(
+    root: Path, notebook: Path | None, *, port: int | None = None, browser: bool = True
+) -> list[str]:
     """JupyterLab's command line; what stands there is stronger than the user's own configuration files."""
     chosen: dict[str, Any] = {
-        "Application.log_level": "ERROR",       # the address is logged above that
+        "Application.log_level": "ERROR",  # the address is logged above that
         "ServerApp.root_dir": root,
         "ServerApp.open_browser": browser,
         "ServerApp.kernel_spec_manager_class": f"{__name__}.{ThisPython.__name__}",
@@ -68,7 +80,9 @@ def options(root: Path, notebook: Path | None, *, port: int | None = None, brows
     if port is not None:
         chosen["ServerApp.port"] = port
     if hasattr(os, "geteuid") and os.geteuid() == 0:
-        chosen["ServerApp.allow_root"] = True   # in a container everybody is root
+        chosen["ServerApp.allow_root"] = True  # in a container everybody is root
     if notebook is not None:
-        chosen["LabApp.default_url"] = "/lab/tree/" + quote(notebook.relative_to(root).as_posix())
+        chosen["LabApp.default_url"] = "/lab/tree/" + quote(
+            notebook.relative_to(root).as_posix()
+        )
     return [f"--{name}={value}" for name, value in chosen.items()]

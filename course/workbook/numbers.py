@@ -29,21 +29,41 @@ def show(value: Any, digits: int) -> Shown:
     Raises ``ValueError`` for digits outside 1..15 and for what is not numeric.
     """
     if not isinstance(digits, int) or isinstance(digits, bool) or not 1 <= digits <= 15:
-        raise ValueError(f"digits: expected a whole number from 1 to 15; got {digits!r}")
+        raise ValueError(
+            f"digits: expected a whole number from 1 to 15; got {digits!r}"
+        )
     array = np.asarray(value)
     if array.dtype.kind not in "biuf":
-        raise ValueError(f"value: expected a number or an array of numbers; got {type(value).__name__}")
+        raise ValueError(
+            f"value: expected a number or an array of numbers; got {type(value).__name__}"
+        )
     if array.dtype.kind in "biu":
         return Shown(np.array2string(array, separator=", ", threshold=50))
     if array.ndim == 0:
         return Shown(_scalar(float(array), digits))
     largest = float(np.abs(array[np.isfinite(array)]).max(initial=0.0))
-    exponent = int(f"{_settled(largest, digits):.{digits - 1}e}".partition("e")[2]) if largest >= NOISE else 0
+    exponent = (
+        int(f"{_settled(largest, digits):.{digits - 1}e}".partition("e")[2])
+        if largest >= NOISE
+        else 0
+    )
     decimals = digits - 1 - exponent
     settled = np.round(np.round(array.astype(float), decimals + SETTLING), decimals)
-    rounded = np.where(np.abs(array) < NOISE, 0.0, settled) + 0.0  # + 0.0: no minus zero
-    precision = max(decimals, digits - 1)  # the second for numbers so large that they are shown with an exponent
-    return Shown(np.array2string(rounded, separator=", ", threshold=50, max_line_width=100, precision=precision))
+    rounded = (
+        np.where(np.abs(array) < NOISE, 0.0, settled) + 0.0
+    )  # + 0.0: no minus zero
+    precision = max(
+        decimals, digits - 1
+    )  # the second for numbers so large that they are shown with an exponent
+    return Shown(
+        np.array2string(
+            rounded,
+            separator=", ",
+            threshold=50,
+            max_line_width=100,
+            precision=precision,
+        )
+    )
 
 
 def _scalar(value: float, digits: int) -> str:
@@ -53,7 +73,9 @@ def _scalar(value: float, digits: int) -> str:
         return str(value)
     value = _settled(value, digits)
     if 1e-4 <= abs(value) < 1e7:  # in full: 20000 rather than 2e+04
-        return np.format_float_positional(value, precision=digits, fractional=False, trim="-")
+        return np.format_float_positional(
+            value, precision=digits, fractional=False, trim="-"
+        )
     return f"{value:.{digits}g}"
 
 

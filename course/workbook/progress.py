@@ -43,7 +43,12 @@ def recording_folder(start: Path | None = None) -> Path | None:
 
 def record(kind: str, name: str, **details: Any) -> None:
     """Append one event; a folder that cannot be written is not worth stopping a student for."""
-    event = {"time": time.strftime("%Y-%m-%dT%H:%M:%S"), "kind": kind, "name": name, **details}
+    event = {
+        "time": time.strftime("%Y-%m-%dT%H:%M:%S"),
+        "kind": kind,
+        "name": name,
+        **details,
+    }
     _session.append(event)
     folder = recording_folder()
     if folder is not None:
@@ -54,7 +59,9 @@ def record_unrecognised(name: str, source: str, message: str) -> None:
     """Keep a wrong answer that matches no planted mistake, so that it can be planted later. Stays on this machine."""
     folder = recording_folder()
     kept = {"exercise": name, "source": source, "message": message}
-    if folder is not None and json.dumps(kept) not in _lines(folder / UNRECOGNISED):  # a cell is run more than once
+    if folder is not None and json.dumps(kept) not in _lines(
+        folder / UNRECOGNISED
+    ):  # a cell is run more than once
         _append(folder / UNRECOGNISED, kept)
 
 
@@ -68,7 +75,11 @@ def state(folder: Path | None = None) -> State:
         if event["kind"] == "hint" and isinstance(tier, int):
             hints[event["name"]] = max(hints.get(event["name"], 0), tier)
     return State(
-        passed=frozenset(e["name"] for e in events if e["kind"] == "check" and e.get("state") == "passed"),
+        passed=frozenset(
+            e["name"]
+            for e in events
+            if e["kind"] == "check" and e.get("state") == "passed"
+        ),
         hints=hints,
         predicted=frozenset(e["name"] for e in events if e["kind"] == "predict"),
         reference_opened=frozenset(n for n, tier in hints.items() if tier > 3),
@@ -79,7 +90,14 @@ def predicted(name: str, folder: Path | None = None) -> Any:
     """The last answer given to a prediction, here or in this session; None where none was."""
     folder = folder or recording_folder()
     events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
-    return next((e.get("answer") for e in reversed(events) if e["kind"] == "predict" and e["name"] == name), None)
+    return next(
+        (
+            e.get("answer")
+            for e in reversed(events)
+            if e["kind"] == "predict" and e["name"] == name
+        ),
+        None,
+    )
 
 
 def hinted_in_this_session(name: str) -> bool:
@@ -87,7 +105,9 @@ def hinted_in_this_session(name: str) -> bool:
     return any(e["kind"] == "hint" and e["name"] == name for e in _session)
 
 
-def next_exercise(lesson: Lesson, after: str, passed: frozenset[str]) -> Exercise | None:
+def next_exercise(
+    lesson: Lesson, after: str, passed: frozenset[str]
+) -> Exercise | None:
     """The first exercise of the lesson, from the one after ``after`` on and then round, that has not passed."""
     names = [e.name for e in lesson.exercises]
     start = names.index(after) + 1 if after in names else 0
@@ -103,7 +123,9 @@ def minutes_left(lesson: Lesson, passed: frozenset[str]) -> int:
 def first_unfinished(folder: Path | None = None) -> Lesson | None:
     """The first lesson with a core exercise that has not passed; None when all is done."""
     passed = state(folder).passed
-    return next((le for le in all_lessons() if any(e.name not in passed for e in le.core)), None)
+    return next(
+        (le for le in all_lessons() if any(e.name not in passed for e in le.core)), None
+    )
 
 
 @dataclass(frozen=True)
@@ -131,7 +153,16 @@ def progress(folder: Path | None = None) -> Table:
     for lesson in all_lessons():
         following = next((e.name for e in lesson.core if e.name not in passed), "")
         done = sum(e.name in passed for e in lesson.core)
-        rows.append((lesson.number, lesson.title, done, len(lesson.core), minutes_left(lesson, passed), following))
+        rows.append(
+            (
+                lesson.number,
+                lesson.title,
+                done,
+                len(lesson.core),
+                minutes_left(lesson, passed),
+                following,
+            )
+        )
     return Table(tuple(rows))
 
 
@@ -159,7 +190,11 @@ def _read(path: Path) -> Iterator[dict[str, Any]]:
             event = json.loads(line)
         except (ValueError, RecursionError):
             continue
-        if isinstance(event, dict) and isinstance(event.get("name"), str) and "kind" in event:
+        if (
+            isinstance(event, dict)
+            and isinstance(event.get("name"), str)
+            and "kind" in event
+        ):
             yield event
 
 

@@ -53,7 +53,9 @@ def read_syllabus(data: Path = DATA) -> tuple[Row, ...]:
             rows.append(Row(entry["number"], entry["slide"], topics))
         except (KeyError, TypeError) as error:
             number = entry.get("number", "without a number")
-            raise ValueError(f"row {number}: expected number, slide and topics as in syllabus.toml; {error}") from error
+            raise ValueError(
+                f"row {number}: expected number, slide and topics as in syllabus.toml; {error}"
+            ) from error
     return tuple(rows)
 
 
@@ -61,10 +63,14 @@ def syllabus_table(root: Path = ROOT, data: Path = DATA) -> str:
     """The syllabus as text, a topic a line below its row; what is missing is said where it is missing."""
     lines = []
     for row in read_syllabus(data):
-        lines.append(f"row {row.number}, slide {row.slide}" if row.number else "all rows")
+        lines.append(
+            f"row {row.number}, slide {row.slide}" if row.number else "all rows"
+        )
         for topic in row.topics:
             lines.append(f"    {topic.what}")
-            lines.append(f"        {topic.lesson}: {_places(topic) if is_built(topic, root) else 'not built yet'}")
+            lines.append(
+                f"        {topic.lesson}: {_places(topic) if is_built(topic, root) else 'not built yet'}"
+            )
             if is_built(topic, root):
                 lines += [f"        ! {fault}" for fault in faults(row, topic, root)]
     return "\n".join(lines)
@@ -89,7 +95,9 @@ def is_built(topic: Topic, root: Path = ROOT) -> bool:
 def faults(row: Row, topic: Topic, root: Path = ROOT) -> Iterator[str]:
     """What a built topic lacks."""
     yield from (f"no {key} is named" for key in NEEDED if not getattr(topic, key))
-    if topic.section and topic.section.casefold() not in headings(_solution(topic, root)):
+    if topic.section and topic.section.casefold() not in headings(
+        _solution(topic, root)
+    ):
         yield f"solutions/{topic.lesson}.ipynb has no heading {topic.section!r}"
     if topic.code and not code_exists(topic.code):
         yield f"{topic.code} cannot be imported"
@@ -106,7 +114,9 @@ def headings(notebook: Path) -> set[str]:
         if cell["cell_type"] != "markdown":
             continue
         text = "".join(cell["source"])
-        for heading in re.findall(r"^#{1,6}\s+(.+?)\s*#*\s*$", text, flags=re.MULTILINE):
+        for heading in re.findall(
+            r"^#{1,6}\s+(.+?)\s*#*\s*$", text, flags=re.MULTILINE
+        ):
             found.add(re.sub(r"[*`_]", "", heading).casefold())
     return found
 
@@ -128,7 +138,11 @@ def has_test(name: str, root: Path = ROOT) -> bool:
     except (OSError, SyntaxError):
         return False
     for part in path:
-        inside = {node.name: node for node in scope.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+        inside = {
+            node.name: node
+            for node in scope.body
+            if isinstance(node, (ast.FunctionDef, ast.ClassDef))
+        }
         if part not in inside:
             return False
         scope = inside[part]
@@ -136,7 +150,11 @@ def has_test(name: str, root: Path = ROOT) -> bool:
 
 
 def _exercise_faults(row: Row, topic: Topic) -> Iterator[str]:
-    found = {exercise.name: (lesson, exercise) for lesson in all_lessons() for exercise in lesson.exercises}
+    found = {
+        exercise.name: (lesson, exercise)
+        for lesson in all_lessons()
+        for exercise in lesson.exercises
+    }
     if topic.exercise not in found:
         yield f"no exercise {topic.exercise!r} is registered"
         return

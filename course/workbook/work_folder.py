@@ -42,14 +42,24 @@ def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
     known = {path.stem: path for path in lesson_files(root)}
     for stem, path in known.items():
         number, _, title = stem.partition("-")
-        if wanted in (stem, title) or (wanted.isdecimal() and int(wanted) == int(number)):
+        if wanted in (stem, title) or (
+            wanted.isdecimal() and int(wanted) == int(number)
+        ):
             return path
     holders = [path for stem, path in known.items() if wanted and wanted in stem]
     if len(holders) == 1:
         return holders[0]
-    near = difflib.get_close_matches(wanted, [*known, *(stem[3:] for stem in known)], n=1, cutoff=0.5)
-    advice = f"did you mean {near[0]!r}?" if near else f"known: {', '.join(known) or 'none yet'}"
-    raise ValueError(f"lesson: expected a lesson's number or name; got {str(name)!r}; {advice}")
+    near = difflib.get_close_matches(
+        wanted, [*known, *(stem[3:] for stem in known)], n=1, cutoff=0.5
+    )
+    advice = (
+        f"did you mean {near[0]!r}?"
+        if near
+        else f"known: {', '.join(known) or 'none yet'}"
+    )
+    raise ValueError(
+        f"lesson: expected a lesson's number or name; got {str(name)!r}; {advice}"
+    )
 
 
 def open_lesson(name: str | Path, root: Path = ROOT) -> Opened:
@@ -65,9 +75,14 @@ def open_lesson(name: str | Path, root: Path = ROOT) -> Opened:
     version = _version(content)
     target = work / lesson.name
     if not target.exists():
-        _note(work, version, target.name)      # first, so that no copy is ever without its version
+        _note(
+            work, version, target.name
+        )  # first, so that no copy is ever without its version
         if create_exclusively(target, content):
-            return Opened(target, message=f"{lesson.name} was copied to work/. Your work is saved there.")
+            return Opened(
+                target,
+                message=f"{lesson.name} was copied to work/. Your work is saved there.",
+            )
     started_from = _versions(work, lesson.stem)
     if version in started_from or _version(target.read_bytes()) == version:
         return Opened(target)
@@ -84,9 +99,16 @@ def _offer(work: Path, target: Path, content: bytes, *, known_start: bool) -> Op
             if create_exclusively(beside, content):
                 break
         number += 1
-    why = ("This lesson has changed since you started it." if known_start
-           else "It is not known from which version of this lesson yours was started.")
-    return Opened(target, beside, f"{why} Yours is left as it is; the new one lies beside it: work/{beside.name}")
+    why = (
+        "This lesson has changed since you started it."
+        if known_start
+        else "It is not known from which version of this lesson yours was started."
+    )
+    return Opened(
+        target,
+        beside,
+        f"{why} Yours is left as it is; the new one lies beside it: work/{beside.name}",
+    )
 
 
 def create_exclusively(path: Path, content: bytes) -> bool:
@@ -98,7 +120,9 @@ def create_exclusively(path: Path, content: bytes) -> bool:
             file.flush()
             os.fsync(file.fileno())
         if os.name == "nt":
-            os.rename(beside, path)            # refuses an existing target; on POSIX it would replace it
+            os.rename(
+                beside, path
+            )  # refuses an existing target; on POSIX it would replace it
         else:
             _link(beside, path)
     except FileExistsError:
@@ -114,7 +138,7 @@ def _link(source: Path, target: Path) -> None:
         os.link(source, target)
     except FileExistsError:
         raise
-    except OSError:                            # a file system without hard links (a memory stick, some networks)
+    except OSError:  # a file system without hard links (a memory stick, some networks)
         with open(target, "xb") as file:
             try:
                 file.write(source.read_bytes())
@@ -139,4 +163,6 @@ def _versions(work: Path, stem: str) -> set[str]:
     except OSError:
         return set()
     form = re.compile(rf"([0-9a-f]{{64}})  {re.escape(stem)}(?: \(new \d+\))?\.ipynb")
-    return {found.group(1) for line in text.splitlines() if (found := form.fullmatch(line))}
+    return {
+        found.group(1) for line in text.splitlines() if (found := form.fullmatch(line))
+    }

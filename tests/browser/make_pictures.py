@@ -24,12 +24,21 @@ def main() -> None:
     """Open lesson 10 as handed out, run it, and take the three pictures."""
     PICTURES.mkdir(parents=True, exist_ok=True)
     root = checkout(Path(tempfile.mkdtemp(prefix="course-pictures-")))
-    with served(["open", "10", "--no-browser", "--port", str(free_port())], root) as address, page(1200, 860) as opened:
+    with (
+        served(
+            ["open", "10", "--no-browser", "--port", str(free_port())], root
+        ) as address,
+        page(1200, 860) as opened,
+    ):
         lab = Lab(opened, address)
         lab.run_all()
         lab.cell("plots.blocks_and_wall()")
-        for _ in range(3):      # cells above are measured only as they come into view, which moves the page once more
-            opened.evaluate("document.querySelectorAll('.jp-NotebookPanel *').forEach(e => { e.scrollTop = 0 })")
+        for _ in range(
+            3
+        ):  # cells above are measured only as they come into view, which moves the page once more
+            opened.evaluate(
+                "document.querySelectorAll('.jp-NotebookPanel *').forEach(e => { e.scrollTop = 0 })"
+            )
             opened.wait_for_timeout(700)
         opened.screenshot(path=PICTURES / "lesson.png")
         cell = lab.write_and_run("def impulse_central", WRONG)

@@ -38,10 +38,18 @@ def free_port() -> int:
 
 def checkout(folder: Path) -> Path:
     """A copy of the project in ``folder`` (code and lessons, no work/), so that a test's work is not the student's."""
-    for name in ("course", "lessons", "pyproject.toml", "requirements.lock", "requirements-all.lock"):
+    for name in (
+        "course",
+        "lessons",
+        "pyproject.toml",
+        "requirements.lock",
+        "requirements-all.lock",
+    ):
         source = ROOT / name
         if source.is_dir():
-            shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(
+                source, folder / name, ignore=shutil.ignore_patterns("__pycache__")
+            )
         else:
             shutil.copy(source, folder / name)
     return folder
@@ -50,7 +58,9 @@ def checkout(folder: Path) -> Path:
 @contextlib.contextmanager
 def served(arguments: list[str], root: Path) -> Iterator[str]:
     """``python -m course ARGUMENTS`` at ``root``, until its address is known; yields the address, ends it after."""
-    environment = dict(os.environ, PYTHONPATH=str(root), JUPYTER_RUNTIME_DIR=str(root / ".runtime"))
+    environment = dict(
+        os.environ, PYTHONPATH=str(root), JUPYTER_RUNTIME_DIR=str(root / ".runtime")
+    )
     log = root / "server.log"
     with log.open("w") as sink:
         server = subprocess.Popen(
@@ -75,7 +85,9 @@ def _address(server: subprocess.Popen[bytes], log: Path) -> str:
         if found:
             return found.group(0)
         if server.poll() is not None:
-            raise RuntimeError(f"the server ended with code {server.returncode}:\n{text}")
+            raise RuntimeError(
+                f"the server ended with code {server.returncode}:\n{text}"
+            )
         time.sleep(0.1)
     raise TimeoutError(f"no address within 240 s:\n{log.read_text(errors='replace')}")
 
@@ -85,10 +97,17 @@ def page(width: int = 1280, height: int = 1000):
     """A page of a new browser profile; what it logs as errors is in ``page.console_errors``."""
     browser = _playwright().chromium.launch(executable_path=chromium(), args=FLAGS)
     try:
-        opened = browser.new_page(viewport={"width": width, "height": height}, device_scale_factor=1)
+        opened = browser.new_page(
+            viewport={"width": width, "height": height}, device_scale_factor=1
+        )
         opened.set_default_timeout(120_000)
         opened.console_errors = []
-        opened.on("console", lambda m: opened.console_errors.append(m.text) if m.type == "error" else None)
+        opened.on(
+            "console",
+            lambda m: (
+                opened.console_errors.append(m.text) if m.type == "error" else None
+            ),
+        )
         yield opened
     finally:
         browser.close()
@@ -111,7 +130,9 @@ class Lab:
         self.page = opened
         opened.goto(address)
         opened.wait_for_selector(".jp-Notebook .jp-Cell", timeout=240_000)
-        opened.keyboard.press("Control+b")  # the file browser away: room for the notebook
+        opened.keyboard.press(
+            "Control+b"
+        )  # the file browser away: room for the notebook
         opened.wait_for_selector(".jp-NotebookPanel-toolbar", timeout=120_000)
         # It says "idle" before there is a kernel too, and who runs a cell then is asked to choose one.
         opened.wait_for_function(
@@ -123,11 +144,17 @@ class Lab:
         """Run every cell; the first try after loading is sometimes lost, so it is repeated until a prompt shows."""
         ran = "[...document.querySelectorAll('.jp-InputPrompt')].some(p => /\\[(\\*|\\d+)\\]/.test(p.innerText))"
         for _ in range(5):
-            if self.page.locator("dialog").count():  # a kernel that starts slowly may have brought one up
+            if self.page.locator(
+                "dialog"
+            ).count():  # a kernel that starts slowly may have brought one up
                 self.page.keyboard.press("Escape")
             self.page.click(".lm-MenuBar-itemLabel:text-is('Run')")
-            self.page.click(".lm-Menu-itemLabel:text-is('Run All Cells')")  # not "Restart Kernel and Run All Cells"
-            with contextlib.suppress(Exception):  # playwright's own time-out class is not imported here
+            self.page.click(
+                ".lm-Menu-itemLabel:text-is('Run All Cells')"
+            )  # not "Restart Kernel and Run All Cells"
+            with contextlib.suppress(
+                Exception
+            ):  # playwright's own time-out class is not imported here
                 self.page.wait_for_function(ran, timeout=40_000)
                 break
         self.wait_idle(seconds)

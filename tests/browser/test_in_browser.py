@@ -8,7 +8,9 @@ from browser.session import ROOT, Lab, checkout, chromium, free_port, page, serv
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.skipif(chromium() is None, reason="no Chromium or Chrome on this machine"),
+    pytest.mark.skipif(
+        chromium() is None, reason="no Chromium or Chrome on this machine"
+    ),
 ]
 pytest.importorskip("playwright", reason="the extra 'browser' is not installed")
 
@@ -21,13 +23,20 @@ def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
 
 check(impulse_central)"""
 RIGHT = WRONG.replace("value = restitution", "value = (1 + restitution)")
-PICTURE = "[...document.querySelectorAll('.jp-OutputArea img, .widget-html img')].length"
+PICTURE = (
+    "[...document.querySelectorAll('.jp-OutputArea img, .widget-html img')].length"
+)
 
 
 @pytest.fixture(scope="module")
 def lab(tmp_path_factory):
     root = checkout(tmp_path_factory.mktemp("checkout"))
-    with served(["open", "10", "--no-browser", "--port", str(free_port())], root) as address, page() as opened:
+    with (
+        served(
+            ["open", "10", "--no-browser", "--port", str(free_port())], root
+        ) as address,
+        page() as opened,
+    ):
         session = Lab(opened, address)
         session.root = root
         session.run_all()
@@ -36,8 +45,15 @@ def lab(tmp_path_factory):
 
 def test_the_lesson_runs_as_handed_out(lab):
     text = lab.page.inner_text(".jp-Notebook")
-    assert "Traceback" not in text and "Error" not in lab.page.inner_text(".jp-OutputArea >> nth=0")
-    assert lab.page.locator(".jp-RenderedText[data-mime-type='application/vnd.jupyter.stderr']").count() == 0
+    assert "Traceback" not in text and "Error" not in lab.page.inner_text(
+        ".jp-OutputArea >> nth=0"
+    )
+    assert (
+        lab.page.locator(
+            ".jp-RenderedText[data-mime-type='application/vnd.jupyter.stderr']"
+        ).count()
+        == 0
+    )
 
 
 def test_nothing_asks_for_news(lab):
@@ -48,15 +64,27 @@ def test_nothing_asks_for_news(lab):
 def test_a_wrong_answer_is_answered_usefully_and_a_right_one_is_passed(lab):
     told = lab.write_and_run("def impulse_central", WRONG).inner_text()
     assert "✗ Not yet: impulse_central" in told
-    assert "The factor is e where it must be 1 + e" in told and "expected" in told and "4 N s" in told
+    assert (
+        "The factor is e where it must be 1 + e" in told
+        and "expected" in told
+        and "4 N s" in told
+    )
     told = lab.write_and_run("def impulse_central", RIGHT).inner_text()
     assert "✓ Right: impulse_central" in told
-    events = [json.loads(line) for line in (lab.root / "work" / "progress.jsonl").read_text().splitlines()]
-    assert [e["state"] for e in events if e["name"] == "impulse_central"][-2:] == ["wrong", "passed"]
+    events = [
+        json.loads(line)
+        for line in (lab.root / "work" / "progress.jsonl").read_text().splitlines()
+    ]
+    assert [e["state"] for e in events if e["name"] == "impulse_central"][-2:] == [
+        "wrong",
+        "passed",
+    ]
 
 
 def test_figures_have_alternative_text_on_the_page(lab):
-    texts = lab.page.eval_on_selector_all(".jp-OutputArea img", "images => images.map(i => i.alt)")
+    texts = lab.page.eval_on_selector_all(
+        ".jp-OutputArea img", "images => images.map(i => i.alt)"
+    )
     lab.page.evaluate("document.querySelector('.jp-Notebook').scrollTo(0, 0)")
     assert texts and all(len(text) > 40 for text in texts)
 
@@ -65,7 +93,9 @@ def test_the_widget_redraws_when_a_slider_is_dragged(lab):
     from playwright.sync_api import expect
 
     cell = lab.cell("demos.impulse()")
-    image = cell.locator("img").first      # found anew at each look: a redraw puts another element in its place
+    image = cell.locator(
+        "img"
+    ).first  # found anew at each look: a redraw puts another element in its place
     before = image.get_attribute("alt")
     handle = cell.locator(".noUi-handle").nth(2)
     handle.scroll_into_view_if_needed()
@@ -92,7 +122,12 @@ def test_saving_writes_to_work_and_leaves_the_lesson(lab):
 @pytest.mark.parametrize("name", ["impulse", "wall"])
 def test_a_demo_serves_the_same_widget_full_screen_without_network(name, tmp_path):
     root = checkout(tmp_path)
-    with served(["demo", name, "--no-browser", "--port", str(free_port())], root) as address, page() as opened:
+    with (
+        served(
+            ["demo", name, "--no-browser", "--port", str(free_port())], root
+        ) as address,
+        page() as opened,
+    ):
         asked = []
         opened.on("request", lambda request: asked.append(request.url))
         opened.goto(address, timeout=240_000)

@@ -13,7 +13,9 @@ from browser.session import ROOT, Lab, checkout, chromium, free_port, page, serv
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.skipif(chromium() is None, reason="no Chromium or Chrome on this machine"),
+    pytest.mark.skipif(
+        chromium() is None, reason="no Chromium or Chrome on this machine"
+    ),
 ]
 pytest.importorskip("playwright", reason="the extra 'browser' is not installed")
 
@@ -29,13 +31,22 @@ spin = viewer.Arrows("omega", np.broadcast_to([0.0, 0.0, 1.2], (25, 1, 3)), "rad
 viewer.show(viewer.box([0.3, 0.2, 0.1], color=("blue", "orange", "sky")), place, turn, times=times,
             arrows=[spin], ground=0.0, still=0.5, caption="A box slides and turns.")
 """
-LOCAL = ("http://localhost", "http://127.0.0.1", "ws://localhost", "ws://127.0.0.1", "data:", "blob:")
+LOCAL = (
+    "http://localhost",
+    "http://127.0.0.1",
+    "ws://localhost",
+    "ws://127.0.0.1",
+    "data:",
+    "blob:",
+)
 
 
 def notebook(path, source=SCENE):
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     cells = [nbformat.v4.new_code_cell(source)]
-    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel}), path)
+    nbformat.write(
+        nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel}), path
+    )
 
 
 def cut_off(opened):
@@ -84,14 +95,19 @@ class Film:
 def plays_and_scrubs(opened):
     film = Film(opened)
     start = film.picture()
-    assert film.time() == "0.00 s" and len(start) > 4000, "a canvas with nothing on it compresses to less"
+    assert film.time() == "0.00 s" and len(start) > 4000, (
+        "a canvas with nothing on it compresses to less"
+    )
     film.scrub("ArrowRight", 12)
     middle = film.picture()
     assert film.time() == "0.50 s" and middle != start
     film.scrub("Home")
     assert film.time() == "0.00 s" and film.picture() == start
     opened.locator(".widget-play button").first.click()
-    opened.wait_for_function("document.querySelector('.widget-readout').innerText == '1.00 s'", timeout=240_000)
+    opened.wait_for_function(
+        "document.querySelector('.widget-readout').innerText == '1.00 s'",
+        timeout=240_000,
+    )
     end = film.picture()
     assert end not in (start, middle)
     opened.locator(".widget-dropdown select").last.select_option("top")
@@ -104,7 +120,12 @@ def plays_and_scrubs(opened):
 def lab(tmp_path):
     root = checkout(tmp_path)
     notebook(root / "lessons" / "10-impulse.ipynb")
-    with served(["open", "10", "--no-browser", "--port", str(free_port())], root) as address, page() as opened:
+    with (
+        served(
+            ["open", "10", "--no-browser", "--port", str(free_port())], root
+        ) as address,
+        page() as opened,
+    ):
         cut_off(opened)
         session = Lab(opened, address)
         session.run_all()
@@ -161,10 +182,22 @@ def test_a_saved_notebook_shows_the_picture_before_anything_runs(tmp_path):
     path = root / "lessons" / "10-impulse.ipynb"
     notebook(path)
     execute(path)
-    assert path.stat().st_size < 300_000 and "widgets" not in nbformat.read(path, 4).metadata
-    with served(["open", "10", "--no-browser", "--port", str(free_port())], root) as address, page() as opened:
+    assert (
+        path.stat().st_size < 300_000
+        and "widgets" not in nbformat.read(path, 4).metadata
+    )
+    with (
+        served(
+            ["open", "10", "--no-browser", "--port", str(free_port())], root
+        ) as address,
+        page() as opened,
+    ):
         cut_off(opened)
         Lab(opened, address)
-        alt = opened.locator(".jp-OutputArea img").first.get_attribute("alt", timeout=120_000)
-        assert alt.startswith("A box slides and turns. ") and "at 0.5 s of 0 to 1 s" in alt
+        alt = opened.locator(".jp-OutputArea img").first.get_attribute(
+            "alt", timeout=120_000
+        )
+        assert (
+            alt.startswith("A box slides and turns. ") and "at 0.5 s of 0 to 1 s" in alt
+        )
         assert "Error displaying widget" not in opened.inner_text("body")

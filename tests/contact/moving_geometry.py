@@ -47,7 +47,11 @@ def curved(centre_a, centre_b, r_a, r_b, k_a, k_b):
     """Round surfaces about two centres (of a ball, or nearest on a capsule's axis)."""
     n = unit(centre_a - centre_b)
     return Touch(
-        centre_a - r_a * n, centre_b + r_b * n, n, "curved", {"curvature_a": k_a, "curvature_b": k_b}
+        centre_a - r_a * n,
+        centre_b + r_b * n,
+        n,
+        "curved",
+        {"curvature_a": k_a, "curvature_b": k_b},
     )
 
 
@@ -84,24 +88,50 @@ def sphere_plane(x_a, r_a, x_b, r_b, g):
     centre, n = x_a + r_a @ g["corner"], r_b @ g["normal"]
     foot = centre - ((centre - x_b - r_b @ g["on_face"]) @ n) * n
     zero = np.zeros((3, 3))
-    return Touch(centre - 0.7 * n, foot, n, "curved", {"curvature_a": ball(0.7), "curvature_b": zero})
+    return Touch(
+        centre - 0.7 * n,
+        foot,
+        n,
+        "curved",
+        {"curvature_a": ball(0.7), "curvature_b": zero},
+    )
 
 
 def plane_sphere(x_a, r_a, x_b, r_b, g):
     centre, n = x_b + r_b @ g["corner"], -r_a @ g["normal"]
     foot = centre - ((centre - x_a - r_a @ g["on_face"]) @ n) * n
     zero = np.zeros((3, 3))
-    return Touch(foot, centre + 0.7 * n, n, "curved", {"curvature_a": zero, "curvature_b": ball(0.7)})
+    return Touch(
+        foot,
+        centre + 0.7 * n,
+        n,
+        "curved",
+        {"curvature_a": zero, "curvature_b": ball(0.7)},
+    )
 
 
 def sphere_sphere(x_a, r_a, x_b, r_b, g):
-    return curved(x_a + r_a @ g["corner"], x_b + r_b @ g["on_face"], 0.7, 0.6, ball(0.7), ball(0.6))
+    return curved(
+        x_a + r_a @ g["corner"],
+        x_b + r_b @ g["on_face"],
+        0.7,
+        0.6,
+        ball(0.7),
+        ball(0.6),
+    )
 
 
 def sphere_capsule(x_a, r_a, x_b, r_b, g):
     axis, start = r_b @ unit(g["edge_b"]), x_b + r_b @ g["on_face"]
     centre = x_a + r_a @ g["corner"]
-    return curved(centre, start + ((centre - start) @ axis) * axis, 0.7, 0.6, ball(0.7), rod(0.6, axis))
+    return curved(
+        centre,
+        start + ((centre - start) @ axis) * axis,
+        0.7,
+        0.6,
+        ball(0.7),
+        rod(0.6, axis),
+    )
 
 
 def capsules(x_a, r_a, x_b, r_b, g):
@@ -112,13 +142,22 @@ def capsules(x_a, r_a, x_b, r_b, g):
 
 def vertex_sphere(x_a, r_a, x_b, r_b, g):
     """A corner as the limit of a ball of radius 0."""
-    return curved(x_a + r_a @ g["corner"], x_b + r_b @ g["on_face"], 0.0, 0.9, 1e12 * EYE, ball(0.9))
+    return curved(
+        x_a + r_a @ g["corner"],
+        x_b + r_b @ g["on_face"],
+        0.0,
+        0.9,
+        1e12 * EYE,
+        ball(0.9),
+    )
 
 
 def vertex_capsule(x_a, r_a, x_b, r_b, g):
     touch = sphere_capsule(x_a, r_a, x_b, r_b, g)
     data = {"curvature_a": 1e12 * EYE, "curvature_b": touch.data["curvature_b"]}
-    return Touch(touch.point_a + 0.7 * touch.normal, touch.point_b, touch.normal, "curved", data)
+    return Touch(
+        touch.point_a + 0.7 * touch.normal, touch.point_b, touch.normal, "curved", data
+    )
 
 
 def ball_in_bowl(x_a, r_a, x_b, r_b, g):
@@ -126,7 +165,11 @@ def ball_in_bowl(x_a, r_a, x_b, r_b, g):
     centre, bowl = x_a + r_a @ g["corner"], x_b + r_b @ g["on_face"]
     n = unit(bowl - centre)
     return Touch(
-        centre - 0.3 * n, bowl - 2.5 * n, n, "curved", {"curvature_a": ball(0.3), "curvature_b": -EYE / 2.5}
+        centre - 0.3 * n,
+        bowl - 2.5 * n,
+        n,
+        "curved",
+        {"curvature_a": ball(0.3), "curvature_b": -EYE / 2.5},
     )
 
 
@@ -136,9 +179,9 @@ KINDS = [face_b, face_a, edges, sphere_plane, plane_sphere, sphere_sphere, spher
 
 def draw_numbers(rng):
     """The points, edges and face that a kind of contact reads, in the bodies' own axes."""
-    return {name: rng.normal(size=3) for name in ("corner", "on_face", "edge_a", "edge_b")} | {
-        "normal": unit(rng.normal(size=3))
-    }
+    return {
+        name: rng.normal(size=3) for name in ("corner", "on_face", "edge_a", "edge_b")
+    } | {"normal": unit(rng.normal(size=3))}
 
 
 def drawn_inertias(rng, count):
@@ -164,14 +207,23 @@ class Flight:
         momenta = 0.3 * rng.normal(
             size=(2 * count, 3)
         )  # slow enough that differences over 5e-6 s are good to 1e-9
-        self.start = np.concatenate([x.ravel() for x in (rng.normal(size=(count, 3)), quaternion, momenta)])
+        self.start = np.concatenate(
+            [x.ravel() for x in (rng.normal(size=(count, 3)), quaternion, momenta)]
+        )
 
     def bodies(self, state):
         n = self.count
         x, q, p, spin = np.split(state, [3 * n, 7 * n, 10 * n])
         q = q.reshape(n, 4)
         q = q / np.linalg.norm(q, axis=1, keepdims=True)
-        return Bodies(self.mass, self.inertia, x.reshape(n, 3), q, p.reshape(n, 3), spin.reshape(n, 3))
+        return Bodies(
+            self.mass,
+            self.inertia,
+            x.reshape(n, 3),
+            q,
+            p.reshape(n, 3),
+            spin.reshape(n, 3),
+        )
 
     def touch(self, kind, numbers, state, a=0, b=1):
         bodies = self.bodies(state)
@@ -183,13 +235,21 @@ class Flight:
         force, torque = self.wrench(t)
         w, q = bodies.angular_velocity, state[3 * n : 7 * n].reshape(n, 4)
         q_dot = 0.5 * np.concatenate(
-            [w * q[:, 3:] + np.cross(w, q[:, :3]), -np.sum(w * q[:, :3], axis=1, keepdims=True)], axis=1
+            [
+                w * q[:, 3:] + np.cross(w, q[:, :3]),
+                -np.sum(w * q[:, :3], axis=1, keepdims=True),
+            ],
+            axis=1,
         )
-        return np.concatenate([x.ravel() for x in (bodies.velocity, q_dot, force, torque)])
+        return np.concatenate(
+            [x.ravel() for x in (bodies.velocity, q_dot, force, torque)]
+        )
 
     def at(self, t):
         if t == 0:
             return self.start
-        run = solve_ivp(self.rate, (0, t), self.start, method="DOP853", rtol=1e-13, atol=1e-15)
+        run = solve_ivp(
+            self.rate, (0, t), self.start, method="DOP853", rtol=1e-13, atol=1e-15
+        )
         assert run.success
         return run.y[:, -1]

@@ -17,10 +17,14 @@ def row(velocity, mass=1.0):
     """Touching balls along x, body A of each contact on the left."""
     v = np.asarray(velocity, dtype=float)
     n = v.size
-    bodies = Bodies.balls(mass, 0.5, np.arange(n)[:, None] * [1.0, 0, 0], v[:, None] * [1.0, 0, 0])
+    bodies = Bodies.balls(
+        mass, 0.5, np.arange(n)[:, None] * [1.0, 0, 0], v[:, None] * [1.0, 0, 0]
+    )
     left = np.arange(n - 1)
     points = (left[:, None] + 0.5) * [1.0, 0, 0]
-    return bodies, Contacts(left, left + 1, points, np.tile([-1.0, 0, 0], (n - 1, 1)), np.zeros(n - 1))
+    return bodies, Contacts(
+        left, left + 1, points, np.tile([-1.0, 0, 0], (n - 1, 1)), np.zeros(n - 1)
+    )
 
 
 def along(velocity, e, law, mass=1.0):
@@ -38,7 +42,10 @@ def cluster(rng, *, decades, fixed, spin):
     if spin:
         d = rng.uniform(0.1, 1, (n, 3))
         inertia = (
-            np.where(moving, weight, 1)[:, :, None] * 0.1 * np.eye(3) * (d.sum(axis=1)[:, None] - d)[:, None]
+            np.where(moving, weight, 1)[:, :, None]
+            * 0.1
+            * np.eye(3)
+            * (d.sum(axis=1)[:, None] - d)[:, None]
         )
         q = Rotation.random(n, random_state=rng).as_quat()
         bodies = Bodies(mass, inertia, x, q, weight * v, 0.1 * weight * omega)
@@ -72,10 +79,21 @@ def check_outcome(before, contacts, after, e):
     fixed = before.fixed
     assert not after.momentum[fixed].any() and not after.angular_momentum[fixed].any()
     if not fixed.any():
-        for total in (lambda b: b.momentum, lambda b: np.cross(b.position, b.momentum) + b.angular_momentum):
-            scale = np.abs(total(before)).sum() + np.abs(np.cross(before.position, before.momentum)).sum()
-            assert np.abs(total(after).sum(axis=0) - total(before).sum(axis=0)).max() <= 1e-12 * scale
-    untouched = np.setdiff1d(np.arange(len(before)), np.concatenate([contacts.body_a, contacts.body_b]))
+        for total in (
+            lambda b: b.momentum,
+            lambda b: np.cross(b.position, b.momentum) + b.angular_momentum,
+        ):
+            scale = (
+                np.abs(total(before)).sum()
+                + np.abs(np.cross(before.position, before.momentum)).sum()
+            )
+            assert (
+                np.abs(total(after).sum(axis=0) - total(before).sum(axis=0)).max()
+                <= 1e-12 * scale
+            )
+    untouched = np.setdiff1d(
+        np.arange(len(before)), np.concatenate([contacts.body_a, contacts.body_b])
+    )
     assert np.array_equal(after.momentum[untouched], before.momentum[untouched])
     assert after.position is before.position and after.orientation is before.orientation
     if u.min() >= 0:
@@ -90,7 +108,9 @@ def check_outcome(before, contacts, after, e):
 def test_promises_on_random_clusters(law, spin, decades, trials):
     rng = np.random.default_rng(41)
     for trial in range(trials):
-        bodies, contacts = cluster(rng, decades=decades, fixed=0.0 if trial % 3 else 0.3, spin=spin)
+        bodies, contacts = cluster(
+            rng, decades=decades, fixed=0.0 if trial % 3 else 0.3, spin=spin
+        )
         e = (0.0, 1.0, rng.random())[trial % 3 if trial % 2 else (trial // 2) % 3]
         after = resolve_collisions(bodies, contacts, e, law=law)
         check_outcome(bodies, contacts, after, e)
@@ -105,10 +125,21 @@ def test_a_contact_alone_is_impulse_at_point(law):
         parts.append(body)
         one = contact[[0]]
         contacts.append(
-            Contacts(one.body_a + shift, one.body_b + shift, one.point, one.normal, one.separation)
+            Contacts(
+                one.body_a + shift,
+                one.body_b + shift,
+                one.point,
+                one.normal,
+                one.separation,
+            )
         )
         shift += len(body)
-    bodies = Bodies(*(np.concatenate([getattr(p, f) for p in parts]) for f in Bodies.__dataclass_fields__))
+    bodies = Bodies(
+        *(
+            np.concatenate([getattr(p, f) for p in parts])
+            for f in Bodies.__dataclass_fields__
+        )
+    )
     joined = Contacts.concatenate(contacts)
     after = resolve_collisions(bodies, joined, 0.6, law=law)
     change = np.linalg.norm(after.momentum - bodies.momentum, axis=1)
@@ -121,7 +152,9 @@ def test_a_contact_alone_is_impulse_at_point(law):
 
 def test_cradle():
     # One ball onto two touching, e = 1; both outcomes keep momentum and energy.
-    assert np.allclose(along([1, 0, 0], 1, "simultaneous"), [-1 / 3, 2 / 3, 2 / 3], atol=1e-15)
+    assert np.allclose(
+        along([1, 0, 0], 1, "simultaneous"), [-1 / 3, 2 / 3, 2 / 3], atol=1e-15
+    )
     assert np.allclose(along([1, 0, 0], 1, "sequential"), [0, 0, 1], atol=1e-15)
     assert np.allclose(along([1, 0, 0], 1, "reflection"), [0, 0, 1], atol=1e-15)
 
@@ -130,10 +163,16 @@ def test_cradle():
 def test_longer_cradles(n):
     one = np.eye(n)[0]
     # All of the row is pushed at once: impulse 2/(1 + 1/(n-1)) against a block of n - 1 balls.
-    assert np.allclose(along(one, 1, "simultaneous"), [1 - 2 * (n - 1) / n] + [2 / n] * (n - 1), atol=1e-14)
+    assert np.allclose(
+        along(one, 1, "simultaneous"),
+        [1 - 2 * (n - 1) / n] + [2 / n] * (n - 1),
+        atol=1e-14,
+    )
     for law in ("sequential", "reflection"):
         assert np.allclose(along(one, 1, law), one[::-1], atol=1e-14)
-        assert np.allclose(along(one + np.eye(n)[1], 1, law), (one + np.eye(n)[1])[::-1], atol=1e-14)
+        assert np.allclose(
+            along(one + np.eye(n)[1], 1, law), (one + np.eye(n)[1])[::-1], atol=1e-14
+        )
     for law in LAWS:  # nothing is left of the relative motion at e = 0
         assert np.allclose(along(one, 0, law), np.full(n, 1 / n), atol=1e-11)
 
@@ -148,14 +187,19 @@ def test_parting_contact_that_ends_approaching():
 
 def test_reflection_mixes_plastic_and_elastic():
     # (1 - e) (1/3, 1/3, 1/3) + e (0, 0, 1)
-    assert np.allclose(along([1, 0, 0], 0.25, "reflection"), [0.25, 0.25, 0.5], atol=1e-15)
+    assert np.allclose(
+        along([1, 0, 0], 0.25, "reflection"), [0.25, 0.25, 0.5], atol=1e-15
+    )
 
 
 def test_reflection_keeps_symmetry_where_one_pair_at_a_time_does_not():
     # A ball falls between two that touch nothing else: equal and opposite for all but the sequence.
     s = np.sqrt(0.75)
     bodies = Bodies.balls(
-        1.0, 0.5, [[0, s, 0], [-0.5, 0, 0], [0.5, 0, 0]], [[0, -1, 0], [0, 0, 0], [0, 0, 0]]
+        1.0,
+        0.5,
+        [[0, s, 0], [-0.5, 0, 0], [0.5, 0, 0]],
+        [[0, -1, 0], [0, 0, 0], [0, 0, 0]],
     )
     normals = np.array([[0.5, s, 0], [-0.5, s, 0]])
     points = bodies.position[[1, 2]] + 0.5 * normals
@@ -167,7 +211,9 @@ def test_reflection_keeps_symmetry_where_one_pair_at_a_time_does_not():
         resolve_collisions(bodies, contacts[order], 1, law="sequential").velocity
         for order in ([0, 1], [1, 0])
     ]
-    assert np.abs(turned[0] - turned[1]).max() > 0.1  # the order of the pairs changes the answer
+    assert (
+        np.abs(turned[0] - turned[1]).max() > 0.1
+    )  # the order of the pairs changes the answer
     assert np.allclose(turned[0] * [-1, 1, 1], turned[1][[0, 2, 1]], atol=1e-15)
 
 
@@ -190,7 +236,9 @@ def test_three_balls_need_infinitely_many_impacts_below_the_threshold():
     assert threshold == pytest.approx(0.0717968, abs=5e-8)
     exact, impacts, ends = rational_row([1, 0, 0], Fraction(719, 10000))
     assert ends and impacts < 100
-    assert np.allclose(along([1, 0, 0], 0.0719, "sequential"), [float(x) for x in exact], atol=1e-12)
+    assert np.allclose(
+        along([1, 0, 0], 0.0719, "sequential"), [float(x) for x in exact], atol=1e-12
+    )
     _, _, ends = rational_row([1, 0, 0], Fraction(7, 100))
     assert not ends
     assert np.allclose(
@@ -205,7 +253,9 @@ def test_light_ball_between_wall_and_heavy_ball_counts_with_pi():
         if v_2 < v_1:
             p = 2 * (v_1 - v_2) / (1 + Fraction(1, ratio))
             v_1, v_2 = v_1 - p, v_2 + p / ratio
-            v_1, v_2 = (Fraction(int(x * 10**60), 10**60) for x in (v_1, v_2))  # keeps the fractions short
+            v_1, v_2 = (
+                Fraction(int(x * 10**60), 10**60) for x in (v_1, v_2)
+            )  # keeps the fractions short
         else:
             v_1 = -v_1
         count += 1
@@ -244,7 +294,9 @@ def test_a_common_velocity_changes_nothing(law):
         bodies.mass, bodies.inertia, bodies.position, bodies.orientation,
         bodies.momentum + bodies.mass[:, None] * drift, bodies.angular_momentum,
     )  # fmt: skip
-    still, moved = (resolve_collisions(b, contacts, 0.7, law=law) for b in (bodies, moving))
+    still, moved = (
+        resolve_collisions(b, contacts, 0.7, law=law) for b in (bodies, moving)
+    )
     assert np.allclose(moved.velocity - drift, still.velocity, atol=1e-11)
 
 
@@ -253,12 +305,23 @@ def test_groups_do_not_feel_each_other(law):
     rng = np.random.default_rng(44)
     first, second = (cluster(rng, decades=1, fixed=0.2, spin=True) for _ in range(2))
     bodies = Bodies(
-        *(np.concatenate([getattr(p[0], f) for p in (first, second)]) for f in Bodies.__dataclass_fields__)
+        *(
+            np.concatenate([getattr(p[0], f) for p in (first, second)])
+            for f in Bodies.__dataclass_fields__
+        )
     )
     shift = len(first[0])
     moved = second[1]
-    later = Contacts(moved.body_a + shift, moved.body_b + shift, moved.point, moved.normal, moved.separation)
-    both = resolve_collisions(bodies, Contacts.concatenate([later, first[1]]), 0.4, law=law)
+    later = Contacts(
+        moved.body_a + shift,
+        moved.body_b + shift,
+        moved.point,
+        moved.normal,
+        moved.separation,
+    )
+    both = resolve_collisions(
+        bodies, Contacts.concatenate([later, first[1]]), 0.4, law=law
+    )
     for part, here in ((first, slice(0, shift)), (second, slice(shift, None))):
         alone = resolve_collisions(*part, 0.4, law=law)
         assert np.allclose(both.momentum[here], alone.momentum, atol=1e-13)
@@ -266,34 +329,49 @@ def test_groups_do_not_feel_each_other(law):
 
 def pinned():
     bodies = Bodies.balls(
-        [np.inf, 1, np.inf], 0.5, [[-1.0, 0, 0], [0, 0, 0], [1.0, 0, 0]], np.eye(3)[[1, 0, 1]] * [1, 0, 0]
+        [np.inf, 1, np.inf],
+        0.5,
+        [[-1.0, 0, 0], [0, 0, 0], [1.0, 0, 0]],
+        np.eye(3)[[1, 0, 1]] * [1, 0, 0],
     )
-    contacts = Contacts([0, 1], [1, 2], [[-0.5, 0, 0], [0.5, 0, 0]], [[-1.0, 0, 0]] * 2, [0.0, 0.0])
+    contacts = Contacts(
+        [0, 1], [1, 2], [[-0.5, 0, 0], [0.5, 0, 0]], [[-1.0, 0, 0]] * 2, [0.0, 0.0]
+    )
     return bodies, contacts
 
 
 @pytest.mark.parametrize("law", LAWS)
-def test_a_ball_pinned_between_walls_stops_at_the_cap_with_the_state_reached(law, monkeypatch):
+def test_a_ball_pinned_between_walls_stops_at_the_cap_with_the_state_reached(
+    law, monkeypatch
+):
     monkeypatch.setattr(collisions, "MAX_ROUNDS", 200)
     bodies, contacts = pinned()
     with pytest.raises(
         CollisionsUnresolved, match=f"1 group.* after 200 rounds, law '{law}', e = 1"
     ) as caught:
         resolve_collisions(bodies, contacts, 1, law=law)
-    assert np.allclose(np.abs(caught.value.bodies.velocity[1]), [1, 0, 0], atol=1e-13)  # its energy is kept
+    assert np.allclose(
+        np.abs(caught.value.bodies.velocity[1]), [1, 0, 0], atol=1e-13
+    )  # its energy is kept
 
 
 @pytest.mark.parametrize("law", ["simultaneous", "sequential"])
 def test_a_pinned_ball_that_loses_energy_comes_to_rest(law):
     bodies, contacts = pinned()
-    assert np.abs(resolve_collisions(bodies, contacts, 0.9, law=law).velocity[1]).max() <= 1e-12
+    assert (
+        np.abs(resolve_collisions(bodies, contacts, 0.9, law=law).velocity[1]).max()
+        <= 1e-12
+    )
 
 
 def test_the_cap_does_not_stop_the_other_groups(monkeypatch):
     monkeypatch.setattr(collisions, "MAX_ROUNDS", 50)
     (stuck, stuck_contacts), (other, other_contacts) = pinned(), row([1, 0, 0])
     bodies = Bodies(
-        *(np.concatenate([getattr(p, f) for p in (stuck, other)]) for f in Bodies.__dataclass_fields__)
+        *(
+            np.concatenate([getattr(p, f) for p in (stuck, other)])
+            for f in Bodies.__dataclass_fields__
+        )
     )
     more = Contacts(
         other_contacts.body_a + 3, other_contacts.body_b + 3, other_contacts.point,
@@ -307,7 +385,9 @@ def test_the_cap_does_not_stop_the_other_groups(monkeypatch):
 def test_nothing_happens_without_contacts_between_fixed_bodies_and_to_bodies_that_part():
     bodies, contacts = row([-1, 0, 2])
     for law in LAWS:
-        assert np.array_equal(resolve_collisions(bodies, contacts, 0.5, law=law).momentum, bodies.momentum)
+        assert np.array_equal(
+            resolve_collisions(bodies, contacts, 0.5, law=law).momentum, bodies.momentum
+        )
         assert resolve_collisions(bodies, contacts[[]], 0.5, law=law) is bodies
     walls, touching = row([0, 0, 0], np.inf)
     assert not resolve_collisions(walls, touching, 1).momentum.any()

@@ -29,7 +29,9 @@ def hostile(seed):
     for change in changes.values():
         if rng.uniform() < 0.2:
             j = change(j)
-    b = [rng.normal(size=c), j @ rng.normal(size=m), -np.abs(rng.normal(size=c))][rng.integers(3)]
+    b = [rng.normal(size=c), j @ rng.normal(size=m), -np.abs(rng.normal(size=c))][
+        rng.integers(3)
+    ]
     if rng.uniform() < 0.3:
         b = b * 10.0 ** rng.choice([-310, -150, 100]) * 10.0 ** rng.uniform(-5, 5, c)
     return j, b
@@ -38,7 +40,13 @@ def hostile(seed):
 def system_of(j, b, sparse):
     a = j @ j.T
     m = j.shape[1]
-    return ContactSystem(csr_array(a) if sparse else a, b, csr_array(j), csr_array(np.eye(m)), np.zeros(m))
+    return ContactSystem(
+        csr_array(a) if sparse else a,
+        b,
+        csr_array(j),
+        csr_array(np.eye(m)),
+        np.zeros(m),
+    )
 
 
 def checked(system, solution):
@@ -52,7 +60,9 @@ def checked(system, solution):
 def test_every_method_answers_or_says_that_it_did_not(seed):
     j, b = hostile(seed)
     system = system_of(j, b, seed % 2)
-    for method in METHODS[2:]:  # without "qp", which takes as long as all others; see below
+    for method in METHODS[
+        2:
+    ]:  # without "qp", which takes as long as all others; see below
         limit = 200 if method == "projected_gauss_seidel" else None
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # no NaN on the way either
@@ -85,4 +95,7 @@ def test_auto_gives_forces_or_the_proof_or_the_best_there_is(seed):
             assert "nearly singular" in str(error)
         else:
             checked(system, solution)
-            assert solution.residual <= 1e-10 and solution.acceleration.min() >= -1e-3 * np.abs(b).max()
+            assert (
+                solution.residual <= 1e-10
+                and solution.acceleration.min() >= -1e-3 * np.abs(b).max()
+            )

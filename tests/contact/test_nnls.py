@@ -50,7 +50,11 @@ def systems(seed, count, kind):
             g = g * 10 ** rng.uniform(-3, 3, size=(m, 1))
         if kind == "whole":
             g = np.rint(g)
-        b = g.T @ rng.normal(size=m) if rng.random() < 0.5 else rng.normal(size=g.shape[1])
+        b = (
+            g.T @ rng.normal(size=m)
+            if rng.random() < 0.5
+            else rng.normal(size=g.shape[1])
+        )
         yield g, (np.rint(2 * b) if kind == "whole" else b)
 
 
@@ -65,7 +69,9 @@ def test_force_or_proof_that_there_is_none(kind, with_factor):
             answers["force"] += 1
             assert found.force.min() >= 0
             assert residual(a, found.force, b) < 1e-12
-            assert found.residual == pytest.approx(residual(a, found.force, b), abs=1e-15)
+            assert found.residual == pytest.approx(
+                residual(a, found.force, b), abs=1e-15
+            )
         else:
             answers["none"] += 1
             y = found.certificate
@@ -83,7 +89,9 @@ def test_agrees_with_trying_every_set_of_contacts(kind):
         found, w = solve_nnls(a, b), by_enumeration(a, b)
         assert (found.certificate is None) == (w is not None)
         if w is not None:  # f may differ, A f may not
-            assert np.allclose(a @ found.force + b, w, atol=1e-7 * (1 + np.abs(w).max()))
+            assert np.allclose(
+                a @ found.force + b, w, atol=1e-7 * (1 + np.abs(w).max())
+            )
 
 
 def test_pair_that_clipping_increments_gets_wrong():
@@ -103,7 +111,9 @@ def test_table_on_four_legs():
     # Offset centre of mass (.1, .05), half widths .5 and .3: the least-norm forces are one of many answers,
     # d_ddot and the sum are the same for all; leg 1 can carry anything in [.183333, .583333] m g.
     feet = np.array([[0.5, 0.3], [-0.5, 0.3], [-0.5, -0.3], [0.5, -0.3]]) - [0.1, 0.05]
-    jacobian = np.concatenate([np.ones((4, 1)), feet], axis=1)  # heave and two tilts, unit mass and inertias
+    jacobian = np.concatenate(
+        [np.ones((4, 1)), feet], axis=1
+    )  # heave and two tilts, unit mass and inertias
     a, b = jacobian @ jacobian.T, -np.ones(4)
     found = solve_nnls(a, b)
     assert np.linalg.matrix_rank(a) == 3
@@ -111,7 +121,9 @@ def test_table_on_four_legs():
     assert 0.183333 - 1e-6 <= found.force[0] <= 0.583333 + 1e-6
     least_norm = np.array([0.341667, 0.241667, 0.158333, 0.258333])
     shift = (found.force - least_norm) @ np.array([1, -1, 1, -1]) / 4
-    assert np.allclose(found.force, least_norm + shift * np.array([1, -1, 1, -1]), atol=1e-6)
+    assert np.allclose(
+        found.force, least_norm + shift * np.array([1, -1, 1, -1]), atol=1e-6
+    )
 
 
 def test_large_forces_are_told_from_no_force():
@@ -121,7 +133,9 @@ def test_large_forces_are_told_from_no_force():
         assert found.certificate is None
         # By hand: A f = (1, 1) has f = (1 + 2/tilt^2, 2/tilt^2).
         assert np.allclose(
-            found.force, [1 + 2 / tilt**2, 2 / tilt**2], rtol=1e-3 * (tilt / 1e-6) ** -1 + 1e-9
+            found.force,
+            [1 + 2 / tilt**2, 2 / tilt**2],
+            rtol=1e-3 * (tilt / 1e-6) ** -1 + 1e-9,
         )
     assert solve_nnls([[1.0, -1.0], [-1.0, 1.0]], [-1.0, -1.0]).certificate is not None
 
@@ -130,14 +144,17 @@ def test_least_squares_meet_their_optimality_conditions():
     rng = np.random.default_rng(33)
     for _ in range(200):
         m, c = rng.integers(1, 12, 2)
-        f, t = rng.normal(size=(m, c)) * 10 ** rng.uniform(-4, 4, size=c), rng.normal(size=m)
+        f, t = (
+            rng.normal(size=(m, c)) * 10 ** rng.uniform(-4, 4, size=c),
+            rng.normal(size=m),
+        )
         x = nonnegative_least_squares(f, t)
         gradient = f.T @ (f @ x - t)
         length = np.linalg.norm(f, axis=0)
         assert x.min() >= 0
-        assert np.abs(np.minimum(x * length, gradient / length)).max() < 1e-12 * np.linalg.norm(t) * (
-            1 + (x * length).max()
-        )
+        assert np.abs(
+            np.minimum(x * length, gradient / length)
+        ).max() < 1e-12 * np.linalg.norm(t) * (1 + (x * length).max())
 
 
 def test_columns_of_zeros_and_empty_systems():
@@ -166,7 +183,11 @@ def test_a_wrong_answer_of_the_library_is_not_taken(monkeypatch, failure):
 def test_residual_by_definition_and_batched():
     rng = np.random.default_rng(35)
     g = rng.normal(size=(4, 3, 5))
-    a, f, b = np.swapaxes(g, -1, -2) @ g, rng.normal(size=(4, 5)), rng.normal(size=(4, 5))
+    a, f, b = (
+        np.swapaxes(g, -1, -2) @ g,
+        rng.normal(size=(4, 5)),
+        rng.normal(size=(4, 5)),
+    )
     batch = complementarity_residual(a, f, b)
     assert np.allclose(batch, [residual(a[i], f[i], b[i]) for i in range(4)])
     assert complementarity_residual(np.zeros((0, 0)), np.zeros(0), np.zeros(0)) == 0

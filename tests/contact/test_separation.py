@@ -46,7 +46,9 @@ class Motion:
 
     def acceleration(self):
         contacts = self.touch(self.start).contacts()
-        return separation_acceleration(self.bodies(self.start), contacts, *self.wrench(0))[0]
+        return separation_acceleration(
+            self.bodies(self.start), contacts, *self.wrench(0)
+        )[0]
 
     def rate_at(self, t):
         state = self.at(t)
@@ -64,7 +66,9 @@ def test_acceleration_is_the_rate_of_the_rate(kind, seed, gap):
     motion = Motion(kind, seed, gap)
     assert abs(motion.touch(motion.start).gap - gap) < 1e-14
     # The smaller step for the seeds in which the gap changes fast: the error of these differences grows as h^2.
-    central = [(motion.rate_at(h) - motion.rate_at(-h)) / (2 * h) for h in (5e-6, 1.5e-6)]
+    central = [
+        (motion.rate_at(h) - motion.rate_at(-h)) / (2 * h) for h in (5e-6, 1.5e-6)
+    ]
     assert min(np.abs(np.array(central) - motion.acceleration())) < 1e-9
 
 
@@ -85,9 +89,14 @@ def test_rates_of_gap_and_normal(kind, seed, gap):
     before, after = (motion.touch(motion.at(t)) for t in (-h, h))
     contacts = motion.touch(motion.start).contacts()
     bodies = motion.bodies(motion.start)
-    assert abs(separation_rate(bodies, contacts)[0] - (after.gap - before.gap) / (2 * h)) < 1e-8
+    assert (
+        abs(separation_rate(bodies, contacts)[0] - (after.gap - before.gap) / (2 * h))
+        < 1e-8
+    )
     turning = normal_rate(bodies, contacts)[0]
-    np.testing.assert_allclose(turning, (after.normal - before.normal) / (2 * h), rtol=0, atol=1e-8)
+    np.testing.assert_allclose(
+        turning, (after.normal - before.normal) / (2 * h), rtol=0, atol=1e-8
+    )
     assert abs(turning @ contacts.normal[0]) < 1e-13
 
 
@@ -96,8 +105,12 @@ def test_error_of_differences_is_a_v_over_the_step():
     motion = Motion(sphere_sphere, 1)
     exact = motion.acceleration()
     steps = 10.0 ** np.arange(-8, -0.9, 0.5)
-    central = [abs((motion.rate_at(h) - motion.rate_at(-h)) / (2 * h) - exact) for h in steps]
-    d = np.array([[motion.touch(motion.at(k * h)).gap for k in (-2, -1, 0, 1, 2)] for h in steps])
+    central = [
+        abs((motion.rate_at(h) - motion.rate_at(-h)) / (2 * h) - exact) for h in steps
+    ]
+    d = np.array(
+        [[motion.touch(motion.at(k * h)).gap for k in (-2, -1, 0, 1, 2)] for h in steps]
+    )
     five = np.abs(d @ [-1, 16, -30, 16, -1] / (12 * steps**2) - exact)
     for error, order, best in ((np.array(central), 2, 1e-9), (five, 4, 1e-9)):
         least = int(np.argmin(error))
@@ -112,14 +125,19 @@ def test_printed_formula_fails_on_a_dome():
     radius, theta, speed = 2.0, 0.4, 1.3
     out = np.array([np.sin(theta), 0, np.cos(theta)])
     along = np.array([np.cos(theta), 0, -np.sin(theta)])
-    centres, velocities = [(radius + 1e-3) * out, np.zeros(3)], [speed * along, np.zeros(3)]
+    centres, velocities = (
+        [(radius + 1e-3) * out, np.zeros(3)],
+        [speed * along, np.zeros(3)],
+    )
     bodies = Bodies.balls([1.0, np.inf], [1e-3, radius], centres, velocities)
     k = np.stack([EYE / 1e-3, EYE / radius])[:, None]
     contacts = Contacts(np.array([0]), np.array([1]), (radius * out)[None], out[None], np.zeros(1),
                         np.array(["curved"]), curvature_a=k[0], curvature_b=k[1])  # fmt: skip
     gravity = np.array([[0, 0, -9.81], [0, 0, 0]])
     d_ddot = separation_acceleration(bodies, contacts, gravity, np.zeros((2, 3)))[0]
-    assert d_ddot == pytest.approx(speed**2 / (radius + 1e-3) - 9.81 * np.cos(theta), abs=1e-12)
+    assert d_ddot == pytest.approx(
+        speed**2 / (radius + 1e-3) - 9.81 * np.cos(theta), abs=1e-12
+    )
 
 
 def test_leaves_the_sphere_at_two_thirds():
@@ -128,12 +146,20 @@ def test_leaves_the_sphere_at_two_thirds():
 
     def free(theta):
         speed = np.sqrt(2 * 9.81 * (radius + r) * (np.cos(theta_0) - np.cos(theta)))
-        out, along = np.array([np.sin(theta), 0, np.cos(theta)]), np.array([np.cos(theta), 0, -np.sin(theta)])
-        centres, velocities = [(radius + r) * out, np.zeros(3)], [speed * along, np.zeros(3)]
+        out, along = (
+            np.array([np.sin(theta), 0, np.cos(theta)]),
+            np.array([np.cos(theta), 0, -np.sin(theta)]),
+        )
+        centres, velocities = (
+            [(radius + r) * out, np.zeros(3)],
+            [speed * along, np.zeros(3)],
+        )
         bodies = Bodies.balls([1.0, np.inf], [r, radius], centres, velocities)
         contacts = Contacts(np.array([0]), np.array([1]), (radius * out)[None], out[None], np.zeros(1),
                             np.array(["curved"]), None, None, EYE[None] / r, EYE[None] / radius)  # fmt: skip
-        return separation_acceleration(bodies, contacts, [[0, 0, -9.81], [0, 0, 0]], np.zeros((2, 3)))[0]
+        return separation_acceleration(
+            bodies, contacts, [[0, 0, -9.81], [0, 0, 0]], np.zeros((2, 3))
+        )[0]
 
     lower, upper = theta_0, np.pi / 2
     for _ in range(60):
@@ -144,10 +170,18 @@ def test_leaves_the_sphere_at_two_thirds():
 
 def test_terms_add_up_and_only_two_depend_on_the_wrench():
     motion = Motion(capsules, 2, 0.05)
-    bodies, contacts = motion.bodies(motion.start), motion.touch(motion.start).contacts()
+    bodies, contacts = (
+        motion.bodies(motion.start),
+        motion.touch(motion.start).contacts(),
+    )
     loaded = separation_acceleration_terms(bodies, contacts, *motion.wrench(0))
-    free = separation_acceleration_terms(bodies, contacts, np.zeros((2, 3)), np.zeros((2, 3)))
-    assert [name for name in loaded if loaded[name] != free[name]] == ["force", "torque"]
+    free = separation_acceleration_terms(
+        bodies, contacts, np.zeros((2, 3)), np.zeros((2, 3))
+    )
+    assert [name for name in loaded if loaded[name] != free[name]] == [
+        "force",
+        "torque",
+    ]
     assert free["force"] == 0 and free["torque"] == 0
     assert sum(loaded.values())[0] == pytest.approx(motion.acceleration(), rel=1e-15)
 
@@ -162,8 +196,14 @@ def test_a_capsule_may_lie_on_a_plane_but_not_tip():
                       np.zeros((2, 3)), [spin, [0, 0, 0]])  # fmt: skip
 
     zero = np.zeros((2, 3))
-    for spin in ([0, 0, 0], [2.0, 0, 0], [0, 0, 3.0]):  # still, rolling, turning about the vertical
-        assert separation_acceleration(bodies(spin), contacts, zero, zero)[0] == pytest.approx(0, abs=1e-14)
+    for spin in (
+        [0, 0, 0],
+        [2.0, 0, 0],
+        [0, 0, 3.0],
+    ):  # still, rolling, turning about the vertical
+        assert separation_acceleration(bodies(spin), contacts, zero, zero)[
+            0
+        ] == pytest.approx(0, abs=1e-14)
     with pytest.raises(ValueError, match="two ends"):
         separation_acceleration(bodies([0, 1.0, 0]), contacts, zero, zero)
 
@@ -177,7 +217,9 @@ def test_parallel_capsules_may_roll_and_turn_but_not_tip():
         k_a, k_b = rod(0.3, np.array([1.0, 0, 0])), rod(0.4, np.array(axis_b))
         contacts = Contacts(np.array([0]), np.array([1]), np.zeros((1, 3)), np.array([[0, 0, 1.0]]), np.zeros(1),
                             np.array(["curved"]), curvature_a=k_a[None], curvature_b=k_b[None])  # fmt: skip
-        return separation_acceleration(bodies, contacts, np.zeros((2, 3)), np.zeros((2, 3)))[0]
+        return separation_acceleration(
+            bodies, contacts, np.zeros((2, 3)), np.zeros((2, 3))
+        )[0]
 
     for spin in ([0, 0, 0], [2.0, 0, 0], [0, 0, 3.0]):
         assert d_ddot(spin, [1.0, 0, 0]) == pytest.approx(0, abs=1e-14)

@@ -6,7 +6,13 @@ import numpy as np
 import pytest
 from scipy.sparse import block_diag, csr_array
 
-from course.contact import ContactSystem, NoContactForce, NotConverged, contact_system, solve
+from course.contact import (
+    ContactSystem,
+    NoContactForce,
+    NotConverged,
+    contact_system,
+    solve,
+)
 from course.contact.solve import METHODS
 from course.contact.solvers import complementarity_residual
 from course.study.resting_scenes import (
@@ -48,9 +54,13 @@ def within(scene, solution, tolerance=1e-10):
     a = system.A.toarray()
     w = a @ solution.force + system.b
     assert np.all(solution.force >= 0)
-    np.testing.assert_allclose(solution.acceleration, w, atol=1e-9 * (1 + np.abs(system.b).max(initial=0)))
+    np.testing.assert_allclose(
+        solution.acceleration, w, atol=1e-9 * (1 + np.abs(system.b).max(initial=0))
+    )
     scale = np.abs(a) @ solution.force + np.abs(system.b).max(initial=0)
-    worst = np.max(np.abs(np.minimum(np.diag(a) * solution.force, w)) / scale, initial=0)
+    worst = np.max(
+        np.abs(np.minimum(np.diag(a) * solution.force, w)) / scale, initial=0
+    )
     assert worst == pytest.approx(solution.residual, abs=1e-14)
     return worst <= tolerance
 
@@ -58,9 +68,13 @@ def within(scene, solution, tolerance=1e-10):
 @each_method
 def test_table_with_an_offset_centre(method):
     """TRUTHS: least-norm forces (.341667, .241667, .158333, .258333) m g; all answers add t (1, -1, 1, -1)."""
-    solution = solve(table(offset=(0.1, 0.05), half_widths=(0.5, 0.3)).system(), method=method)
+    solution = solve(
+        table(offset=(0.1, 0.05), half_widths=(0.5, 0.3)).system(), method=method
+    )
     least = np.array([0.341667, 0.241667, 0.158333, 0.258333])
-    exact = 0.25 * (1 + np.array([1, -1, -1, 1]) * 0.1 / 0.5 + np.array([1, 1, -1, -1]) * 0.05 / 0.3)
+    exact = 0.25 * (
+        1 + np.array([1, -1, -1, 1]) * 0.1 / 0.5 + np.array([1, 1, -1, -1]) * 0.05 / 0.3
+    )
     np.testing.assert_allclose(exact, least, atol=5e-7)
     f = solution.force / GRAVITY
     null = np.array([1.0, -1, 1, -1])
@@ -83,9 +97,15 @@ def test_rod_let_go(method, angle):
 @each_method
 def test_stack_carries_what_lies_above(method):
     masses = np.array([1.0, 5, 0.2, 3])
-    tolerance = 1e-13 if method in ("projected_gauss_seidel", "gauss") else 1e-10  # residual is not yet error
-    force = solve(stack(4, mass=masses, corners=1).system(), method=method, tolerance=tolerance).force
-    np.testing.assert_allclose(force, GRAVITY * np.cumsum(masses[::-1])[::-1], rtol=1e-9)
+    tolerance = (
+        1e-13 if method in ("projected_gauss_seidel", "gauss") else 1e-10
+    )  # residual is not yet error
+    force = solve(
+        stack(4, mass=masses, corners=1).system(), method=method, tolerance=tolerance
+    ).force
+    np.testing.assert_allclose(
+        force, GRAVITY * np.cumsum(masses[::-1])[::-1], rtol=1e-9
+    )
 
 
 @each_method
@@ -103,13 +123,20 @@ def test_ball_in_a_groove(method):
 def test_foot_outside_the_support_lifts(method):
     """Misprint 14: feet at +-.5, centre at .7; forcing d_ddot = 0 gives (-.2, 1.2) m g, a foot that pulls."""
     scene = table(2, offset=(0.7, 0.0))
-    scene = replace(scene, contacts=replace(scene.contacts, point=np.array([[-0.5, 0, 0], [0.5, 0, 0]])))
+    scene = replace(
+        scene,
+        contacts=replace(scene.contacts, point=np.array([[-0.5, 0, 0], [0.5, 0, 0]])),
+    )
     system = scene.system()
     both = np.linalg.solve(system.A.toarray(), -system.b) / GRAVITY
     np.testing.assert_allclose(both, [-0.2, 1.2], rtol=1e-12)
     solution = solve(system, method=method)
     assert solution.force[0] == pytest.approx(0, abs=1e-9) and solution.force[1] > 1
-    assert solution.acceleration[0] > 0.1 and abs(solution.acceleration[1]) < 1e-8 and solution.converged
+    assert (
+        solution.acceleration[0] > 0.1
+        and abs(solution.acceleration[1]) < 1e-8
+        and solution.converged
+    )
 
 
 @each_method
@@ -121,14 +148,20 @@ def test_methods_agree_on_what_bodies_do(method, name):
     solution = solve(system, method=method)
     tolerance = 1e-10
     if method in ("projected_gauss_seidel", "qp") and not solution.converged:
-        tolerance = solution.residual  # sweeps are slow, and Clarabel stops at its own gap
-        assert solution.residual < 1e-4 and (method == "qp" or solution.iterations == 10_000)
+        tolerance = (
+            solution.residual
+        )  # sweeps are slow, and Clarabel stops at its own gap
+        assert solution.residual < 1e-4 and (
+            method == "qp" or solution.iterations == 10_000
+        )
     assert within(scene, solution, tolerance) and solution.method.startswith(method)
     moved = system.inverse_mass @ (system.jacobian.T @ solution.force)
     truth = solve(system, method="pivot")
     expected = system.inverse_mass @ (system.jacobian.T @ truth.force)
     size = np.abs(expected).max() + np.abs(system.b).max()
-    np.testing.assert_allclose(moved, expected, rtol=0, atol=(1e-6 if solution.converged else 1e-2) * size)
+    np.testing.assert_allclose(
+        moved, expected, rtol=0, atol=(1e-6 if solution.converged else 1e-2) * size
+    )
 
 
 def test_qp_with_a_known_answer():
@@ -143,7 +176,9 @@ def test_qp_with_a_known_answer():
     free = np.zeros(6)
     free[:2] = -np.linalg.solve(p, q)
     a = jacobian @ inverse @ jacobian.T
-    system = ContactSystem(a, jacobian @ free + h, csr_array(jacobian), csr_array(inverse), free)
+    system = ContactSystem(
+        a, jacobian @ free + h, csr_array(jacobian), csr_array(inverse), free
+    )
     for method in METHODS:
         x = free + inverse @ jacobian.T @ solve(system, method=method).force
         np.testing.assert_allclose(x, [0.7625, 0.475, 0, 0, 0, 0], atol=1e-9)
@@ -173,7 +208,10 @@ def test_states_without_a_solution_come_with_the_proof(name):
         np.testing.assert_allclose(system.jacobian.T @ y, 0, atol=1e-12)
 
 
-@pytest.mark.parametrize("bodies, contacts", [(3, 60), (10, 300), pytest.param(40, 600, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "bodies, contacts",
+    [(3, 60), (10, 300), pytest.param(40, 600, marks=pytest.mark.slow)],
+)
 @pytest.mark.parametrize("with_bodies", [True, False])
 def test_forces_that_run_away_are_no_solution(bodies, contacts, with_bodies):
     """Far more contacts than bodies can obey, each with a d_ddot of its own: the residual, which is relative to the
@@ -181,11 +219,19 @@ def test_forces_that_run_away_are_no_solution(bodies, contacts, with_bodies):
     rng = np.random.default_rng([6, bodies])
     system = tangle(bodies, contacts, rng).system()
     b = system.b + rng.normal(size=contacts)
-    parts = (system.jacobian, system.inverse_mass, system.free_acceleration) if with_bodies else ()
+    parts = (
+        (system.jacobian, system.inverse_mass, system.free_acceleration)
+        if with_bodies
+        else ()
+    )
     with pytest.raises(NoContactForce) as error:
         solve(ContactSystem(system.A, b, *parts))
     y = error.value.certificate
-    assert np.all(y >= 0) and b @ y < -1e-3 and np.abs(system.jacobian.T @ y).max() < 1e-11 * y.sum()
+    assert (
+        np.all(y >= 0)
+        and b @ y < -1e-3
+        and np.abs(system.jacobian.T @ y).max() < 1e-11 * y.sum()
+    )
 
 
 @pytest.mark.parametrize("method", [m for m in METHODS if m != "auto"])
@@ -196,7 +242,9 @@ def test_only_auto_raises(method, name):
         pytest.skip("needs a jacobian")
     solution = solve(system, method=method, max_iterations=50)
     assert not solution.converged and solution.residual > 1e-3
-    assert np.all(np.isfinite(solution.force)) and np.all(np.isfinite(solution.acceleration))
+    assert np.all(np.isfinite(solution.force)) and np.all(
+        np.isfinite(solution.acceleration)
+    )
 
 
 def test_pins_without_spin_have_a_solution():
@@ -207,7 +255,9 @@ def test_pins_without_spin_have_a_solution():
 def test_no_contacts_and_contacts_that_are_about_to_part(method):
     nothing = random_scene(1, contacts=0).system()
     solution = solve(nothing, method=method)
-    assert solution.force.shape == (0,) and solution.residual == 0 and solution.converged
+    assert (
+        solution.force.shape == (0,) and solution.residual == 0 and solution.converged
+    )
     for acceleration in (0.0, 1.0):
         system = about_to_part(table(), acceleration).system()
         solution = solve(system, method=method)
@@ -222,12 +272,17 @@ def test_not_converged_keeps_what_was_reached():
     kept = error.value.solution
     assert not kept.converged and 0 < kept.residual < 1e-12
     again = complementarity_residual(system.A, kept.force, system.b)
-    assert kept.residual == pytest.approx(again, rel=0, abs=1e-15)  # sums in another order
+    assert kept.residual == pytest.approx(
+        again, rel=0, abs=1e-15
+    )  # sums in another order
 
 
 def test_a_matrix_that_is_no_contact_matrix():
     """Symmetric with a positive diagonal, but with an eigenvalue below 0: refused once the methods fail on it."""
-    with pytest.raises(ValueError, match="A: expected a positive semidefinite matrix; got eigenvalue -2"):
+    with pytest.raises(
+        ValueError,
+        match="A: expected a positive semidefinite matrix; got eigenvalue -2",
+    ):
         solve(ContactSystem(np.array([[1.0, -3], [-3, 1]]), np.array([-1.0, -2])))
 
 
@@ -240,12 +295,16 @@ def test_says_when_it_has_not_converged(method):
     else:
         solution = solve(system, method=method, max_iterations=2)
         assert not solution.converged and solution.residual > 1e-10
-    assert solution.residual == complementarity_residual(system.A, solution.force, system.b)
+    assert solution.residual == complementarity_residual(
+        system.A, solution.force, system.b
+    )
 
 
 def test_mass_ratio_of_a_million():
     system = stack(3, mass=[1e-3, 1e3, 1e-3]).system()
-    heavy = weighed_anew(wall(3, 3), 10.0 ** np.random.default_rng(2).choice([-3, 3], 9)).system()
+    heavy = weighed_anew(
+        wall(3, 3), 10.0 ** np.random.default_rng(2).choice([-3, 3], 9)
+    ).system()
     for each in (system, heavy):
         assert solve(each).residual <= 1e-10
         assert solve(each, method="gauss").residual <= 1e-10
@@ -258,31 +317,48 @@ def test_islands_do_not_disturb_each_other():
         wall(8, 8),
     ]
     together = solve(side_by_side(scenes).system())
-    assert together.residual <= 1e-10 and "block_pivot" in together.method and "gauss" in together.method
+    assert (
+        together.residual <= 1e-10
+        and "block_pivot" in together.method
+        and "gauss" in together.method
+    )
     alone = np.concatenate([solve(s.system()).acceleration for s in scenes])
     np.testing.assert_allclose(together.acceleration, alone, atol=1e-8)
 
 
 def batch(count=7):
     rng = np.random.default_rng(5)
-    systems = [table(4, offset=tuple(rng.uniform(-0.6, 0.6, 2))).system() for _ in range(count)]
+    systems = [
+        table(4, offset=tuple(rng.uniform(-0.6, 0.6, 2))).system() for _ in range(count)
+    ]
     return np.stack([s.A.toarray() for s in systems]), np.stack([s.b for s in systems])
 
 
 @pytest.mark.parametrize("method", [m for m in METHODS if m != "gauss"])
 def test_a_batch_is_its_systems_one_by_one(method):
     a, b = batch(6)
-    solution = solve(ContactSystem(a.reshape(2, 3, 4, 4), b.reshape(2, 3, 4)), method=method)
-    assert solution.force.shape == (2, 3, 4) and solution.residual.shape == solution.converged.shape == (2, 3)
+    solution = solve(
+        ContactSystem(a.reshape(2, 3, 4, 4), b.reshape(2, 3, 4)), method=method
+    )
+    assert solution.force.shape == (
+        2,
+        3,
+        4,
+    ) and solution.residual.shape == solution.converged.shape == (2, 3)
     assert np.shape(solution.iterations) == (2, 3) and np.all(solution.converged)
     for k in range(6):
         one = solve(ContactSystem(a[k], b[k]), method=method)
-        np.testing.assert_allclose(solution.acceleration.reshape(6, 4)[k], one.acceleration, atol=1e-8)
+        np.testing.assert_allclose(
+            solution.acceleration.reshape(6, 4)[k], one.acceleration, atol=1e-8
+        )
 
 
 def test_a_batch_with_a_system_that_has_no_solution():
     a, b = batch(5)
-    a[3], b[3] = block_diag([[[1.0, -1], [-1, 1]], np.eye(2)]).toarray(), [-1.0, -1, -1, 0]
+    a[3], b[3] = (
+        block_diag([[[1.0, -1], [-1, 1]], np.eye(2)]).toarray(),
+        [-1.0, -1, -1, 0],
+    )
     with pytest.raises(NoContactForce, match="system 3 of the batch") as error:
         solve(ContactSystem(a, b))
     y = error.value.certificate
@@ -308,7 +384,9 @@ def test_a_start_that_solves_the_system_is_kept():
     first = solve(system)
     again = solve(system, start=first.force)
     assert (
-        np.array_equal(again.force, first.force) and again.iterations == 0 and again.method == "auto: start"
+        np.array_equal(again.force, first.force)
+        and again.iterations == 0
+        and again.method == "auto: start"
     )
     assert solve(system, start=np.zeros(4)).residual <= 1e-10
 
@@ -318,7 +396,9 @@ def test_a_and_b_alone_are_enough_for_all_but_gauss():
     bare = ContactSystem(whole.A, whole.b)
     assert len(bare) > 400
     assert solve(bare).residual <= 1e-10
-    np.testing.assert_allclose(solve(bare).acceleration, solve(whole).acceleration, atol=1e-7)
+    np.testing.assert_allclose(
+        solve(bare).acceleration, solve(whole).acceleration, atol=1e-7
+    )
     with pytest.raises(ValueError, match="jacobian"):
         solve(bare, method="gauss")
 
@@ -328,7 +408,11 @@ def test_inputs_are_not_written_to():
     a, b, start = system.A.copy(), system.b.copy(), np.ones(len(system))
     for method in METHODS:
         solve(system, method=method, start=start)
-    assert abs(system.A - a).max() == 0 and np.array_equal(system.b, b) and np.all(start == 1)
+    assert (
+        abs(system.A - a).max() == 0
+        and np.array_equal(system.b, b)
+        and np.all(start == 1)
+    )
 
 
 def test_refusals():

@@ -10,8 +10,12 @@ from course.contact.solvers.block_pivot import block_pivot, block_pivot_one
 
 def systems(count, contacts, rank, seed):
     rng = np.random.default_rng(seed)
-    g = rng.normal(size=(count, rank, contacts)) * 10.0 ** rng.uniform(-2, 2, (count, 1, contacts))
-    return np.swapaxes(g, 1, 2) @ g, -np.einsum("skc,sk->sc", g, rng.normal(size=(count, rank)))
+    g = rng.normal(size=(count, rank, contacts)) * 10.0 ** rng.uniform(
+        -2, 2, (count, 1, contacts)
+    )
+    return np.swapaxes(g, 1, 2) @ g, -np.einsum(
+        "skc,sk->sc", g, rng.normal(size=(count, rank))
+    )
 
 
 @pytest.mark.parametrize("contacts", [1, 2, 4, 7, 12])
@@ -31,9 +35,13 @@ def test_one_by_one_is_the_same_as_together(monkeypatch):
     together = block_pivot(a, b)
     for k in range(40):
         alone = block_pivot(a[k : k + 1], b[k : k + 1])
-        np.testing.assert_allclose(together.force[k], alone.force[0], atol=1e-9 * np.abs(alone.force).max())
+        np.testing.assert_allclose(
+            together.force[k], alone.force[0], atol=1e-9 * np.abs(alone.force).max()
+        )
     monkeypatch.setattr(module, "BLOCK", 10)
-    np.testing.assert_allclose(block_pivot(a, b).force, together.force, atol=1e-12 * together.force.max())
+    np.testing.assert_allclose(
+        block_pivot(a, b).force, together.force, atol=1e-12 * together.force.max()
+    )
 
 
 @pytest.mark.parametrize("spare", [2, 0, -1])
@@ -42,9 +50,13 @@ def test_what_the_forces_do_comes_with_them(spare):
     a, b = systems(200, 6, 6 + spare, [5, spare + 1])
     found = block_pivot(a, b)
     np.testing.assert_allclose(
-        found.product, np.einsum("sij,sj->si", a, found.force), atol=1e-14 * found.size.max()
+        found.product,
+        np.einsum("sij,sj->si", a, found.force),
+        atol=1e-14 * found.size.max(),
     )
-    np.testing.assert_allclose(found.size, np.einsum("sij,sj->si", np.abs(a), found.force), rtol=1e-13)
+    np.testing.assert_allclose(
+        found.size, np.einsum("sij,sj->si", np.abs(a), found.force), rtol=1e-13
+    )
     one = block_pivot_one(a[0], b[0])
     assert np.array_equal(one.product, a[0] @ one.force)
     assert np.array_equal(one.size, np.abs(a[0]) @ one.force)
@@ -66,7 +78,9 @@ def test_any_first_guess_leads_there():
         whole = block_pivot_one(a[k], b[k])
         guess = rng.uniform(size=8) < 0.5
         other = block_pivot_one(a[k], b[k], pushing=guess.copy())
-        np.testing.assert_allclose(other.force, whole.force, atol=1e-9 * whole.force.max())
+        np.testing.assert_allclose(
+            other.force, whole.force, atol=1e-9 * whole.force.max()
+        )
         again = block_pivot_one(a[k], b[k], pushing=whole.force > 0)
         assert again.iterations == 1 and again.residual <= 1e-12
 
@@ -75,13 +89,18 @@ def test_large_systems_by_lapack():
     a, b = systems(3, 90, 100, 9)
     found = block_pivot(a, b)
     assert found.residual.max() <= 1e-12
-    np.testing.assert_allclose(complementarity_residual(a, found.force, b), found.residual, atol=1e-14)
+    np.testing.assert_allclose(
+        complementarity_residual(a, found.force, b), found.residual, atol=1e-14
+    )
 
 
 def test_nothing_to_do_and_nothing_that_helps():
     empty = block_pivot(np.zeros((0, 4, 4)), np.zeros((0, 4)))
     assert empty.force.shape == (0, 4)
-    assert block_pivot(np.zeros((9, 0, 0)), np.zeros((9, 0))).residual.tolist() == [0.0] * 9
+    assert (
+        block_pivot(np.zeros((9, 0, 0)), np.zeros((9, 0))).residual.tolist()
+        == [0.0] * 9
+    )
     a = np.zeros((10, 2, 2))
     a[:, 1, 1] = 2.0
     found = block_pivot(a, np.full((10, 2), -1.0))
@@ -90,7 +109,9 @@ def test_nothing_to_do_and_nothing_that_helps():
         block_pivot_one(a[0], np.zeros(2)).force
     ]
     assert not any(np.any(f) or np.any(np.signbit(f)) for f in still)
-    assert np.all(found.residual == 1), "a contact that no force moves approaches for ever"
+    assert np.all(found.residual == 1), (
+        "a contact that no force moves approaches for ever"
+    )
 
 
 def test_a_limit_ends_it():

@@ -6,7 +6,14 @@ from scipy.sparse import csr_array
 
 from course.contact import solve
 from course.contact.solvers.certificate import certificate
-from course.study.resting_scenes import random_scene, side_by_side, spinning_between_pins, stack, table, wall
+from course.study.resting_scenes import (
+    random_scene,
+    side_by_side,
+    spinning_between_pins,
+    stack,
+    table,
+    wall,
+)
 
 
 def proves(system, y):

@@ -14,7 +14,11 @@ KINDS = (BandedCholesky, SparseCholesky)
 
 
 def chain(count):
-    return csr_array(diags_array([np.ones(count), np.ones(count - 1), np.ones(count - 1)], offsets=[0, 1, -1]))
+    return csr_array(
+        diags_array(
+            [np.ones(count), np.ones(count - 1), np.ones(count - 1)], offsets=[0, 1, -1]
+        )
+    )
 
 
 def grid(side):
@@ -71,12 +75,16 @@ def test_solutions_are_those_of_the_dense_matrix(kind, name):
     cholesky, rng = kind(pattern), np.random.default_rng(3)
     assert np.array_equal(np.sort(cholesky.order), np.arange(pattern.shape[0]))
     assert np.array_equal(cholesky.rank[cholesky.order], np.arange(pattern.shape[0]))
-    for _ in range(3):  # the same pattern, other numbers: nothing of the last ones is left
+    for _ in range(
+        3
+    ):  # the same pattern, other numbers: nothing of the last ones is left
         dense, q = matrix_on(pattern, rng), rng.normal(size=pattern.shape[0])
         factored(cholesky, dense)
         expected = np.linalg.solve(dense + np.eye(q.size), q)
         before = q.copy()
-        np.testing.assert_allclose(solved(cholesky, q), expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+        np.testing.assert_allclose(
+            solved(cholesky, q), expected, rtol=0, atol=1e-11 * np.abs(expected).max()
+        )
         assert np.array_equal(q, before)
 
 
@@ -89,14 +97,18 @@ def test_a_matrix_that_is_not_positive_definite_is_told_and_does_no_lasting_harm
         factored(cholesky, dense - 5.0 * np.eye(pattern.shape[0]))
     factored(cholesky, dense)
     q = rng.normal(size=pattern.shape[0])
-    np.testing.assert_allclose((dense + np.eye(q.size)) @ solved(cholesky, q), q, atol=1e-10)
+    np.testing.assert_allclose(
+        (dense + np.eye(q.size)) @ solved(cholesky, q), q, atol=1e-10
+    )
 
 
 def test_the_panels_hold_no_more_than_it_pays_to():
     """An arrow needs 2 n - 1 numbers, a tridiagonal matrix as many; merging may store some zeros, not n^2."""
     for name in ("arrow", "chain"):
         count = PATTERNS[name].shape[0]
-        assert 2 * count - 1 <= SparseCholesky(PATTERNS[name]).size <= count * (count + 1)
+        assert (
+            2 * count - 1 <= SparseCholesky(PATTERNS[name]).size <= count * (count + 1)
+        )
     heap = pattern_of(pile(700, np.random.default_rng(2)))
     assert SparseCholesky(heap).size < 0.7 * BandedCholesky(heap).size
 
@@ -111,7 +123,9 @@ def pattern_of(scene):
 def test_walls_are_factored_banded_and_large_piles_sparse():
     assert isinstance(_cheapest(pattern_of(wall(12, 12))), BandedCholesky)
     assert isinstance(_cheapest(pattern_of(wall(24, 24))), BandedCholesky)
-    assert isinstance(_cheapest(pattern_of(pile(1000, np.random.default_rng(1)))), SparseCholesky)
+    assert isinstance(
+        _cheapest(pattern_of(pile(1000, np.random.default_rng(1)))), SparseCholesky
+    )
 
 
 def test_the_band_begins_at_an_end():

@@ -38,11 +38,18 @@ def unit_system(scene):
 
 
 def test_factor_of_the_contact_matrix():
-    for scene in (WALL, on_a_moving_ground(pile(8, RNG), [1.0, 0, 0], [1.0, 2, 3]), tangle(5, 20, RNG)):
+    for scene in (
+        WALL,
+        on_a_moving_ground(pile(8, RNG), [1.0, 0, 0], [1.0, 2, 3]),
+        tangle(5, 20, RNG),
+    ):
         system = scene.system()
         factor = mass_factor(system)
         np.testing.assert_allclose(
-            (factor @ factor.T).toarray(), system.A.toarray(), rtol=0, atol=1e-12 * abs(system.A).max()
+            (factor @ factor.T).toarray(),
+            system.A.toarray(),
+            rtol=0,
+            atol=1e-12 * abs(system.A).max(),
         )
 
 
@@ -52,7 +59,9 @@ def eliminations(unit):
     scale = diags_array(1 / unit.root)
     a, rows = csr_array(scale @ unit.matrix @ scale), csr_array(scale @ unit._factor())
     rows = rows[:, np.unique(rows.indices)]
-    pattern = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
+    pattern = csr_array(
+        (np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape
+    )
     kinds = (BandedCholesky, SparseCholesky)
     return a.toarray(), [
         ShiftedDense(a.toarray()), *(ShiftedByForces(a, kind(a)) for kind in kinds),
@@ -60,20 +69,26 @@ def eliminations(unit):
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize("scene", [WALL, pile(20, RNG), tangle(6, 30, RNG)], ids=lambda s: s.name)
+@pytest.mark.parametrize(
+    "scene", [WALL, pile(20, RNG), tangle(6, 30, RNG)], ids=lambda s: s.name
+)
 def test_all_eliminations_of_one_equation(scene):
     """(A + diag(1/theta)) x = q, x = 0 where theta = 0."""
     unit = unit_system(scene)
     a, ways = eliminations(unit)
     rng = np.random.default_rng(1)
-    theta = np.where(rng.uniform(size=len(unit)) < 0.3, 0.0, 10.0 ** rng.uniform(-3, 3, len(unit)))
+    theta = np.where(
+        rng.uniform(size=len(unit)) < 0.3, 0.0, 10.0 ** rng.uniform(-3, 3, len(unit))
+    )
     q = rng.normal(size=len(unit))
     on = theta > 0
     expected = np.zeros(len(unit))
     expected[on] = np.linalg.solve(a[np.ix_(on, on)] + np.diag(1 / theta[on]), q[on])
     for each in ways:
         each.factor(theta)
-        np.testing.assert_allclose(each.solve(q), expected, atol=1e-8 * np.abs(expected).max())
+        np.testing.assert_allclose(
+            each.solve(q), expected, atol=1e-8 * np.abs(expected).max()
+        )
         np.testing.assert_allclose(each.times(q), a @ q, atol=1e-12 * len(unit))
 
 
@@ -99,8 +114,12 @@ CASES = {
 def test_reaches_the_tolerance(name):
     unit = unit_system(CASES[name])
     found = solve_gauss(unit)
-    assert found.residual <= 1e-10 and np.all(found.force >= 0) and found.iterations < 60
-    assert unit.residual(found.force * unit.root) == pytest.approx(found.residual, abs=1e-15)
+    assert (
+        found.residual <= 1e-10 and np.all(found.force >= 0) and found.iterations < 60
+    )
+    assert unit.residual(found.force * unit.root) == pytest.approx(
+        found.residual, abs=1e-15
+    )
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -113,14 +132,21 @@ def test_random_scenes(seed):
 def test_iterations_hardly_grow_with_the_wall():
     """Between 60 and 15 times as many contacts it is a matter of a few iterations."""
     counts = [
-        solve_gauss(unit_system(shaken(wall(n, n), np.random.default_rng(2)))).iterations for n in (3, 6, 12)
+        solve_gauss(
+            unit_system(shaken(wall(n, n), np.random.default_rng(2)))
+        ).iterations
+        for n in (3, 6, 12)
     ]
     assert max(counts) <= 15
 
 
 def test_stops_at_its_limit():
     found = solve_gauss(unit_system(WALL), max_iterations=3)
-    assert found.iterations == 3 and found.residual > 1e-10 and np.all(np.isfinite(found.force))
+    assert (
+        found.iterations == 3
+        and found.residual > 1e-10
+        and np.all(np.isfinite(found.force))
+    )
 
 
 def test_settle_mends_a_guess_that_is_nearly_right():

@@ -12,14 +12,18 @@ def test_two_contacts_by_hand():
     found = solve_pivot([[1, 0.5], [0.5, 1]], [-1.0, -1.0])
     np.testing.assert_allclose(found.force, 2 / 3, rtol=1e-12)
     assert found.finished and found.pivots == 2 and found.certificate is None
-    lifted = solve_pivot([[1, 0.5], [0.5, 1]], [-1.0, 0.0])  # the second alone would pull
+    lifted = solve_pivot(
+        [[1, 0.5], [0.5, 1]], [-1.0, 0.0]
+    )  # the second alone would pull
     np.testing.assert_allclose(lifted.force, [1, 0])
 
 
 def test_a_redundant_contact_never_joins():
     """Three contacts of rank 1: the first carries all, the others' w is 0 already."""
     found = solve_pivot(np.ones((3, 3)), [-2.0, -2.0, -2.0])
-    assert found.finished and found.pivots == 1 and found.force.sum() == pytest.approx(2)
+    assert (
+        found.finished and found.pivots == 1 and found.force.sum() == pytest.approx(2)
+    )
     worse = solve_pivot(np.ones((3, 3)), [-1.0, -3.0, -2.0])
     np.testing.assert_allclose(worse.force, [0, 3, 0])
 

@@ -34,7 +34,9 @@ def test_the_accumulated_force_is_limited():
 def test_sweeps_by_colours_are_sweeps_one_by_one(relaxation):
     system = shaken(wall(5, 4), np.random.default_rng(1)).system()
     order = np.concatenate(sweep_order(system.A))
-    found = solve_projected_gauss_seidel(system.A, system.b, max_sweeps=7, relaxation=relaxation)
+    found = solve_projected_gauss_seidel(
+        system.A, system.b, max_sweeps=7, relaxation=relaxation
+    )
     expected = plain(system.A.toarray(), system.b, found.sweeps, relaxation, order)
     assert found.sweeps == 7
     np.testing.assert_allclose(found.force, expected, rtol=1e-12, atol=1e-13)
@@ -79,7 +81,9 @@ def test_heavy_on_light_converges_by_the_mass_ratio(ratio):
     system = stack(2, corners=1, mass=[1.0, ratio]).system()
     predicted = predicted_gauss_seidel_factor(system.A)
     assert predicted == pytest.approx(ratio / (1 + ratio), abs=1e-12)
-    assert measured_gauss_seidel_factor(system.A, system.b, sweeps=5000) == pytest.approx(predicted, abs=1e-4)
+    assert measured_gauss_seidel_factor(
+        system.A, system.b, sweeps=5000
+    ) == pytest.approx(predicted, abs=1e-4)
 
 
 def test_four_corners_are_predicted_from_the_matrix():

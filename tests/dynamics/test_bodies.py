@@ -27,8 +27,12 @@ def test_velocities_follow_from_momenta():
             rotation[i] @ bodies.inertia[i] @ rotation[i].T
         )  # syllabus row 22: omega = I^-1 L in the world
         assert np.allclose(bodies.world_inertia[i], inertia)
-        assert np.allclose(bodies.world_inverse_inertia[i] @ inertia, np.eye(3), atol=1e-14)
-        assert np.allclose(inertia @ bodies.angular_velocity[i], bodies.angular_momentum[i])
+        assert np.allclose(
+            bodies.world_inverse_inertia[i] @ inertia, np.eye(3), atol=1e-14
+        )
+        assert np.allclose(
+            inertia @ bodies.angular_velocity[i], bodies.angular_momentum[i]
+        )
         assert np.allclose(bodies.mass[i] * bodies.velocity[i], bodies.momentum[i])
 
 
@@ -48,13 +52,18 @@ def test_a_fixed_body_does_not_move_and_its_inertia_is_not_read():
 
 
 def test_balls():
-    bodies = Bodies.balls([2.0, np.inf], 0.5, [[0, 0, 0], [1, 0, 0]], [[0, 0, 3.0], [0, 0, 0]])
-    assert np.allclose(bodies.inertia[0], 0.4 * 2 * 0.25 * np.eye(3))  # solid ball, 2/5 m r^2
+    bodies = Bodies.balls(
+        [2.0, np.inf], 0.5, [[0, 0, 0], [1, 0, 0]], [[0, 0, 3.0], [0, 0, 0]]
+    )
+    assert np.allclose(
+        bodies.inertia[0], 0.4 * 2 * 0.25 * np.eye(3)
+    )  # solid ball, 2/5 m r^2
     assert np.array_equal(bodies.velocity, [[0, 0, 3], [0, 0, 0]])
     assert np.array_equal(bodies.momentum, [[0, 0, 6], [0, 0, 0]])
     assert len(Bodies.balls(1.0, 0.5, np.zeros((4, 3)))) == 4
     with pytest.raises(
-        ValueError, match=r"velocity: expected zero in a body of infinite mass; .* at index \(1,\)"
+        ValueError,
+        match=r"velocity: expected zero in a body of infinite mass; .* at index \(1,\)",
     ):
         Bodies.balls([1.0, np.inf], 0.5, np.zeros((2, 3)), [0, 0, 1.0])
     with pytest.raises(ValueError, match=r"position: expected shape \(n, 3\)"):
@@ -68,8 +77,14 @@ def test_fields_are_copies_that_cannot_be_written_and_replace_works():
     assert np.array_equal(bodies.momentum, np.ones((5, 3)))
     with pytest.raises(ValueError, match="read-only"):
         bodies.position[0, 0] = 1
-    assert replace(bodies, momentum=momentum).position is bodies.position  # nothing copied twice
-    turned = replace(bodies, orientation=np.roll(bodies.orientation, 1, axis=0), inertia=2 * bodies.inertia)
+    assert (
+        replace(bodies, momentum=momentum).position is bodies.position
+    )  # nothing copied twice
+    turned = replace(
+        bodies,
+        orientation=np.roll(bodies.orientation, 1, axis=0),
+        inertia=2 * bodies.inertia,
+    )
     assert not np.allclose(
         turned.rotation, bodies.rotation
     )  # what is kept of one set is not taken for another
@@ -105,7 +120,8 @@ def test_refuses(field, value, message):
 def test_refuses_momentum_in_a_fixed_body(field):
     wall = Bodies.balls([1.0, np.inf], 0.5, np.zeros((2, 3)))
     with pytest.raises(
-        ValueError, match=rf"{field}: expected zero in a body of infinite mass; .* at index \(1,\)"
+        ValueError,
+        match=rf"{field}: expected zero in a body of infinite mass; .* at index \(1,\)",
     ):
         replace(wall, **{field: np.ones((2, 3))})
 
@@ -116,5 +132,7 @@ def test_no_bodies_are_a_valid_set():
 
 def test_importing_dynamics_loads_no_scipy():
     code = "import sys, course.dynamics, course.overlap, course.contact; print('scipy' in sys.modules)"
-    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    out = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
     assert out.stdout.strip() == "False"

@@ -3,7 +3,13 @@
 import numpy as np
 import pytest
 
-from course.dynamics import bounce_path_length, bounce_rest_time, bounce_times, impulse_central, wall_bounce
+from course.dynamics import (
+    bounce_path_length,
+    bounce_rest_time,
+    bounce_times,
+    impulse_central,
+    wall_bounce,
+)
 
 
 def test_wall_at_one_is_the_mirror_of_the_slide():
@@ -14,7 +20,9 @@ def test_wall_at_one_is_the_mirror_of_the_slide():
     approaching = np.sum(v * n, axis=1) < 0
     after = wall_bounce(v, n, 1.0)
     assert np.allclose(after[approaching], mirrored[approaching])
-    assert np.array_equal(after[~approaching], v[~approaching])  # parting: nothing happens
+    assert np.array_equal(
+        after[~approaching], v[~approaching]
+    )  # parting: nothing happens
     assert 40 < approaching.sum() < 160
 
 
@@ -29,7 +37,9 @@ def test_wall_is_the_limit_of_a_fixed_second_body():
 
 def test_wall_keeps_the_tangential_part_and_broadcasts():
     assert np.allclose(wall_bounce([1.0, 2.0, -4.0], [0, 0, 1.0], 0.5), [1, 2, 2])
-    assert wall_bounce(np.zeros((4, 1, 3)), np.tile([0, 0, 1.0], (5, 1)), [0.1] * 5).shape == (4, 5, 3)
+    assert wall_bounce(
+        np.zeros((4, 1, 3)), np.tile([0, 0, 1.0], (5, 1)), [0.1] * 5
+    ).shape == (4, 5, 3)
 
 
 def test_figures_of_a_ball_dropped_from_one_metre():
@@ -37,7 +47,9 @@ def test_figures_of_a_ball_dropped_from_one_metre():
     assert bounce_rest_time(1.0, 0.5) == pytest.approx(1.354571, abs=5e-7)
     assert bounce_path_length(1.0, 0.5) == pytest.approx(5 / 3, rel=1e-15)
     first = np.sqrt(2 / 9.81)
-    assert np.allclose(bounce_times(1.0, 0.5, 4), first * np.array([1, 2, 2.5, 2.75]), rtol=1e-15)
+    assert np.allclose(
+        bounce_times(1.0, 0.5, 4), first * np.array([1, 2, 2.5, 2.75]), rtol=1e-15
+    )
 
 
 def test_times_run_to_the_rest_time():
@@ -46,7 +58,9 @@ def test_times_run_to_the_rest_time():
     assert times.shape == (3, 2000)
     assert np.allclose(times[:, -1], bounce_rest_time(2.0, e, gravity=1.6), rtol=1e-12)
     assert np.all(np.diff(times[1:, :20]) > 0)
-    assert np.allclose(np.diff(bounce_times(2.0, 1.0, 5)), 2 * np.sqrt(4 / 9.81))  # at e = 1 for ever
+    assert np.allclose(
+        np.diff(bounce_times(2.0, 1.0, 5)), 2 * np.sqrt(4 / 9.81)
+    )  # at e = 1 for ever
 
 
 def test_path_is_the_sum_of_the_rises():
@@ -56,7 +70,9 @@ def test_path_is_the_sum_of_the_rises():
 
 
 def test_limits():
-    assert bounce_rest_time(1.0, 1.0) == np.inf and bounce_path_length(1.0, 1.0) == np.inf
+    assert (
+        bounce_rest_time(1.0, 1.0) == np.inf and bounce_path_length(1.0, 1.0) == np.inf
+    )
     assert bounce_rest_time(0.0, 1.0) == 0 and bounce_path_length(0.0, 1.0) == 0
     assert np.array_equal(bounce_times(1.0, 0.0, 3), np.full(3, np.sqrt(2 / 9.81)))
 

@@ -45,17 +45,25 @@ def test_a_rigid_set_of_particles(seed):
     rng = np.random.default_rng(seed)
     m, r = rng.uniform(0.5, 2, 9), rng.normal(size=(9, 3))
     r -= m @ r / m.sum()
-    inertia = sum(mi * (x @ x * np.eye(3) - np.outer(x, x)) for mi, x in zip(m, r, strict=True))
+    inertia = sum(
+        mi * (x @ x * np.eye(3) - np.outer(x, x)) for mi, x in zip(m, r, strict=True)
+    )
     turn, x, v, omega = Rotation.random(random_state=rng), *rng.normal(size=(3, 3))
     arms = turn.apply(r)
     angular = turn.as_matrix() @ inertia @ turn.as_matrix().T @ omega
-    bodies = Bodies([m.sum()], [inertia], [x], [turn.as_quat()], [m.sum() * v], [angular])
+    bodies = Bodies(
+        [m.sum()], [inertia], [x], [turn.as_quat()], [m.sum() * v], [angular]
+    )
     speeds = v + np.cross(omega, arms)
     c = rng.normal(size=3)
-    assert kinetic_energy(bodies)[0] == pytest.approx(0.5 * np.sum(m * np.sum(speeds**2, axis=1)), rel=1e-12)
+    assert kinetic_energy(bodies)[0] == pytest.approx(
+        0.5 * np.sum(m * np.sum(speeds**2, axis=1)), rel=1e-12
+    )
     assert np.allclose(total_momentum(bodies), m @ speeds, rtol=1e-12)
     expected = np.sum(m[:, None] * np.cross(x + arms - c, speeds), axis=0)
-    assert np.allclose(total_angular_momentum(bodies, c), expected, rtol=1e-12, atol=1e-12)
+    assert np.allclose(
+        total_angular_momentum(bodies, c), expected, rtol=1e-12, atol=1e-12
+    )
     energy = kinetic_energy(bodies)[0] - np.sum(m * ((x + arms) @ GRAVITY))
     assert total_energy(bodies, GRAVITY) == pytest.approx(energy, rel=1e-12)
 
@@ -66,12 +74,17 @@ def test_fixed_bodies_add_nothing_and_make_no_nan(seed):
     keep = np.array([0, 2, 3])
     free = Bodies(*(getattr(bodies, f)[keep] for f in Bodies.__dataclass_fields__))
     with np.errstate(all="raise"):
-        assert total_energy(bodies, GRAVITY) == pytest.approx(total_energy(free, GRAVITY))
+        assert total_energy(bodies, GRAVITY) == pytest.approx(
+            total_energy(free, GRAVITY)
+        )
         assert kinetic_energy(bodies)[1] == 0
         assert potential_energy(np.inf, [0, 0, 0], GRAVITY) == 0
         assert potential_energy([1.0, np.inf], [0, 0, 2], GRAVITY)[1] == 0
     assert np.array_equal(total_momentum(bodies), total_momentum(free))
-    assert np.allclose(total_angular_momentum(bodies, [1, 2, 3]), total_angular_momentum(free, [1, 2, 3]))
+    assert np.allclose(
+        total_angular_momentum(bodies, [1, 2, 3]),
+        total_angular_momentum(free, [1, 2, 3]),
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -96,16 +109,21 @@ def test_energies_broadcast():
 
 def test_bad_input_is_refused_by_name():
     with pytest.raises(
-        ValueError, match=r"momentum: expected vectors of shape \(\.\.\., 3\); got shape \(2,\)"
+        ValueError,
+        match=r"momentum: expected vectors of shape \(\.\.\., 3\); got shape \(2,\)",
     ):
         linear_kinetic_energy([1, 2], [1, 2, 3])
     with pytest.raises(ValueError, match="angular_velocity: expected finite"):
         angular_kinetic_energy([1, 2, 3], [1, 2, np.inf])
-    with pytest.raises(ValueError, match="velocity: expected a batch that broadcasts with momentum"):
+    with pytest.raises(
+        ValueError, match="velocity: expected a batch that broadcasts with momentum"
+    ):
         linear_kinetic_energy(np.ones((2, 3)), np.ones((4, 3)))
     with pytest.raises(ValueError, match=r"mass: expected positive numbers; got -1.0"):
         potential_energy(-1, [0, 0, 0], GRAVITY)
-    with pytest.raises(ValueError, match=r"gravity: expected shape \(3,\); got shape \(1, 3\)"):
+    with pytest.raises(
+        ValueError, match=r"gravity: expected shape \(3,\); got shape \(1, 3\)"
+    ):
         total_energy(with_a_fixed_one(), [GRAVITY])
     with pytest.raises(ValueError, match=r"point: expected vectors"):
         total_angular_momentum(with_a_fixed_one(), 1.0)
@@ -116,4 +134,6 @@ def test_inputs_are_not_written():
     copy = replace(bodies)
     total_energy(bodies, GRAVITY)
     total_angular_momentum(bodies)
-    assert np.array_equal(bodies.momentum, copy.momentum) and np.array_equal(bodies.position, copy.position)
+    assert np.array_equal(bodies.momentum, copy.momentum) and np.array_equal(
+        bodies.position, copy.position
+    )

@@ -43,8 +43,12 @@ def test_worked_pair():
     after = velocity_after(2.0, 3.0, v_1, v_2, p_hat, X)
     assert np.allclose(after[0], [0.5, 0, 0]) and np.allclose(after[1], [-2, 0, 0])
     assert separation_speed(v_1, v_2, X, 0.5) == 2.5 == after[0][0] - after[1][0]
-    assert kinetic_energy_lost(2.0, 3.0, v_1, v_2, X, 0.5) == pytest.approx(0.5 * (6 / 5) * 0.75 * 25)
-    assert np.allclose(momentum_after([-8.0, 0, 0], [3.0, 0, 0], p_hat, X), [[1, 0, 0], [-6, 0, 0]])
+    assert kinetic_energy_lost(2.0, 3.0, v_1, v_2, X, 0.5) == pytest.approx(
+        0.5 * (6 / 5) * 0.75 * 25
+    )
+    assert np.allclose(
+        momentum_after([-8.0, 0, 0], [3.0, 0, 0], p_hat, X), [[1, 0, 0], [-6, 0, 0]]
+    )
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -53,14 +57,17 @@ def test_laws_hold_on_random_pairs(seed):
     p_hat = impulse_central(m_1, m_2, v_1, v_2, n, e)
     w_1, w_2 = velocity_after(m_1, m_2, v_1, v_2, p_hat, n)
     u, w = np.sum((v_1 - v_2) * n, axis=1), np.sum((w_1 - w_2) * n, axis=1)
-    assert np.all(p_hat >= 0) and np.all(p_hat[u >= 0] == 0)  # never pulls; nothing to bodies that part
+    assert np.all(p_hat >= 0) and np.all(
+        p_hat[u >= 0] == 0
+    )  # never pulls; nothing to bodies that part
     assert np.allclose(w, np.where(u < 0, -e * u, u), rtol=0, atol=1e-13)
     assert np.allclose(w, separation_speed(v_1, v_2, n, e), rtol=0, atol=1e-13)
     fixed = np.isinf(m_2)
     assert np.array_equal(w_2[fixed], v_2[fixed])
     free = ~fixed
     energy = [
-        0.5 * m_1 * np.sum(a**2, axis=1) + 0.5 * np.where(free, m_2, 0) * np.sum(b**2, axis=1)
+        0.5 * m_1 * np.sum(a**2, axis=1)
+        + 0.5 * np.where(free, m_2, 0) * np.sum(b**2, axis=1)
         for a, b in ((v_1, v_2), (w_1, w_2))
     ]
     lost = kinetic_energy_lost(m_1, m_2, v_1, v_2, n, e)
@@ -70,15 +77,21 @@ def test_laws_hold_on_random_pairs(seed):
     )  # row 15 defines T_lost
     p_1, p_2 = m_1[free, None] * v_1[free], m_2[free, None] * v_2[free]
     q_1, q_2 = momentum_after(p_1, p_2, p_hat[free], n[free])
-    assert np.allclose(q_1 + q_2, p_1 + p_2, rtol=0, atol=1e-15 * np.abs([p_1, p_2]).max())
-    assert np.allclose(q_1, m_1[free, None] * w_1[free]) and np.allclose(q_2, m_2[free, None] * w_2[free])
+    assert np.allclose(
+        q_1 + q_2, p_1 + p_2, rtol=0, atol=1e-15 * np.abs([p_1, p_2]).max()
+    )
+    assert np.allclose(q_1, m_1[free, None] * w_1[free]) and np.allclose(
+        q_2, m_2[free, None] * w_2[free]
+    )
 
 
 def test_energy_kept_at_one_and_relative_motion_gone_at_zero():
     m_1, m_2, v_1, v_2, n, _ = pairs(4)
     assert not kinetic_energy_lost(m_1, m_2, v_1, v_2, n, 1.0).any()
     hit = np.sum((v_1 - v_2) * n, axis=1) < 0
-    w_1, w_2 = velocity_after(m_1, m_2, v_1, v_2, impulse_central(m_1, m_2, v_1, v_2, n, 0.0), n)
+    w_1, w_2 = velocity_after(
+        m_1, m_2, v_1, v_2, impulse_central(m_1, m_2, v_1, v_2, n, 0.0), n
+    )
     assert np.abs(np.sum((w_1 - w_2) * n, axis=1))[hit].max() < 1e-14
 
 
@@ -95,7 +108,9 @@ def test_restitution_as_printed_leaves_the_bodies_approaching(e):
 
 def test_walls():
     # Misprint 4: a wall needs 1/m2 = 0 and v2 = 0; p_hat = -(1 + e) m1 v1.n.
-    assert impulse_central(3.0, np.inf, [-2.0, 1, 0], [0, 0, 0], X, 0.25) == 1.25 * 3 * 2
+    assert (
+        impulse_central(3.0, np.inf, [-2.0, 1, 0], [0, 0, 0], X, 0.25) == 1.25 * 3 * 2
+    )
     assert impulse_central(np.inf, 3.0, [0, 0, 0], [2.0, 1, 0], X, 0.25) == 1.25 * 3 * 2
     assert impulse_central(np.inf, np.inf, [-2.0, 0, 0], [0, 0, 0], X, 0.25) == 0
     assert kinetic_energy_lost(np.inf, np.inf, [-2.0, 0, 0], [0, 0, 0], X, 0.25) == 0
@@ -108,7 +123,9 @@ def test_broadcasting_equals_a_loop():
     for i in range(6):
         for j in range(6):
             one = (m_1[i], m_2[j], v_1[i], v_2[j], n[j], e[j])
-            assert batch[i, j] == impulse_central(*one) and lost[i, j] == kinetic_energy_lost(*one)
+            assert batch[i, j] == impulse_central(*one) and lost[
+                i, j
+            ] == kinetic_energy_lost(*one)
     assert impulse_central(1.0, 1.0, np.zeros((0, 3)), [0, 0, 0], X, 1).shape == (0,)
 
 
@@ -138,7 +155,12 @@ def test_inputs_are_not_written():
 )  # fmt: skip
 def test_refuses(change, message):
     good = dict(
-        mass_1=1.0, mass_2=2.0, velocity_1=[-1.0, 0, 0], velocity_2=[0.0, 0, 0], normal=X, restitution=0.5
+        mass_1=1.0,
+        mass_2=2.0,
+        velocity_1=[-1.0, 0, 0],
+        velocity_2=[0.0, 0, 0],
+        normal=X,
+        restitution=0.5,
     )
     for function in (impulse_central, kinetic_energy_lost):
         with pytest.raises(ValueError, match=message):
@@ -191,7 +213,9 @@ def spinning(seed, n=40, fixed=0.2):
     bodies = Bodies(mass, inertia, rng.normal(size=(2 * n, 3)), q, p, angular)
     normal = rng.normal(size=(n, 3))
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    return bodies, Contacts(np.arange(n), np.arange(n) + n, rng.normal(size=(n, 3)), normal, np.zeros(n))
+    return bodies, Contacts(
+        np.arange(n), np.arange(n) + n, rng.normal(size=(n, 3)), normal, np.zeros(n)
+    )
 
 
 @pytest.mark.parametrize("seed", [7, 8])
@@ -202,7 +226,9 @@ def test_impulse_at_point_keeps_what_it_must(seed):
     p_hat = impulse_at_point(bodies, contacts, e)
     after = apply_impulse(bodies, contacts, p_hat)
     assert np.all(p_hat[u >= 0] == 0) and np.all(p_hat[u < 0] > 0)
-    assert np.allclose(normal_velocity(after, contacts), np.where(u < 0, -e * u, u), atol=1e-13)
+    assert np.allclose(
+        normal_velocity(after, contacts), np.where(u < 0, -e * u, u), atol=1e-13
+    )
 
     def energy(b):
         return 0.5 * np.sum(b.momentum * b.velocity, axis=1) + 0.5 * np.sum(
@@ -219,12 +245,16 @@ def test_impulse_at_point_keeps_what_it_must(seed):
         lambda b: b.momentum,
         lambda b: np.cross(b.position, b.momentum) + b.angular_momentum,
     ):
-        before_sum, after_sum = (total(b).reshape(2, n, 3).sum(axis=0)[free] for b in (bodies, after))
+        before_sum, after_sum = (
+            total(b).reshape(2, n, 3).sum(axis=0)[free] for b in (bodies, after)
+        )
         assert np.allclose(before_sum, after_sum, atol=1e-14)
 
 
 def test_without_spin_it_is_the_central_formula():
-    bodies = Bodies.balls([2.0, 3.0], 0.5, [[0.5, 0, 0], [-0.5, 0, 0]], [[-4.0, 1, 0], [1.0, 0, 2]])
+    bodies = Bodies.balls(
+        [2.0, 3.0], 0.5, [[0.5, 0, 0], [-0.5, 0, 0]], [[-4.0, 1, 0], [1.0, 0, 2]]
+    )
     contacts = Contacts([0], [1], [[0.0, 0, 0]], [X], [0.0])
     assert impulse_at_point(bodies, contacts, 0.5)[0] == pytest.approx(9, rel=1e-15)
     assert effective_mass(bodies, contacts)[0] == pytest.approx(6 / 5, rel=1e-15)
@@ -233,23 +263,33 @@ def test_without_spin_it_is_the_central_formula():
 def test_two_fixed_bodies_feel_nothing():
     bodies = Bodies.balls(np.inf, 0.5, [[0.5, 0, 0], [-0.5, 0, 0]])
     contacts = Contacts([0], [1], [[0.0, 0, 0]], [X], [0.0])
-    assert effective_mass(bodies, contacts)[0] == np.inf and impulse_at_point(bodies, contacts, 1.0)[0] == 0
+    assert (
+        effective_mass(bodies, contacts)[0] == np.inf
+        and impulse_at_point(bodies, contacts, 1.0)[0] == 0
+    )
 
 
 def test_point_velocity_of_a_wheel():
     # Rolling: the lowest point stands still, the highest moves at twice the speed.
     arms = [[0, 0, -1.0], [0, 0, 1.0]]
-    assert np.allclose(point_velocity([2.0, 0, 0], [0, 2.0, 0], arms), [[0, 0, 0], [4, 0, 0]])
+    assert np.allclose(
+        point_velocity([2.0, 0, 0], [0, 2.0, 0], arms), [[0, 0, 0], [4, 0, 0]]
+    )
 
 
 def test_refuses_contacts_with_bodies_that_are_not_there_and_wrong_lengths():
     bodies, contacts = spinning(9, 3)
     few = Bodies.balls(1.0, 0.5, np.zeros((2, 3)))
     with pytest.raises(
-        ValueError, match=r"contacts.body_a: expected whole numbers from 0 to 1; got 2 at index \(2,\)"
+        ValueError,
+        match=r"contacts.body_a: expected whole numbers from 0 to 1; got 2 at index \(2,\)",
     ):
         impulse_at_point(few, contacts, 1.0)
-    with pytest.raises(ValueError, match="restitution: expected a batch that broadcasts with contacts"):
+    with pytest.raises(
+        ValueError, match="restitution: expected a batch that broadcasts with contacts"
+    ):
         impulse_at_point(bodies, contacts, [1.0, 1.0])
-    with pytest.raises(ValueError, match="impulse: expected a batch that broadcasts with contacts"):
+    with pytest.raises(
+        ValueError, match="impulse: expected a batch that broadcasts with contacts"
+    ):
         apply_impulse(bodies, contacts, [1.0, 1.0])

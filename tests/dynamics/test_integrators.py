@@ -40,12 +40,16 @@ def tumbling(n=4, seed=0, fixed=False):
     rng = np.random.default_rng(seed)
     e = rng.uniform(0.3, 1, (n, 3))
     axes = Rotation.random(n, random_state=rng).as_matrix()
-    inertia = (axes * (e.sum(axis=1, keepdims=True) - e)[:, None, :]) @ np.swapaxes(axes, 1, 2)
+    inertia = (axes * (e.sum(axis=1, keepdims=True) - e)[:, None, :]) @ np.swapaxes(
+        axes, 1, 2
+    )
     inertia = 0.5 * (inertia + np.swapaxes(inertia, 1, 2))
     mass, (x, p, angular) = rng.uniform(0.5, 2, n), rng.normal(size=(3, n, 3))
     if fixed:
         mass[0], p[0], angular[0], inertia[0] = np.inf, 0, 0, np.nan
-    return Bodies(mass, inertia, x, Rotation.random(n, random_state=rng).as_quat(), p, angular)
+    return Bodies(
+        mass, inertia, x, Rotation.random(n, random_state=rng).as_quat(), p, angular
+    )
 
 
 def compass(bodies, time):
@@ -61,7 +65,9 @@ def damped_compass(bodies, time):
 
 def run(method, bodies, wrench, duration, count, time=0.0):
     for k in range(count):
-        bodies = method(bodies, wrench, duration / count, time=time + k * duration / count)
+        bodies = method(
+            bodies, wrench, duration / count, time=time + k * duration / count
+        )
     return bodies
 
 
@@ -81,13 +87,21 @@ def same(one, other):
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("method", STEPS)
-@pytest.mark.parametrize("wrench", [None, compass, pytest.param(damped_compass, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "wrench", [None, compass, pytest.param(damped_compass, marks=pytest.mark.slow)]
+)
 def test_orders(method, wrench, seed):
     """1, 1, 2, 4, 2 on bodies that turn, free and driven, from halving the step."""
     bodies = tumbling(seed=seed)
-    exact = torque_free_motion(bodies, 1.0) if wrench is None else dop853(bodies, wrench, 1.0, time=0.3)
+    exact = (
+        torque_free_motion(bodies, 1.0)
+        if wrench is None
+        else dop853(bodies, wrench, 1.0, time=0.3)
+    )
     counts = (20, 40) if method is rk4 else (60, 120)
-    errors = [difference(run(method, bodies, wrench, 1.0, n, 0.3), exact) for n in counts]
+    errors = [
+        difference(run(method, bodies, wrench, 1.0, n, 0.3), exact) for n in counts
+    ]
     assert np.log2(errors[0] / errors[1]) == pytest.approx(ORDERS[method], abs=0.15)
 
 
@@ -105,8 +119,15 @@ def test_orders_of_compositions(order, wrench, seed):
     bodies, duration = tumbling(8, seed=seed), 2.0
     if wrench is None:
         # Faster and longer, or four steps are exact to rounding at order 8.
-        bodies, duration = replace(bodies, angular_momentum=4 * bodies.angular_momentum), 4.0
-    exact = torque_free_motion(bodies, duration) if wrench is None else dop853(bodies, wrench, duration)
+        bodies, duration = (
+            replace(bodies, angular_momentum=4 * bodies.angular_momentum),
+            4.0,
+        )
+    exact = (
+        torque_free_motion(bodies, duration)
+        if wrench is None
+        else dop853(bodies, wrench, duration)
+    )
     method, counts, errors = partial(splitting, order=order), [], []
     for count in (int(4 * 1.25**k) for k in range(30)):
         error = difference(run(method, bodies, wrench, duration, count), exact)
@@ -124,7 +145,9 @@ def test_a_single_kick_is_of_order_1_where_velocities_matter_and_of_2_elsewhere(
     bodies, once = tumbling(), partial(splitting, velocity_dependent=False)
     for wrench, order in ((damped_compass, 1), (compass, 2)):
         exact = dop853(bodies, wrench, 1.0)
-        errors = [difference(run(once, bodies, wrench, 1.0, n), exact) for n in (100, 200)]
+        errors = [
+            difference(run(once, bodies, wrench, 1.0, n), exact) for n in (100, 200)
+        ]
         assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)
     assert same(splitting(bodies, compass, 0.1), once(bodies, compass, 0.1))
 
@@ -149,9 +172,16 @@ def test_chains_satisfy_their_order_conditions():
 def test_a_pendulum(method):
     """A needle of moment 2 about y in a field: I theta_ddot = -1.5 sin theta, exact by elliptic functions."""
     start = 2.5
-    q = Rotation.from_rotvec([0, start + np.pi, 0]).as_quat()  # the wrench turns the needle toward -z
+    q = Rotation.from_rotvec(
+        [0, start + np.pi, 0]
+    ).as_quat()  # the wrench turns the needle toward -z
     bodies = Bodies(
-        [1.0], [np.diag([1.0, 2.0, 1.5])], np.zeros((1, 3)), [q], np.zeros((1, 3)), np.zeros((1, 3))
+        [1.0],
+        [np.diag([1.0, 2.0, 1.5])],
+        np.zeros((1, 3)),
+        [q],
+        np.zeros((1, 3)),
+        np.zeros((1, 3)),
     )
     duration, errors = 5.0, []
 
@@ -173,13 +203,17 @@ def test_a_pendulum(method):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("method", [midpoint, rk4, splitting, partial(splitting, order=6)])
+@pytest.mark.parametrize(
+    "method", [midpoint, rk4, splitting, partial(splitting, order=6)]
+)
 def test_a_parabola_is_exact(method, seed):
     bodies, gravity = tumbling(seed=seed), np.array([0.3, 0.0, -9.81])
     after = method(bodies, uniform_gravity(gravity), 0.7)
     exact = bodies.position + 0.7 * bodies.velocity + 0.5 * 0.7**2 * gravity
     assert np.allclose(after.position, exact, rtol=1e-14, atol=1e-14)
-    assert np.allclose(after.velocity, bodies.velocity + 0.7 * gravity, rtol=1e-14, atol=1e-14)
+    assert np.allclose(
+        after.velocity, bodies.velocity + 0.7 * gravity, rtol=1e-14, atol=1e-14
+    )
     assert np.array_equal(after.angular_momentum, bodies.angular_momentum)
 
 
@@ -187,7 +221,9 @@ def test_a_parabola_is_exact(method, seed):
 def test_a_ball_turns_exactly(method):
     """omega is constant for a sphere, and then the exponential map has no error."""
     bodies = replace(tumbling(), inertia=np.broadcast_to(0.7 * np.eye(3), (4, 3, 3)))
-    exact = Rotation.from_rotvec(1.9 * bodies.angular_velocity) * Rotation.from_quat(bodies.orientation)
+    exact = Rotation.from_rotvec(1.9 * bodies.angular_velocity) * Rotation.from_quat(
+        bodies.orientation
+    )
     after = method(bodies, None, 1.9)
     assert np.allclose(after.rotation, exact.as_matrix(), atol=1e-14)
 
@@ -198,7 +234,10 @@ def test_splitting_turns_a_symmetric_top_exactly(seed):
     across, along = rng.uniform(1, 2, (2, 4))
     moments = np.stack([across, along, across], axis=1)
     bodies = replace(tumbling(seed=seed), inertia=moments[:, :, None] * np.eye(3))
-    assert difference(splitting(bodies, None, 3.0), torque_free_motion(bodies, 3.0)) < 1e-14 * 10
+    assert (
+        difference(splitting(bodies, None, 3.0), torque_free_motion(bodies, 3.0))
+        < 1e-14 * 10
+    )
 
 
 @pytest.mark.parametrize("method", STEPS)
@@ -217,7 +256,9 @@ def test_the_free_turns_keep_the_length_of_l_in_body_axes(seed):
     assert np.allclose(np.linalg.norm(after.orientation, axis=1), 1, atol=1e-15)
     body = np.einsum("nji,nj->ni", after.rotation, after.angular_momentum)
     assert np.allclose(
-        np.linalg.norm(body, axis=1), np.linalg.norm(bodies.angular_momentum, axis=1), rtol=1e-14
+        np.linalg.norm(body, axis=1),
+        np.linalg.norm(bodies.angular_momentum, axis=1),
+        rtol=1e-14,
     )
 
 
@@ -225,13 +266,18 @@ def test_the_free_turns_keep_the_length_of_l_in_body_axes(seed):
 def test_energy_over_a_long_time():
     """Splitting's swings within a band; Euler's and RK4's drifts, both to be seen after 120 s."""
     bodies = tumbling()
-    start = kinetic_energy(bodies) - 0.5 * np.sum(bodies.momentum * bodies.velocity, axis=1)
+    start = kinetic_energy(bodies) - 0.5 * np.sum(
+        bodies.momentum * bodies.velocity, axis=1
+    )
     spread = {}
     for method in (explicit_euler, rk4, splitting):
         state, history = bodies, []
         for _ in range(400):
             state = method(state, None, 0.3)
-            history.append(kinetic_energy(state) - 0.5 * np.sum(state.momentum * state.velocity, axis=1))
+            history.append(
+                kinetic_energy(state)
+                - 0.5 * np.sum(state.momentum * state.velocity, axis=1)
+            )
         history = np.abs(np.array(history) / start - 1)
         spread[method] = history[:200].max(), history[200:].max()
     assert spread[splitting][0] < 1e-2
@@ -254,7 +300,9 @@ def test_splitting_runs_back_where_it_came_from(wrench, order, seed):
 @pytest.mark.parametrize("method", [explicit_euler, symplectic_euler, midpoint, rk4])
 def test_the_others_do_not(method):
     bodies = tumbling()
-    back = run(method, run(method, bodies, compass, 1.0, 20), compass, -1.0, 20, time=1.0)
+    back = run(
+        method, run(method, bodies, compass, 1.0, 20), compass, -1.0, 20, time=1.0
+    )
     assert difference(back, bodies) > 1e-9
 
 
@@ -273,7 +321,9 @@ def test_inner_forces_keep_the_momenta_of_all(method, seed):
     after = run(method, bodies, spring, 2.0, 50)
     assert np.allclose(total_momentum(after), total_momentum(bodies), atol=1e-13)
     if method in (symplectic_euler, splitting):
-        assert np.allclose(total_angular_momentum(after), total_angular_momentum(bodies), atol=1e-13)
+        assert np.allclose(
+            total_angular_momentum(after), total_angular_momentum(bodies), atol=1e-13
+        )
 
 
 # The reference
@@ -282,13 +332,19 @@ def test_inner_forces_keep_the_momenta_of_all(method, seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_dop853_on_the_free_top(seed):
     bodies = tumbling(seed=seed, fixed=True)
-    assert difference_of_free(dop853(bodies, None, 3.0), torque_free_motion(bodies, 3.0)) < 1e-11
+    assert (
+        difference_of_free(dop853(bodies, None, 3.0), torque_free_motion(bodies, 3.0))
+        < 1e-11
+    )
     coarse = dop853(bodies, None, 3.0, relative_tolerance=1e-5)
     assert 1e-9 < difference_of_free(coarse, torque_free_motion(bodies, 3.0)) < 1e-2
 
 
 def difference_of_free(one, other):
-    return max(np.abs(one.rotation - other.rotation).max(), np.abs(one.position - other.position).max())
+    return max(
+        np.abs(one.rotation - other.rotation).max(),
+        np.abs(one.position - other.position).max(),
+    )
 
 
 def test_reference_motion_is_dop853_at_each_time():
@@ -317,8 +373,13 @@ def test_fixed_bodies_stay_and_what_the_wrench_says_of_them_is_not_read(method):
     with np.errstate(all="raise", under="ignore"):
         for acting in (None, wrench):
             after = method(bodies, acting, 0.1)
-            assert all(np.array_equal(getattr(after, f)[0], getattr(bodies, f)[0]) for f in STATE)
-            assert after.fixed[0] and not np.array_equal(after.position[1], bodies.position[1])
+            assert all(
+                np.array_equal(getattr(after, f)[0], getattr(bodies, f)[0])
+                for f in STATE
+            )
+            assert after.fixed[0] and not np.array_equal(
+                after.position[1], bodies.position[1]
+            )
     weight, none = uniform_gravity([0, 0, -9.81])(bodies, 0.0)
     assert np.array_equal(weight[0], np.zeros(3)) and not none.any()
     assert np.allclose(weight[1:, 2], -9.81 * bodies.mass[1:])
@@ -337,8 +398,13 @@ def test_what_is_kept_from_call_to_call_fits_the_bodies(method):
     )
     assert fixed.inertia is free.inertia
     for _ in range(2):
-        assert np.array_equal(method(fixed, None, 0.1).orientation[0], fixed.orientation[0])
-        assert np.abs(method(free, None, 0.1).orientation[0] - free.orientation[0]).max() > 1e-3
+        assert np.array_equal(
+            method(fixed, None, 0.1).orientation[0], fixed.orientation[0]
+        )
+        assert (
+            np.abs(method(free, None, 0.1).orientation[0] - free.orientation[0]).max()
+            > 1e-3
+        )
 
 
 @pytest.mark.parametrize("method", [*STEPS, partial(splitting, order=6)])
@@ -347,10 +413,14 @@ def test_a_batch_is_a_loop(method, seed):
     bodies = tumbling(5, seed=seed)
     together = method(bodies, damped_compass, 0.1, time=0.4)
     for i in range(5):
-        alone = Bodies(*(getattr(bodies, f)[i : i + 1] for f in Bodies.__dataclass_fields__))
+        alone = Bodies(
+            *(getattr(bodies, f)[i : i + 1] for f in Bodies.__dataclass_fields__)
+        )
         after = method(alone, damped_compass, 0.1, time=0.4)
         for f in STATE:
-            assert np.allclose(getattr(together, f)[i], getattr(after, f)[0], rtol=1e-13, atol=1e-14)
+            assert np.allclose(
+                getattr(together, f)[i], getattr(after, f)[0], rtol=1e-13, atol=1e-14
+            )
 
 
 @pytest.mark.parametrize("count", [0, 1, 16, 37])
@@ -364,13 +434,17 @@ def test_advance_is_a_loop_of_steps(count):
     ):
         if method is dop853 and count > 1:
             continue
-        at_once = advance(bodies, wrench, 0.05, count, method=method, time=0.2, **options)
+        at_once = advance(
+            bodies, wrench, 0.05, count, method=method, time=0.2, **options
+        )
         stepped = bodies
         for k in range(count):
             stepped = method(stepped, wrench, 0.05, time=0.2 + k * 0.05, **options)
         assert difference_of_free(at_once, stepped) < 1e-13
         assert np.array_equal(at_once.momentum, stepped.momentum)
-        assert all(np.array_equal(getattr(at_once, f)[0], getattr(bodies, f)[0]) for f in STATE)
+        assert all(
+            np.array_equal(getattr(at_once, f)[0], getattr(bodies, f)[0]) for f in STATE
+        )
 
 
 def test_blocks_do_not_show(monkeypatch):
@@ -378,7 +452,9 @@ def test_blocks_do_not_show(monkeypatch):
     whole = splitting(bodies, compass, 0.1), splitting(bodies, None, 0.1)
     monkeypatch.setattr(splitting_method, "_BLOCK", 3)
     for one, other in zip(
-        whole, (splitting(bodies, compass, 0.1), splitting(bodies, None, 0.1)), strict=True
+        whole,
+        (splitting(bodies, compass, 0.1), splitting(bodies, None, 0.1)),
+        strict=True,
     ):
         assert difference(one, other) < 1e-15 * 10
 
@@ -393,14 +469,18 @@ def test_inputs_are_not_written_results_cannot_be_and_are_full_bodies(method):
     for f in STATE:
         with pytest.raises(ValueError, match="read-only"):
             getattr(after, f)[0, 0] = 1.0
-    again = Bodies(*(getattr(after, f) for f in copies))  # passes every check of the constructor
+    again = Bodies(
+        *(getattr(after, f) for f in copies)
+    )  # passes every check of the constructor
     assert same(again, after)
     assert np.allclose(after.angular_velocity, again.angular_velocity)
 
 
 @pytest.mark.parametrize("method", [*STEPS, dop853])
 def test_no_bodies_and_no_time(method):
-    none = Bodies(*(np.empty(s) for s in ((0,), (0, 3, 3), (0, 3), (0, 4), (0, 3), (0, 3))))
+    none = Bodies(
+        *(np.empty(s) for s in ((0,), (0, 3, 3), (0, 3), (0, 4), (0, 3), (0, 3)))
+    )
     assert len(method(none, None, 0.1)) == 0
     bodies = tumbling()
     assert difference(method(bodies, compass, 0.0), bodies) < 1e-15 * 10
@@ -448,22 +528,34 @@ def test_bad_input_is_refused_by_name(method, call, message):
 
 
 def test_bad_options_are_refused_by_name():
-    with pytest.raises(ValueError, match="count: expected a whole number of at least 0; got -1"):
+    with pytest.raises(
+        ValueError, match="count: expected a whole number of at least 0; got -1"
+    ):
         advance(tumbling(), None, 0.1, -1)
     with pytest.raises(ValueError, match="order: expected one of 2, 4, 6, 8; got 5"):
         advance(tumbling(), None, 0.1, 3, order=5)
     with pytest.raises(TypeError, match="substeps"):
         advance(tumbling(), None, 0.1, 3, substeps=5)
     for order in (3, 10, True, "2"):
-        with pytest.raises(ValueError, match=re.escape(f"order: expected one of 2, 4, 6, 8; got {order!r}")):
+        with pytest.raises(
+            ValueError,
+            match=re.escape(f"order: expected one of 2, 4, 6, 8; got {order!r}"),
+        ):
             splitting(tumbling(), None, 0.1, order=order)
     with pytest.raises(
-        ValueError, match="relative_tolerance: expected a number from 1e-13 to below 1; got 1e-20"
+        ValueError,
+        match="relative_tolerance: expected a number from 1e-13 to below 1; got 1e-20",
     ):
         dop853(tumbling(), None, 0.1, relative_tolerance=1e-20)
-    with pytest.raises(ValueError, match="times: expected times one after the other in one direction"):
+    with pytest.raises(
+        ValueError, match="times: expected times one after the other in one direction"
+    ):
         reference_motion(tumbling(), None, [1.0, 0.5])
-    with pytest.raises(ValueError, match=r"times: expected shape \(t,\) with at least one"):
+    with pytest.raises(
+        ValueError, match=r"times: expected shape \(t,\) with at least one"
+    ):
         reference_motion(tumbling(), None, [])
-    with pytest.raises(ValueError, match=r"gravity: expected shape \(3,\); got shape \(4, 3\)"):
+    with pytest.raises(
+        ValueError, match=r"gravity: expected shape \(3,\); got shape \(4, 3\)"
+    ):
         uniform_gravity(np.ones((4, 3)))

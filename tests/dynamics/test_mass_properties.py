@@ -22,7 +22,9 @@ SEEDS = [0, 1, 2]
 
 
 def box_corners(half_extents):
-    signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
+    signs = np.array(
+        [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float
+    )
     return signs * half_extents
 
 
@@ -30,7 +32,9 @@ def assert_same(one, other, tolerance=1e-12):
     assert np.allclose(one.mass, other.mass, rtol=tolerance, atol=0)
     assert np.allclose(one.centre, other.centre, rtol=tolerance, atol=tolerance)
     size = np.abs(other.inertia).max()
-    assert np.allclose(one.inertia, other.inertia, rtol=tolerance, atol=tolerance * size)
+    assert np.allclose(
+        one.inertia, other.inertia, rtol=tolerance, atol=tolerance * size
+    )
 
 
 def test_one_worked_number_each():
@@ -45,9 +49,13 @@ def test_one_worked_number_each():
     )
     # Corner tetrahedron 0, e1, e2, e3: V = 1/6, centre 1/4, I = V (3/40) on the diagonal about the
     # centre, V/80 off it, with the sign of -(xy - x y) (second moments 1/60 and 1/120 about the corner).
-    corner = hull_mass_properties([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], density=6.0)
+    corner = hull_mass_properties(
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], density=6.0
+    )
     assert corner.mass == pytest.approx(1) and np.allclose(corner.centre, 0.25)
-    expected = np.full((3, 3), 1 / 16 - 1 / 20) + np.diag([2 * (1 / 10 - 1 / 16) - (1 / 16 - 1 / 20)] * 3)
+    expected = np.full((3, 3), 1 / 16 - 1 / 20) + np.diag(
+        [2 * (1 / 10 - 1 / 16) - (1 / 16 - 1 / 20)] * 3
+    )
     assert np.allclose(corner.inertia, expected, atol=1e-15)
 
 
@@ -61,7 +69,9 @@ def test_capsule_by_quadrature_over_slices(length):
     def over_slices(f):
         ends = [-length / 2 - r, -length / 2, length / 2, length / 2 + r]
         return sum(
-            quad(f, a, b, epsabs=0, epsrel=1e-12)[0] for a, b in zip(ends, ends[1:], strict=False) if b > a
+            quad(f, a, b, epsabs=0, epsrel=1e-12)[0]
+            for a, b in zip(ends, ends[1:], strict=False)
+            if b > a
         )
 
     mass = rho * np.pi * over_slices(square)
@@ -69,7 +79,9 @@ def test_capsule_by_quadrature_over_slices(length):
     across = rho * np.pi * over_slices(lambda z: square(z) ** 2 / 4 + square(z) * z * z)
     axis = np.array([2.0, -1.0, 2.0]) / 3
     middle = np.array([1.0, 5.0, -3.0])
-    capsule = capsule_mass_properties(middle - length / 2 * axis, middle + length / 2 * axis, r, density=rho)
+    capsule = capsule_mass_properties(
+        middle - length / 2 * axis, middle + length / 2 * axis, r, density=rho
+    )
     assert capsule.mass == pytest.approx(mass, rel=1e-11)
     assert np.allclose(capsule.centre, middle)
     expected = across * np.eye(3) + (along - across) * np.outer(axis, axis)
@@ -92,7 +104,9 @@ def test_a_box_is_the_hull_of_its_corners_wherever_it_is(seed):
         center = far * rng.normal(size=3)
         hull = hull_mass_properties(box_corners(e) @ turn.T + center, density=3.0)
         box = box_mass_properties(center, turn, e, density=3.0)
-        assert_same(hull, box, 1e-12 if far <= 1 else 1e-8)  # corners at 1e6 m are rounded by 1e-10 m
+        assert_same(
+            hull, box, 1e-12 if far <= 1 else 1e-8
+        )  # corners at 1e6 m are rounded by 1e-10 m
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -118,7 +132,16 @@ def test_a_hull_by_chance(seed):
     values = volume * np.where(inside, integrands, 0.0)
     bound = 5 * values.std(axis=1) / np.sqrt(count)  # five standard errors
     inertia = hull.inertia
-    expected = [hull.mass, 0, 0, 0, *np.diag(inertia), -inertia[0, 1], -inertia[0, 2], -inertia[1, 2]]
+    expected = [
+        hull.mass,
+        0,
+        0,
+        0,
+        *np.diag(inertia),
+        -inertia[0, 1],
+        -inertia[0, 2],
+        -inertia[1, 2],
+    ]
     assert np.all(np.abs(values.mean(axis=1) - expected) < bound)
     assert hull.mass == pytest.approx(ConvexHull(points).volume, rel=1e-12)
 
@@ -148,27 +171,49 @@ def test_the_parts_of_a_box_make_the_box(seed):
     cut = rng.uniform(-0.8, 0.8) * e[0]
     parts = []
     for low, high in ((-e[0], cut), (cut, e[0])):
-        middle, half = np.array([(low + high) / 2, 0, 0]), np.array([(high - low) / 2, e[1], e[2]])
-        parts.append(box_mass_properties(turn @ middle + center, turn, half, density=4.0))
-    assert_same(combined_mass_properties(parts), box_mass_properties(center, turn, e, density=4.0))
+        middle, half = (
+            np.array([(low + high) / 2, 0, 0]),
+            np.array([(high - low) / 2, e[1], e[2]]),
+        )
+        parts.append(
+            box_mass_properties(turn @ middle + center, turn, half, density=4.0)
+        )
+    assert_same(
+        combined_mass_properties(parts),
+        box_mass_properties(center, turn, e, density=4.0),
+    )
 
 
 def test_a_dumbbell_by_hand():
     # Two balls of 2 kg at +-3 m: along their line 2 * 2/5 m r^2, across it 2 m d^2 more.
-    balls = sphere_mass_properties([[-3.0, 0, 0], [3.0, 0, 0]], 0.5, density=1.0).with_mass(2.0)
+    balls = sphere_mass_properties(
+        [[-3.0, 0, 0], [3.0, 0, 0]], 0.5, density=1.0
+    ).with_mass(2.0)
     both = combined_mass_properties(
-        [MassProperties(balls.mass[i], balls.centre[i], balls.inertia[i]) for i in range(2)]
+        [
+            MassProperties(balls.mass[i], balls.centre[i], balls.inertia[i])
+            for i in range(2)
+        ]
     )
     assert both.mass == pytest.approx(4) and np.allclose(both.centre, 0)
     assert np.allclose(both.inertia, np.diag([0.4, 36.4, 36.4]))
-    assert np.allclose(both.inertia_about([0, 0, 5.0]), np.diag([0.4 + 100, 36.4 + 100, 36.4]))
+    assert np.allclose(
+        both.inertia_about([0, 0, 5.0]), np.diag([0.4 + 100, 36.4 + 100, 36.4])
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_batches_are_loops(seed):
     rng = np.random.default_rng(seed)
-    center, e, r = rng.normal(size=(4, 1, 3)), rng.uniform(0.1, 1, (5, 3)), rng.uniform(0.1, 1, (4, 1))
-    turn, rho = Rotation.random(5, random_state=rng).as_matrix(), rng.uniform(1, 2, (4, 5))
+    center, e, r = (
+        rng.normal(size=(4, 1, 3)),
+        rng.uniform(0.1, 1, (5, 3)),
+        rng.uniform(0.1, 1, (4, 1)),
+    )
+    turn, rho = (
+        Rotation.random(5, random_state=rng).as_matrix(),
+        rng.uniform(1, 2, (4, 5)),
+    )
     end = rng.normal(size=(5, 3))
     box = box_mass_properties(center, turn, e, density=rho)
     sphere = sphere_mass_properties(center, r, density=rho)
@@ -176,18 +221,33 @@ def test_batches_are_loops(seed):
     points = rng.normal(size=(4, 5, 8, 3))
     triangles = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
     flip = np.linalg.det(points[..., 1:4, :] - points[..., :1, :]) < 0
-    points[..., 1:3, :] = np.where(flip[..., None, None], points[..., 2:0:-1, :], points[..., 1:3, :])
+    points[..., 1:3, :] = np.where(
+        flip[..., None, None], points[..., 2:0:-1, :], points[..., 1:3, :]
+    )
     hull = hull_mass_properties(points, density=rho, triangles=triangles)
     for i in range(4):
         for j in range(5):
             singles = (
-                (box, box_mass_properties(center[i, 0], turn[j], e[j], density=rho[i, j])),
-                (sphere, sphere_mass_properties(center[i, 0], r[i, 0], density=rho[i, j])),
-                (capsule, capsule_mass_properties(center[i, 0], end[j], r[i, 0], density=rho[i, j])),
+                (
+                    box,
+                    box_mass_properties(center[i, 0], turn[j], e[j], density=rho[i, j]),
+                ),
+                (
+                    sphere,
+                    sphere_mass_properties(center[i, 0], r[i, 0], density=rho[i, j]),
+                ),
+                (
+                    capsule,
+                    capsule_mass_properties(
+                        center[i, 0], end[j], r[i, 0], density=rho[i, j]
+                    ),
+                ),
                 (hull, hull_mass_properties(points[i, j, :4], density=rho[i, j])),
             )
             for batch, single in singles:
-                part = MassProperties(batch.mass[i, j], batch.centre[i, j], batch.inertia[i, j])
+                part = MassProperties(
+                    batch.mass[i, j], batch.centre[i, j], batch.inertia[i, j]
+                )
                 assert_same(part, single, 1e-10)
 
 
@@ -199,7 +259,9 @@ def test_principal_axes(seed):
     inertia = (turn * made[:, None, :]) @ np.swapaxes(turn, 1, 2)
     moments, axes = principal_axes(0.5 * (inertia + np.swapaxes(inertia, 1, 2)))
     assert np.allclose(moments, np.sort(made, axis=1), rtol=1e-13)
-    assert np.allclose((axes * moments[:, None, :]) @ np.swapaxes(axes, 1, 2), inertia, atol=1e-13)
+    assert np.allclose(
+        (axes * moments[:, None, :]) @ np.swapaxes(axes, 1, 2), inertia, atol=1e-13
+    )
     assert np.allclose(np.linalg.det(axes), 1)
 
 
@@ -209,7 +271,9 @@ def test_a_given_surface_need_not_be_convex():
     faces = [t for t in _box_triangles(corners) if not np.all(corners[t, 2] > 0)]
     top = [1, 5, 7, 3]
     faces += [[a, b, 8] for a, b in zip(top, top[1:] + top[:1], strict=True)]
-    dented = hull_mass_properties(np.vstack([corners, [0, 0, 0.5]]), density=1.0, triangles=faces)
+    dented = hull_mass_properties(
+        np.vstack([corners, [0, 0, 0.5]]), density=1.0, triangles=faces
+    )
     assert dented.mass == pytest.approx(8 - 4 * 0.5 / 3)
 
 
@@ -217,7 +281,9 @@ def _box_triangles(corners):
     hull, triangles = ConvexHull(corners), []
     for simplex, normal in zip(hull.simplices, hull.equations[:, :3], strict=True):
         a, b, c = corners[simplex]
-        triangles.append(list(simplex if np.cross(b - a, c - a) @ normal > 0 else simplex[::-1]))
+        triangles.append(
+            list(simplex if np.cross(b - a, c - a) @ normal > 0 else simplex[::-1])
+        )
     return triangles
 
 
@@ -279,7 +345,9 @@ def test_trimesh_agrees(seed):
         hull = hull_mass_properties(points, density=2.0)
         assert hull.mass == pytest.approx(mesh.mass, rel=1e-9)
         assert np.allclose(hull.centre, mesh.center_mass, atol=1e-9)
-        assert np.allclose(hull.inertia, mesh.moment_inertia, rtol=1e-8, atol=1e-8 * hull.inertia.max())
+        assert np.allclose(
+            hull.inertia, mesh.moment_inertia, rtol=1e-8, atol=1e-8 * hull.inertia.max()
+        )
     box = trimesh.creation.box((1, 2, 3))
     ours = box_mass_properties([0, 0, 0], np.eye(3), [0.5, 1, 1.5], density=1.0)
     assert np.allclose(ours.inertia, box.moment_inertia)

@@ -25,11 +25,20 @@ SEEDS = [0, 1, 2]
 
 
 def quaternion_difference(one, other):
-    return np.minimum(np.abs(one - other).max(axis=-1), np.abs(one + other).max(axis=-1)).max()
+    return np.minimum(
+        np.abs(one - other).max(axis=-1), np.abs(one + other).max(axis=-1)
+    ).max()
 
 
 def single(moments, momentum):
-    return Bodies([1.0], [np.diag(moments)], np.zeros((1, 3)), [[0, 0, 0, 1.0]], np.zeros((1, 3)), [momentum])
+    return Bodies(
+        [1.0],
+        [np.diag(moments)],
+        np.zeros((1, 3)),
+        [[0, 0, 0, 1.0]],
+        np.zeros((1, 3)),
+        [momentum],
+    )
 
 
 def drawn(seed, n=12):
@@ -42,7 +51,9 @@ def drawn(seed, n=12):
         j, two, k = np.argsort(moments[i])
         a, b, c = moments[i, [j, two, k]]
         momentum[i, k] = (
-            momentum[i, j] * np.sqrt((b - a) * c / ((c - b) * a)) * (1 + 10 ** rng.uniform(-12, -2))
+            momentum[i, j]
+            * np.sqrt((b - a) * c / ((c - b) * a))
+            * (1 + 10 ** rng.uniform(-12, -2))
         )
     return moments, momentum
 
@@ -70,7 +81,9 @@ def test_elliptic_functions_away_from_1_are_scipys():
 def test_elliptic_functions_on_the_separatrix():
     u = np.array([-800.0, -2.0, 0.0, 0.3, 30.0])
     sn, cn, dn = jacobi_functions(u, 0.0)
-    assert np.allclose(sn, np.tanh(u)) and np.allclose(cn, 1 / np.cosh(np.clip(u, -700, 700)))
+    assert np.allclose(sn, np.tanh(u)) and np.allclose(
+        cn, 1 / np.cosh(np.clip(u, -700, 700))
+    )
     assert np.array_equal(cn, dn)
 
 
@@ -90,7 +103,11 @@ def test_what_the_top_keeps(seed, time):
     later, turn = torque_free_rotation(moments, start, time)
     # Rounding of u = lambda t shifts l along its curve, not off it.
     assert np.allclose(np.sum(later**2, axis=1), np.sum(start**2, axis=1), rtol=1e-12)
-    assert np.allclose(np.sum(later**2 / moments, axis=1), np.sum(start**2 / moments, axis=1), rtol=1e-12)
+    assert np.allclose(
+        np.sum(later**2 / moments, axis=1),
+        np.sum(start**2 / moments, axis=1),
+        rtol=1e-12,
+    )
     assert np.allclose(Rotation.from_quat(turn).apply(later), start, atol=1e-12)
 
 
@@ -105,8 +122,14 @@ def test_the_top_moves_by_the_euler_equations(seed):
     for offset, weight in stencil:
         later, turned = torque_free_rotation(moments, start, at + offset * h)
         rate += weight / h * later
-        spin += weight / h * (Rotation.from_quat(turn).inv() * Rotation.from_quat(turned)).as_rotvec()
-    scale = np.abs(here / moments).max() ** 5  # of the fifth derivative in the error h^4/30 times it
+        spin += (
+            weight
+            / h
+            * (Rotation.from_quat(turn).inv() * Rotation.from_quat(turned)).as_rotvec()
+        )
+    scale = (
+        np.abs(here / moments).max() ** 5
+    )  # of the fifth derivative in the error h^4/30 times it
     assert np.allclose(rate, np.cross(here, here / moments), atol=h**4 * scale + 1e-11)
     assert np.allclose(spin, here / moments, atol=h**4 * scale + 1e-11)
 
@@ -119,11 +142,16 @@ def test_one_way_is_two_ways(seed):
     whole, turn = torque_free_rotation(moments, start, 5.0)
     # Near the separatrix the rounding of l after the first part grows by exp(lambda t).
     growth = np.exp(
-        5.0 * middle_axis_growth_rate(moments, np.linalg.norm(start, axis=1) / np.median(moments, axis=1))
+        5.0
+        * middle_axis_growth_rate(
+            moments, np.linalg.norm(start, axis=1) / np.median(moments, axis=1)
+        )
     )
     error = np.abs(end - whole).max(axis=1) / np.abs(start).max(axis=1)
     assert np.all(error < 1e-14 * (10 + growth))
-    relative = (Rotation.from_quat(first) * Rotation.from_quat(second)) * Rotation.from_quat(turn).inv()
+    relative = (
+        Rotation.from_quat(first) * Rotation.from_quat(second)
+    ) * Rotation.from_quat(turn).inv()
     assert np.all(relative.magnitude() < 1e-13 * (10 + growth))
 
 
@@ -172,7 +200,9 @@ def test_bodies_in_any_axes_against_dop853(seed):
     mass = np.array([np.inf, 1, 2, 3, 4, 5])
     p = rng.normal(size=(6, 3))
     p[0] = momentum[0] = 0
-    bodies = Bodies(mass, 0.5 * (inertia + np.swapaxes(inertia, 1, 2)), p, q, p, momentum)
+    bodies = Bodies(
+        mass, 0.5 * (inertia + np.swapaxes(inertia, 1, 2)), p, q, p, momentum
+    )
     exact, reference = torque_free_motion(bodies, 2.0), dop853(bodies, None, 2.0)
     assert quaternion_difference(exact.orientation, reference.orientation) < 1e-10
     assert np.allclose(exact.position, reference.position, atol=1e-12)
@@ -184,14 +214,19 @@ def test_on_the_separatrix_the_top_ends_at_its_middle_axis():
     later, _ = torque_free_rotation([3, 4, 6], [1.0, 0.3, 1.0], [50.0, 5000.0, -5000.0])
     size = np.sqrt(2.09)
     assert np.allclose(np.abs(later[1:]), [0, size, 0], atol=1e-15)
-    assert later[1, 1] * later[2, 1] < 0  # it comes from the one end and goes to the other
+    assert (
+        later[1, 1] * later[2, 1] < 0
+    )  # it comes from the one end and goes to the other
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_symmetric_top(seed):
     rng = np.random.default_rng(seed)
     across, along = rng.uniform(1, 3, (2, 20))
-    moments, momentum = np.stack([across, across, along], axis=1), rng.normal(size=(20, 3))
+    moments, momentum = (
+        np.stack([across, across, along], axis=1),
+        rng.normal(size=(20, 3)),
+    )
     for time in (0.7, 30.0):
         l_1, q_1 = symmetric_top(moments, momentum, time)
         l_2, q_2 = torque_free_rotation(moments, momentum, time)
@@ -208,7 +243,9 @@ def test_the_period_of_a_real_top():
     twice_t, square = l1**2 / i1 + l2**2 / i2 + l3**2 / i3, l1**2 + l2**2 + l3**2
     assert square > twice_t * i2
     m = (i2 - i1) * (twice_t * i3 - square) / ((i3 - i2) * (square - twice_t * i1))
-    period = 4 * ellipk(m) * np.sqrt(i1 * i2 * i3 / ((i3 - i2) * (square - twice_t * i1)))
+    period = (
+        4 * ellipk(m) * np.sqrt(i1 * i2 * i3 / ((i3 - i2) * (square - twice_t * i1)))
+    )
     later, turn = torque_free_rotation([i1, i2, i3], [l1, l2, l3], [period, period / 2])
     assert np.allclose(later[0], [l1, l2, l3], atol=1e-13)
     assert np.allclose(later[1], [-l1, -l2, l3], atol=1e-13)
@@ -216,11 +253,15 @@ def test_the_period_of_a_real_top():
 
 def test_the_growth_rate_of_the_middle_axis():
     # (1, 2, 3): Omega/sqrt 3 = .577350 Omega.
-    assert middle_axis_growth_rate([3, 1, 2], 2.0) == pytest.approx(2 / np.sqrt(3), rel=1e-14)
+    assert middle_axis_growth_rate([3, 1, 2], 2.0) == pytest.approx(
+        2 / np.sqrt(3), rel=1e-14
+    )
     times = np.linspace(6, 14, 5)  # the part that dies away is below 1e-3 by then
     later, _ = torque_free_rotation([1, 2, 3], np.array([1e-9, 2.0, 1e-9]), times)
     wobble = np.hypot(later[:, 0], later[:, 2])
-    assert np.polyfit(times, np.log(wobble), 1)[0] == pytest.approx(1 / np.sqrt(3), rel=1e-2)
+    assert np.polyfit(times, np.log(wobble), 1)[0] == pytest.approx(
+        1 / np.sqrt(3), rel=1e-2
+    )
 
 
 @pytest.mark.parametrize("amplitude", [0.0, 0.1, 1.0, 3.0, 3.1415])
@@ -242,7 +283,9 @@ def test_the_pendulum(amplitude):
 
 def test_the_parabola():
     x, v = parabola([0, 0, 1.0], [1.0, 0, 2.0], [0, 0, -10.0], [0.0, 0.5])
-    assert np.allclose(x, [[0, 0, 1], [0.5, 0, 0.75]]) and np.allclose(v, [[1, 0, 2], [1, 0, -3]])
+    assert np.allclose(x, [[0, 0, 1], [0.5, 0, 0.75]]) and np.allclose(
+        v, [[1, 0, 2], [1, 0, -3]]
+    )
 
 
 def test_batches_are_loops_and_inputs_are_not_written():
@@ -261,19 +304,27 @@ def test_batches_are_loops_and_inputs_are_not_written():
 
 
 def test_bad_input_is_refused_by_name():
-    with pytest.raises(ValueError, match=r"moments: expected positive numbers; got 0.0 at index \(1,\)"):
+    with pytest.raises(
+        ValueError, match=r"moments: expected positive numbers; got 0.0 at index \(1,\)"
+    ):
         torque_free_rotation([1, 0, 2], [1, 1, 1], 1.0)
     with pytest.raises(ValueError, match="angular_momentum: expected finite"):
         torque_free_rotation([1, 1, 2], [1, np.nan, 1], 1.0)
-    with pytest.raises(ValueError, match="time: expected a batch that broadcasts with moments"):
+    with pytest.raises(
+        ValueError, match="time: expected a batch that broadcasts with moments"
+    ):
         torque_free_rotation(np.ones((2, 3)), np.ones((2, 3)), np.zeros(3))
-    with pytest.raises(ValueError, match=r"time: expected one real number; got shape \(1,\)"):
+    with pytest.raises(
+        ValueError, match=r"time: expected one real number; got shape \(1,\)"
+    ):
         torque_free_motion(single([1, 2, 3], [1, 1, 1]), [1.0])
     with pytest.raises(ValueError, match="bodies: expected Bodies; got int"):
         torque_free_motion(3, 1.0)
     with pytest.raises(ValueError, match="moments: expected the first two alike"):
         symmetric_top([1, 2, 2], [1, 1, 1], 1.0)
-    with pytest.raises(ValueError, match="amplitude: expected numbers from 0 to 3.14159"):
+    with pytest.raises(
+        ValueError, match="amplitude: expected numbers from 0 to 3.14159"
+    ):
         pendulum(3.2, 1.0, 1.0)
     with pytest.raises(ValueError, match="frequency: expected positive"):
         pendulum(1.0, 0.0, 1.0)

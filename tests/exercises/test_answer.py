@@ -64,7 +64,9 @@ def test_every_exercise_is_a_blank_as_handed_out_and_none_as_solved(path):
 
 
 def test_arguments_in_another_order_are_told():
-    with pytest.raises(TypeError, match=r"in the order f\(a, b\); yours takes \(b, a\)"):
+    with pytest.raises(
+        TypeError, match=r"in the order f\(a, b\); yours takes \(b, a\)"
+    ):
         as_function(lambda b, a: a, "function", "f", ["a", "b"])
     assert as_function(lambda x, y: x, "function", "f", ["a", "b"])(1, 2) == 1
 
@@ -94,6 +96,14 @@ def test_what_is_no_expression_is_told(expression, words):
 def test_expressions_with_choices_are_evaluated_over_a_batch():
     a = sp.Symbol("a", real=True)
     points = np.array([-2.0, 3.0])
-    for expression in (sp.Max(0, a), sp.Piecewise((a, a > 0), (0, True)), (a + sp.Abs(a)) / 2):
-        np.testing.assert_array_equal(as_function(expression, "expression", "x", ["a"])(points), [0.0, 3.0])
-    np.testing.assert_array_equal(as_function(sp.Integer(4), "expression", "x", ["a"])(points), [4.0, 4.0])
+    for expression in (
+        sp.Max(0, a),
+        sp.Piecewise((a, a > 0), (0, True)),
+        (a + sp.Abs(a)) / 2,
+    ):
+        np.testing.assert_array_equal(
+            as_function(expression, "expression", "x", ["a"])(points), [0.0, 3.0]
+        )
+    np.testing.assert_array_equal(
+        as_function(sp.Integer(4), "expression", "x", ["a"])(points), [4.0, 4.0]
+    )

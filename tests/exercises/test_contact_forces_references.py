@@ -19,7 +19,11 @@ def exercise(name):
 def test_residual_is_that_of_the_contact_package():
     rng = np.random.default_rng(1)
     root = rng.normal(size=(20, 5, 3))
-    a, f, b = root @ np.swapaxes(root, 1, 2), rng.uniform(0, 3, (20, 5)), rng.normal(size=(20, 5))
+    a, f, b = (
+        root @ np.swapaxes(root, 1, 2),
+        rng.uniform(0, 3, (20, 5)),
+        rng.normal(size=(20, 5)),
+    )
     found = exercise("complementarity_residual").reference(a, f, b)
     np.testing.assert_allclose(found, complementarity_residual(a, f, b), rtol=1e-13)
 
@@ -38,7 +42,9 @@ def test_pivoting_is_that_of_the_contact_package(seed):
     rng = np.random.default_rng(seed)
     root = rng.normal(size=(9, 12))
     a, b = root @ root.T, 5 * rng.normal(size=9)
-    np.testing.assert_allclose(exercise("pivot").reference(a, b), solve_pivot(a, b).force, atol=1e-9)
+    np.testing.assert_allclose(
+        exercise("pivot").reference(a, b), solve_pivot(a, b).force, atol=1e-9
+    )
 
 
 @pytest.mark.slow
@@ -48,9 +54,13 @@ def test_the_slides_programme_passes_by_its_three_conditions(seed):
     qp = exercise("solve_contact_qp")
     cases = qp.draw(seed)
     for tolerance in (1e-8, 1e-10):
-        answers = answers_of(lambda a, b, t=tolerance: solve_qp(a, b, tolerance=t)[0], qp, cases)
+        answers = answers_of(
+            lambda a, b, t=tolerance: solve_qp(a, b, tolerance=t)[0], qp, cases
+        )
         assert judge(qp, cases, answers).passed
-    other = answers_of(lambda a, b: solve_pivot(a, b).force, qp, cases)  # one of two contacts carries all
+    other = answers_of(
+        lambda a, b: solve_pivot(a, b).force, qp, cases
+    )  # one of two contacts carries all
     assert judge(qp, cases, other).passed
 
 
@@ -66,5 +76,7 @@ def test_clipped_increments_are_told_by_their_answer():
 @pytest.mark.slow
 def test_sweeps_solve_a_scene():
     system = random_scene(12, contacts=12).system()
-    f = exercise("projected_gauss_seidel").reference(system.A.toarray(), system.b, np.zeros(len(system)), 5000)
+    f = exercise("projected_gauss_seidel").reference(
+        system.A.toarray(), system.b, np.zeros(len(system)), 5000
+    )
     assert complementarity_residual(system.A, f, system.b) < 1e-6

@@ -21,7 +21,9 @@ def test_response_is_that_of_the_readable_form():
     inverse = np.linalg.inv(np.trace(second) * np.eye(3) - second)
     expected = point_response(2.5, inverse, arm, push_arm, push)
     np.testing.assert_allclose(
-        reference("point_response")(2.5, inverse, arm, push_arm, push), expected, atol=1e-13
+        reference("point_response")(2.5, inverse, arm, push_arm, push),
+        expected,
+        atol=1e-13,
     )
 
 
@@ -31,11 +33,18 @@ def test_response_is_that_of_the_readable_form():
     ids=lambda s: s.name,
 )
 def test_matrix_is_that_of_the_contact_package(scene):
-    expected, arrays = contact_matrix_by_entries(scene.bodies, scene.contacts), plain_arrays(scene)
+    expected, arrays = (
+        contact_matrix_by_entries(scene.bodies, scene.contacts),
+        plain_arrays(scene),
+    )
     size = np.abs(expected).max()
-    np.testing.assert_allclose(reference("contact_matrix")(*arrays), expected, atol=1e-13 * size)
+    np.testing.assert_allclose(
+        reference("contact_matrix")(*arrays), expected, atol=1e-13 * size
+    )
     count = range(len(expected))
-    found = [[reference("contact_matrix_entry")(i, j, *arrays) for j in count] for i in count]
+    found = [
+        [reference("contact_matrix_entry")(i, j, *arrays) for j in count] for i in count
+    ]
     np.testing.assert_allclose(found, expected, atol=1e-13 * size)
 
 
@@ -45,5 +54,8 @@ def test_the_ladders_entries_in_closed_form(degrees):
     theta = np.radians(degrees)
     a = ladder(theta, mass=7.0, length=3.0).system().A.toarray()
     coupling = reference("ladder_entry")(7.0, theta, 3.0)
-    expected = [[(1 + 3 * np.cos(theta) ** 2) / 7, coupling], [coupling, (1 + 3 * np.sin(theta) ** 2) / 7]]
+    expected = [
+        [(1 + 3 * np.cos(theta) ** 2) / 7, coupling],
+        [coupling, (1 + 3 * np.sin(theta) ** 2) / 7],
+    ]
     np.testing.assert_allclose(a, expected, atol=1e-15)

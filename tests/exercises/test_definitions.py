@@ -6,12 +6,22 @@ import numpy as np
 import pytest
 
 from course.exercises.comparison import same
-from course.exercises.definition import Case, Exercise, Mistake, Property, Value, all_lessons
+from course.exercises.definition import (
+    Case,
+    Exercise,
+    Mistake,
+    Property,
+    Value,
+    all_lessons,
+)
 from course.exercises.message import verdict_message
 from course.exercises.verdict import answers_of, judge, violated
 
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
-SEEDS = (None, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 20_261, 987_654_321)))
+SEEDS = (
+    None,
+    *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 20_261, 987_654_321)),
+)
 by_name = pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
 
 
@@ -23,14 +33,21 @@ def verdict_of(exercise: Exercise, function, seed=None):
 def blind_pairs(exercise: Exercise, seed=None) -> list[tuple[str, str]]:
     """Pairs of planted mistakes, or of a mistake and the reference, that the inputs do not tell apart."""
     cases = exercise.draw(seed)
-    versions = {"the reference": exercise.reference} | {m.name: m.function for m in exercise.mistakes}
-    answers = {name: answers_of(function, exercise, cases) for name, function in versions.items()}
+    versions = {"the reference": exercise.reference} | {
+        m.name: m.function for m in exercise.mistakes
+    }
+    answers = {
+        name: answers_of(function, exercise, cases)
+        for name, function in versions.items()
+    }
     names = list(answers)
     return [
         (a, b)
         for i, a in enumerate(names)
         for b in names[i + 1 :]
-        if all(_alike(exercise, x, y) for x, y in zip(answers[a], answers[b], strict=True))
+        if all(
+            _alike(exercise, x, y) for x, y in zip(answers[a], answers[b], strict=True)
+        )
     ]
 
 
@@ -39,7 +56,9 @@ def _alike(exercise, one, other):
         return False
     if one.kind == "value":
         return same(exercise.results, one.values, other.values)
-    return one.kind != "raised" or one.text.split(":")[0] == other.text.split(":")[0]  # the type of the error
+    return (
+        one.kind != "raised" or one.text.split(":")[0] == other.text.split(":")[0]
+    )  # the type of the error
 
 
 @by_name
@@ -56,8 +75,12 @@ def test_each_mistake_fails_with_its_own_message(exercise, seed):
     for mistake in exercise.mistakes:
         verdict = verdict_of(exercise, mistake.function, seed)
         assert not verdict.passed, f"{mistake.name} passes"
-        assert verdict.mistake is mistake, f"{mistake.name} is taken for {verdict.mistake and verdict.mistake.name}"
-        assert mistake.message.split("\n")[0][:40] in str(verdict_message(exercise, verdict)).replace("\n", " ")
+        assert verdict.mistake is mistake, (
+            f"{mistake.name} is taken for {verdict.mistake and verdict.mistake.name}"
+        )
+        assert mistake.message.split("\n")[0][:40] in str(
+            verdict_message(exercise, verdict)
+        ).replace("\n", " ")
 
 
 @by_name
@@ -77,7 +100,9 @@ def test_properties_hold_for_the_reference(exercise):
 def test_cases_begin_with_a_single_one_and_draw_anew(exercise):
     first, again, other = exercise.draw(1), exercise.draw(1), exercise.draw(2)
     assert first[0].kind == "single"
-    assert [c.label for c in first] == [c.label for c in again] == [c.label for c in other]
+    assert (
+        [c.label for c in first] == [c.label for c in again] == [c.label for c in other]
+    )
     assert all(_equal(a, b) for a, b in zip(first, again, strict=True))
     assert not all(_equal(a, b) for a, b in zip(first, other, strict=True))
 
@@ -102,7 +127,10 @@ def test_predictions_can_be_computed_and_are_not_shown_before(lesson):
             assert set(prediction.wrong) <= set(prediction.choices) - {outcome}
         else:
             assert np.isfinite(float(outcome))
-            assert all(abs(w - outcome) > prediction.tolerance * abs(outcome) for w in prediction.wrong)
+            assert all(
+                abs(w - outcome) > prediction.tolerance * abs(outcome)
+                for w in prediction.wrong
+            )
 
 
 # The tests above must be able to fail: an exercise whose inputs hide a mistake, and one whose message is another's.
@@ -121,11 +149,17 @@ def _square(**changes) -> Exercise:
 
 
 def test_a_blind_generator_is_found_out():
-    ones = _square(cases=lambda rng: [Case("one", {"x": 1.0}), Case("zero", {"x": 0.0})])
+    ones = _square(
+        cases=lambda rng: [Case("one", {"x": 1.0}), Case("zero", {"x": 0.0})]
+    )
     assert blind_pairs(ones) == [("the reference", "cube")]
     assert blind_pairs(_square()) == []
-    twice = Mistake("cube again", lambda x: x * x * x, "Another message for the same wrong answer.")
-    assert blind_pairs(_square(mistakes=(*_square().mistakes, twice))) == [("cube", "cube again")]
+    twice = Mistake(
+        "cube again", lambda x: x * x * x, "Another message for the same wrong answer."
+    )
+    assert blind_pairs(_square(mistakes=(*_square().mistakes, twice))) == [
+        ("cube", "cube again")
+    ]
 
 
 def test_a_property_judges_where_answers_are_not_unique():
@@ -133,12 +167,22 @@ def test_a_property_judges_where_answers_are_not_unique():
         name="root",
         reference=lambda x: np.sqrt(x),
         judged_by="properties",
-        properties=(Property("squares", lambda given, y: y**2 - given["x"], "Its square is not x."),),
-        mistakes=(Mistake("half", lambda x: x / 2, "Half of x is not its root, except for 4."),),
+        properties=(
+            Property(
+                "squares", lambda given, y: y**2 - given["x"], "Its square is not x."
+            ),
+        ),
+        mistakes=(
+            Mistake(
+                "half", lambda x: x / 2, "Half of x is not its root, except for 4."
+            ),
+        ),
     )
     assert verdict_of(root, lambda x: -np.sqrt(x)).passed
     wrong = verdict_of(root, lambda x: x)
-    assert wrong.state == "wrong" and "Its square is not x." in str(verdict_message(root, wrong))
+    assert wrong.state == "wrong" and "Its square is not x." in str(
+        verdict_message(root, wrong)
+    )
 
 
 def test_an_exercise_without_mistakes_or_hints_is_refused():
@@ -165,7 +209,9 @@ def _equal(a: Case, b: Case) -> bool:
 
 def _equal_values(a, b) -> bool:
     if isinstance(a, tuple):  # its parts may differ in shape
-        return len(a) == len(b) and all(_equal_values(x, y) for x, y in zip(a, b, strict=True))
+        return len(a) == len(b) and all(
+            _equal_values(x, y) for x, y in zip(a, b, strict=True)
+        )
     return np.array_equal(a, b)
 
 

@@ -10,7 +10,9 @@ from course.exercises.definition import Case, Exercise, Mistake, Value, all_less
 from course.exercises.message import Message, code, pasteable, short, verdict_message
 from course.exercises.verdict import answers_of, judge
 
-EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises if e.kind == "function"]
+EXERCISES = [
+    e for lesson in all_lessons() for e in lesson.exercises if e.kind == "function"
+]
 
 
 def parts_of(exercise, verdict):
@@ -37,7 +39,9 @@ def test_an_answer_judged_by_properties_is_shown_beside_the_one_it_breaks():
     cases = exercise.draw()
     answers = answers_of(lambda a, b: np.full(len(b), 0.125), exercise, cases)
     parts = verdict_message(exercise, judge(exercise, cases, answers)).parts
-    assert parts_of(exercise, judge(exercise, cases, answers))["got"].startswith("f = [0.125")
+    assert parts_of(exercise, judge(exercise, cases, answers))["got"].startswith(
+        "f = [0.125"
+    )
     assert len({part.text for part in parts}) == len(parts), "nothing is said twice"
 
 
@@ -50,7 +54,11 @@ def test_every_counterexample_can_be_pasted_and_gives_what_it_says(exercise, see
         verdict = judge(exercise, cases, answers_of(mistake.function, exercise, cases))
         call = pasteable(exercise, verdict)
         if verdict.difference.fault:
-            with pytest.raises(Exception) if verdict.outcome.kind == "raised" else np.errstate(all="ignore"):
+            with (
+                pytest.raises(Exception)
+                if verdict.outcome.kind == "raised"
+                else np.errstate(all="ignore")
+            ):
                 eval(call, {"np": np, exercise.name: mistake.function})
             continue
         which = [r.name for r in exercise.results].index(verdict.difference.result)
@@ -59,23 +67,38 @@ def test_every_counterexample_can_be_pasted_and_gives_what_it_says(exercise, see
             (exercise.reference, verdict.difference.expected),
         ):
             value = eval(call, {"np": np, exercise.name: function})
-            value = np.asarray(value if len(exercise.results) == 1 else value[which])[verdict.difference.index]
-            np.testing.assert_array_equal(value, told, err_msg=f"{mistake.name}\n{call}")
+            value = np.asarray(value if len(exercise.results) == 1 else value[which])[
+                verdict.difference.index
+            ]
+            np.testing.assert_array_equal(
+                value, told, err_msg=f"{mistake.name}\n{call}"
+            )
 
 
 def test_a_batch_that_is_mixed_up_is_shown_whole():
-    exercise = pair_exercise(lambda x, s: 2 * x if x.ndim == 1 else 2 * np.cumsum(x, axis=0)[::-1])
+    exercise = pair_exercise(
+        lambda x, s: 2 * x if x.ndim == 1 else 2 * np.cumsum(x, axis=0)[::-1]
+    )
     cases = exercise.draw(1)
-    verdict = judge(exercise, cases, answers_of(exercise.mistakes[0].function, exercise, cases))
-    again = eval(pasteable(exercise, verdict), {"np": np, "double": exercise.mistakes[0].function})
-    np.testing.assert_array_equal(again[verdict.difference.index], verdict.difference.got)
+    verdict = judge(
+        exercise, cases, answers_of(exercise.mistakes[0].function, exercise, cases)
+    )
+    again = eval(
+        pasteable(exercise, verdict),
+        {"np": np, "double": exercise.mistakes[0].function},
+    )
+    np.testing.assert_array_equal(
+        again[verdict.difference.index], verdict.difference.got
+    )
     assert "at index [0] of the batch" in parts_of(exercise, verdict)["expected"]
 
 
 def test_one_call_is_shown_before_a_batch():
     exercise = pair_exercise(lambda x, s: 3 * x)
     cases = exercise.draw(1)[::-1]
-    verdict = judge(exercise, cases, answers_of(exercise.mistakes[0].function, exercise, cases))
+    verdict = judge(
+        exercise, cases, answers_of(exercise.mistakes[0].function, exercise, cases)
+    )
     assert verdict.case.label == "one"
 
 
@@ -90,9 +113,14 @@ def test_one_call_is_shown_before_a_batch():
 )  # fmt: skip
 def test_code_makes_the_value_again(value):
     again = eval(code(value), {"np": np})
-    for one, other in zip(*((v,) if not isinstance(v, tuple) else v for v in (value, again)), strict=True):
+    for one, other in zip(
+        *((v,) if not isinstance(v, tuple) else v for v in (value, again)), strict=True
+    ):
         np.testing.assert_array_equal(one, other)
-        assert np.shape(one) == np.shape(other) and np.asarray(one).dtype == np.asarray(other).dtype
+        assert (
+            np.shape(one) == np.shape(other)
+            and np.asarray(one).dtype == np.asarray(other).dtype
+        )
 
 
 def test_nan_is_told_with_its_place_in_the_batch():
@@ -101,7 +129,11 @@ def test_nan_is_told_with_its_place_in_the_batch():
     got = expected.copy()
     got[2, 1] = np.nan
     difference = compare_one(vector, expected, got)
-    assert "NaN" in difference.fault and difference.index == (2,) and difference.entry == (1,)
+    assert (
+        "NaN" in difference.fault
+        and difference.index == (2,)
+        and difference.entry == (1,)
+    )
 
 
 @pytest.mark.parametrize(
@@ -129,7 +161,9 @@ def test_a_long_answer_shows_the_wrong_entry():
     many = [Case("many", {"x": np.arange(30.0).reshape(10, 3) + 1, "s": 1.0})]
     wrong = 2 * many[0].arguments["x"]
     wrong[7, 2] = -5.0
-    parts = parts_of(exercise, judge(exercise, many, answers_of(lambda x, s: wrong, exercise, many)))
+    parts = parts_of(
+        exercise, judge(exercise, many, answers_of(lambda x, s: wrong, exercise, many))
+    )
     assert parts["expected"] == "48 m, at index [7, 2]" and parts["got"] == "-5 m"
 
 
@@ -137,7 +171,9 @@ def test_expected_and_got_never_read_the_same():
     value = Value("x", "(..., 3)", "m", relative=1e-13)
     exercise = replace(pair_exercise(lambda x, s: x), results=(value,))
     cases = [Case("one", {"x": np.ones(3), "s": 1.0})]
-    verdict = judge(exercise, cases, answers_of(lambda x, s: 2 * x * (1 + 1e-11), exercise, cases))
+    verdict = judge(
+        exercise, cases, answers_of(lambda x, s: 2 * x * (1 + 1e-11), exercise, cases)
+    )
     assert short(verdict.difference.expected) == short(verdict.difference.got)
     parts = parts_of(exercise, verdict)
     assert parts["expected"] != parts["got"]
@@ -146,7 +182,12 @@ def test_expected_and_got_never_read_the_same():
 def test_a_batch_is_laid_out_in_columns_and_html_is_escaped():
     exercise = pair_exercise(lambda x, s: 2 * x if x.ndim == 1 else 2 * x[::-1])
     cases = exercise.draw(1)
-    verdict = judge(exercise, cases, answers_of(exercise.mistakes[0].function, exercise, cases))
+    verdict = judge(
+        exercise, cases, answers_of(exercise.mistakes[0].function, exercise, cases)
+    )
     rows = [line for line in pasteable(exercise, verdict).splitlines() if "[" in line]
     assert rows[0].index("[[") + 1 == rows[1].index("[") == rows[2].index("[")
-    assert "&lt;b&gt;" in Message("wrong", "<b>").html() and "<b>" not in Message("wrong", "<b>").html()
+    assert (
+        "&lt;b&gt;" in Message("wrong", "<b>").html()
+        and "<b>" not in Message("wrong", "<b>").html()
+    )

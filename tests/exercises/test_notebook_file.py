@@ -24,7 +24,9 @@ def _exercise(name):
     )  # fmt: skip
 
 
-LESSON = Lesson("70", "first", "First", "?", 5, (_exercise("speed_along"), _exercise("p_hat")))
+LESSON = Lesson(
+    "70", "first", "First", "?", 5, (_exercise("speed_along"), _exercise("p_hat"))
+)
 SECOND = Lesson("71", "second", "Second", "?", 5, (_exercise("momentum_after"),))
 LESSONS = (LESSON, SECOND)
 
@@ -44,7 +46,9 @@ def read(tmp_path):
     def reads(*cells, lesson="70", name="x.ipynb", content=None):
         path = tmp_path / name
         whole = notebook(*cells, lesson=lesson) if content is None else content
-        path.write_bytes(whole if isinstance(whole, bytes) else json.dumps(whole).encode())
+        path.write_bytes(
+            whole if isinstance(whole, bytes) else json.dumps(whole).encode()
+        )
         return read_notebook(path, LESSONS)
 
     return reads
@@ -62,7 +66,10 @@ P_HAT = cell("p_hat = 1", exercise="p_hat")
 def test_a_whole_notebook(read):
     told = read(IMPORTS, cell("speed_along(3)", role="play"), SPEED, P_HAT)
     assert told.lesson is LESSON and told.preamble == ("import numpy as np",)
-    assert [(c.name, c.fault) for c in told.cells] == [("speed_along", ""), ("p_hat", "")]
+    assert [(c.name, c.fault) for c in told.cells] == [
+        ("speed_along", ""),
+        ("p_hat", ""),
+    ]
     assert found(told)["p_hat"].source == "p_hat = 1"
 
 
@@ -79,11 +86,20 @@ def test_a_whole_notebook(read):
         (b'{"nbformat": 4}', "no list of cells"),
         (b'{"nbformat": 4, "cells": {}}', "no list of cells"),
         (b'{"nbformat": 4, "cells": []}', "without a code cell"),
-        (b'{"nbformat": 4, "cells": [1, {"cell_type": "code", "source": 3}]}', "without a code cell"),
+        (
+            b'{"nbformat": 4, "cells": [1, {"cell_type": "code", "source": 3}]}',
+            "without a code cell",
+        ),
         (b"[" * 100_000, "nested too deeply"),
         (b'{"nbformat": ' + b"4" * 5000 + b"}", "not JSON"),
-        (json.dumps(notebook(cell("x = 1"), lesson="")).encode(), "none of the lessons"),
-        (json.dumps(notebook(cell("x = 1"), lesson="99")).encode(), "none of the lessons"),
+        (
+            json.dumps(notebook(cell("x = 1"), lesson="")).encode(),
+            "none of the lessons",
+        ),
+        (
+            json.dumps(notebook(cell("x = 1"), lesson="99")).encode(),
+            "none of the lessons",
+        ),
     ],
     ids=lambda v: v[:30] if isinstance(v, bytes) else "",
 )
@@ -107,9 +123,15 @@ def test_what_jupyter_opens_is_read_though_the_schema_forbids_it(read):
     loose = {"nbformat": 4, "nbformat_minor": 0, "metadata": None, "extra": 1,
              "cells": [{"cell_type": "code", "source": ["def speed_along(x):\n", "    return x"], "more": {}},
                        {"cell_type": "markdown", "source": 7}]}  # fmt: skip
-    assert found(read(content=loose))["speed_along"].source == "def speed_along(x):\n    return x"
     assert (
-        found(read(content=b"\xef\xbb\xbf" + json.dumps(notebook(SPEED)).encode()))["speed_along"].fault == ""
+        found(read(content=loose))["speed_along"].source
+        == "def speed_along(x):\n    return x"
+    )
+    assert (
+        found(read(content=b"\xef\xbb\xbf" + json.dumps(notebook(SPEED)).encode()))[
+            "speed_along"
+        ].fault
+        == ""
     )
 
 
@@ -171,47 +193,83 @@ def test_the_answer_is_where_it_was_checked(read):
     blank = cell("def speed_along(x):\n    ...", exercise="speed_along")
     theirs = cell("def speed_along(x):\n    return 2 * x")
     later = cell("speed_along = 3.5\np_hat = 2", role="play")
-    assert found(read(SPEED, P_HAT, theirs, later))["speed_along"].source == SPEED["source"]
-    assert found(read(blank, P_HAT, theirs, later))["speed_along"].source == theirs["source"]
+    assert (
+        found(read(SPEED, P_HAT, theirs, later))["speed_along"].source
+        == SPEED["source"]
+    )
+    assert (
+        found(read(blank, P_HAT, theirs, later))["speed_along"].source
+        == theirs["source"]
+    )
     assert found(read(blank, P_HAT, later))["speed_along"].source == blank["source"]
     assert found(read(blank, P_HAT, later))["p_hat"].source == "p_hat = 1"
     assert found(read(later))["p_hat"].source == later["source"]
     again = cell("def speed_along(x):\n    return 3 * x")
     assert found(read(blank, theirs, again))["speed_along"].source == again["source"]
-    assert found(read(SPEED, cell("speed_along = use(speed_along)")))["speed_along"].source == SPEED["source"]
+    assert (
+        found(read(SPEED, cell("speed_along = use(speed_along)")))["speed_along"].source
+        == SPEED["source"]
+    )
 
 
 def test_renamed_deleted_and_broken_cells(read):
-    told = found(read(cell("def speed_alnog(x):\n    return x", exercise="speed_along")))
-    assert told["speed_along"].needs_person and told["speed_along"].nearest == "speed_alnog"
+    told = found(
+        read(cell("def speed_alnog(x):\n    return x", exercise="speed_along"))
+    )
+    assert (
+        told["speed_along"].needs_person
+        and told["speed_along"].nearest == "speed_alnog"
+    )
     assert "the nearest name is speed_alnog" in told["speed_along"].fault
-    assert told["p_hat"].needs_person and told["p_hat"].fault == "no cell defines p_hat: was it deleted?"
+    assert (
+        told["p_hat"].needs_person
+        and told["p_hat"].fault == "no cell defines p_hat: was it deleted?"
+    )
     elsewhere = cell("def speed_allong(x):\n    return x")
     moved = found(read(elsewhere))["speed_along"]
     assert (moved.nearest, moved.source) == ("speed_allong", elsewhere["source"])
-    entirely = found(read(cell("def foo(x):\n    return x", exercise="speed_along")))["speed_along"]
+    entirely = found(read(cell("def foo(x):\n    return x", exercise="speed_along")))[
+        "speed_along"
+    ]
     assert entirely.nearest == "foo"
     symbols = found(read(cell("m_1, m_2 = 1, 2\nm_1 + m_2", exercise="p_hat")))["p_hat"]
-    assert symbols.needs_person and not symbols.nearest and "defines no p_hat" in symbols.fault
-    broken = found(read(cell("def speed_along(x)\n    return x", exercise="speed_along")))["speed_along"]
+    assert (
+        symbols.needs_person
+        and not symbols.nearest
+        and "defines no p_hat" in symbols.fault
+    )
+    broken = found(
+        read(cell("def speed_along(x)\n    return x", exercise="speed_along"))
+    )["speed_along"]
     assert not broken.needs_person and broken.fault.startswith(
         "the cell is not valid Python: expected ':' (line 1)"
     )
-    magic = found(read(cell("%time 1\ndef speed_along(x", exercise="speed_along")))["speed_along"]
+    magic = found(read(cell("%time 1\ndef speed_along(x", exercise="speed_along")))[
+        "speed_along"
+    ]
     assert "line 2" in magic.fault
-    long = found(read(cell("#" * (MAXIMUM_CELL + 1), exercise="speed_along")))["speed_along"]
+    long = found(read(cell("#" * (MAXIMUM_CELL + 1), exercise="speed_along")))[
+        "speed_along"
+    ]
     assert "characters are too many" in long.fault
 
 
 def test_helpers_in_cells_that_students_added_come_along(read):
-    added = cell("g = 9.81\nprint('no')\n\ndef helper(x):\n    return g * x\nfor i in range(3): pass")
+    added = cell(
+        "g = 9.81\nprint('no')\n\ndef helper(x):\n    return g * x\nfor i in range(3): pass"
+    )
     lessons_own = cell("figure = 1\ndef draw(): pass", role="play")
     told = read(IMPORTS, added, lessons_own, SPEED, cell("speed_along = 2\nother = 1"))
-    assert told.preamble == ("import numpy as np", "g = 9.81\n\ndef helper(x):\n    return g * x")
+    assert told.preamble == (
+        "import numpy as np",
+        "g = 9.81\n\ndef helper(x):\n    return g * x",
+    )
 
 
 @pytest.mark.parametrize(
-    "metadata", [None, 3, {"course": 3}, {"course": {"exercise": ["speed_along"]}}], ids=repr
+    "metadata",
+    [None, 3, {"course": 3}, {"course": {"exercise": ["speed_along"]}}],
+    ids=repr,
 )
 def test_metadata_that_is_none(read, metadata):
     odd = SPEED | {"metadata": metadata}

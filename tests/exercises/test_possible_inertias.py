@@ -59,14 +59,23 @@ def test_every_inertia_is_one_that_a_body_can_have(exercise):
         for case in exercise.draw(seed)
         for moments in moments_in(exercise, case.arguments)
     ]
-    assert bool(every) == (exercise.name in KNOWN), "inertias found where none are known, or none where some are"
+    assert bool(every) == (exercise.name in KNOWN), (
+        "inertias found where none are known, or none where some are"
+    )
     impossible = {label: moments[excess(moments) > 1e-12] for label, moments in every}
-    assert {label: moments for label, moments in impossible.items() if len(moments)} == {}
+    assert {
+        label: moments for label, moments in impossible.items() if len(moments)
+    } == {}
 
 
 def test_an_impossible_inertia_is_seen():
     """The counterexample by hand, and most of what positive matrices drawn at random say."""
-    assert excess(moments_of(np.diag([0.5, 1.0, 2.0]), inverse=True)) == pytest.approx(0.5 / 3.5)
+    assert excess(moments_of(np.diag([0.5, 1.0, 2.0]), inverse=True)) == pytest.approx(
+        0.5 / 3.5
+    )
     assert excess(moments_of(np.diag([1.0, 2.0, 3.0]), inverse=False)) == 0
     root = np.random.default_rng(4).normal(size=(500, 3, 3))
-    assert np.mean(excess(moments_of(root @ np.swapaxes(root, 1, 2), inverse=False)) > 0) > 0.8
+    assert (
+        np.mean(excess(moments_of(root @ np.swapaxes(root, 1, 2), inverse=False)) > 0)
+        > 0.8
+    )

@@ -20,7 +20,9 @@ def answers_in(lesson) -> dict:
     read = read_notebook(SOLUTIONS / lesson.file_name)
     namespace = {"__name__": "__main__"}
     for source in (*read.preamble, *(cell.source for cell in read.cells)):
-        kept = "\n".join(line for line in source.splitlines() if not line.startswith("check("))
+        kept = "\n".join(
+            line for line in source.splitlines() if not line.startswith("check(")
+        )
         exec(compile(kept, lesson.file_name, "exec"), namespace)
     return namespace
 
@@ -32,10 +34,16 @@ def test_every_solution_passes_with_other_seeds(lesson):
     drawn = np.random.default_rng(int(lesson.number)).integers(2**32, size=SEEDS)
     for exercise in lesson.exercises:
         names = [a.name for a in exercise.arguments]
-        answer = as_function(namespace[exercise.name], exercise.kind, exercise.name, names)
+        answer = as_function(
+            namespace[exercise.name], exercise.kind, exercise.name, names
+        )
         for seed in drawn:
             cases = exercise.draw(int(seed))
-            verdict = judge(exercise, cases, call_all(answer, [c.arguments for c in cases], len(exercise.results)))
+            verdict = judge(
+                exercise,
+                cases,
+                call_all(answer, [c.arguments for c in cases], len(exercise.results)),
+            )
             assert verdict.passed, f"seed {seed}: {verdict_message(exercise, verdict)}"
 
 
@@ -50,8 +58,13 @@ def test_the_loop_of_lesson_12_settles_well_within_its_500_rounds():
             for _ in range(250):
                 before = impulse.copy()
                 for i in range(len(impulse)):
-                    impulse[i] = max(0.0, impulse[i] - (matrix[i] @ impulse + start[i]) / matrix[i, i])
+                    impulse[i] = max(
+                        0.0,
+                        impulse[i] - (matrix[i] @ impulse + start[i]) / matrix[i, i],
+                    )
                 if np.abs(impulse - before).max() <= 1e-13 * np.abs(impulse).max():
                     break
             w = matrix @ impulse + start
-            assert w.min() > -1e-10 and np.abs(impulse * w).max() < 1e-10, f"seed {seed}, {case.label}"
+            assert w.min() > -1e-10 and np.abs(impulse * w).max() < 1e-10, (
+                f"seed {seed}, {case.label}"
+            )

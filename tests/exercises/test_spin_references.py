@@ -23,7 +23,9 @@ def scene():
     inertia = np.array([np.diag(rng.uniform(1, 1.9, 3)) for _ in mass])
     momentum, angular = rng.normal(size=(2, 2 * n, 3)) * free
     orientation = Rotation.random(2 * n, random_state=rng).as_quat()
-    bodies = dynamics.Bodies(mass, inertia, rng.normal(size=(2 * n, 3)), orientation, momentum, angular)
+    bodies = dynamics.Bodies(
+        mass, inertia, rng.normal(size=(2 * n, 3)), orientation, momentum, angular
+    )
     normal = rng.normal(size=(n, 3))
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     point = rng.normal(size=(n, 3))
@@ -40,17 +42,25 @@ def mass_felt(bodies, contacts, arms, n):
 
 def test_effective_mass_is_that_of_the_library(scene):
     bodies, contacts, _, _ = scene
-    assert np.allclose(mass_felt(*scene), dynamics.effective_mass(bodies, contacts), rtol=1e-13)
+    assert np.allclose(
+        mass_felt(*scene), dynamics.effective_mass(bodies, contacts), rtol=1e-13
+    )
 
 
 def test_impulse_at_point_is_that_of_the_library(scene):
     bodies, contacts, arms, n = scene
     moving = reference("point_velocity")
     sides = zip((slice(n), slice(n, None)), arms, strict=True)
-    points = [moving(bodies.velocity[s], bodies.angular_velocity[s], a) for s, a in sides]
+    points = [
+        moving(bodies.velocity[s], bodies.angular_velocity[s], a) for s, a in sides
+    ]
     for e in (0.0, 0.4, 1.0):
-        mine = reference("impulse_at_point")(*points, contacts.normal, mass_felt(*scene), e)
-        assert np.allclose(mine, dynamics.impulse_at_point(bodies, contacts, e), rtol=1e-12, atol=1e-14)
+        mine = reference("impulse_at_point")(
+            *points, contacts.normal, mass_felt(*scene), e
+        )
+        assert np.allclose(
+            mine, dynamics.impulse_at_point(bodies, contacts, e), rtol=1e-12, atol=1e-14
+        )
 
 
 def test_apply_impulse_is_that_of_the_library(scene):
@@ -84,5 +94,8 @@ def test_a_slip_in_simultaneous_impulses_is_seen():
         for sign in (1e-4, -1e-4):
             slipped = answer.copy()
             slipped[pushed[0]] += sign
-            worst = max(np.max(np.abs(rule.residual(case.arguments, slipped))) for rule in exercise.properties)
+            worst = max(
+                np.max(np.abs(rule.residual(case.arguments, slipped)))
+                for rule in exercise.properties
+            )
             assert worst > 1e-6

@@ -36,16 +36,28 @@ def fill(folder):
     write(folder / "Ben" / "90-toy.ipynb", only("twice", RIGHT["twice"]))
     write(folder / "Ben" / "91-other-toy.ipynb", notebook(OTHER))
     write(folder / "Ben" / "90-toy (1).ipynb", blank())
-    write(folder / "renamed.ipynb", only("split", "def splits(x):\n    return x[..., 0], x[..., 1:]"))
+    write(
+        folder / "renamed.ipynb",
+        only("split", "def splits(x):\n    return x[..., 0], x[..., 1:]"),
+    )
     write(folder / "deleted.ipynb", only("area", None))
     write(folder / "loop.ipynb", only("twice", "def twice(x):\n    while True: pass"))
-    write(folder / "loop_in_cell.ipynb", only("twice", "twice = 1\nwhile True: print('x')"))
-    write(folder / "exits.ipynb", only("twice", "import os\ndef twice(x):\n    os._exit(0)"))
+    write(
+        folder / "loop_in_cell.ipynb",
+        only("twice", "twice = 1\nwhile True: print('x')"),
+    )
+    write(
+        folder / "exits.ipynb",
+        only("twice", "import os\ndef twice(x):\n    os._exit(0)"),
+    )
     write(folder / "=1+1.ipynb", blank())
     write(folder / "empty.ipynb", "")
     write(folder / "notes.txt", "my notes")
     write(folder / "half.ipynb", json.dumps(notebook())[:300])
-    write(folder / "no_code.ipynb", {"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []})
+    write(
+        folder / "no_code.ipynb",
+        {"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []},
+    )
     write(folder / "foreign.ipynb", {"nbformat": 4, "nbformat_minor": 5, "metadata": {},
           "cells": [{"cell_type": "code", "source": "x = 1", "metadata": {}}]})  # fmt: skip
     (folder / "photo.ipynb").write_bytes(bytes(range(256)))
@@ -61,9 +73,16 @@ def batch(tmp_path_factory):
     told = []
     folder, out = fill(root / "handed in"), root / "grades.csv"
     summary = grade_folder(
-        folder, out, seed=11, time_limit=6.0, lessons=LESSONS, on_progress=lambda *t: told.append(t)
+        folder,
+        out,
+        seed=11,
+        time_limit=6.0,
+        lessons=LESSONS,
+        on_progress=lambda *t: told.append(t),
     )
-    return SimpleNamespace(folder=folder, out=out, summary=summary, rows=rows_in(out), told=told)
+    return SimpleNamespace(
+        folder=folder, out=out, summary=summary, rows=rows_in(out), told=told
+    )
 
 
 @pytest.mark.slow
@@ -71,7 +90,9 @@ def test_who_handed_in_several_has_a_page_with_all_of_them(batch):
     pages = batch.summary.feedback
     own = (pages / "Ben.html").read_text()
     links = re.findall(r'<a href="([^"]+)">', own)
-    assert len(links) == len(set(links)) == 3 and all((pages / link).is_file() for link in links)
+    assert len(links) == len(set(links)) == 3 and all(
+        (pages / link).is_file() for link in links
+    )
     assert "Handed in by Ben" in own and "91-other-toy" in own and "2 of" in own
     assert not (pages / "Ann_Lee.html").exists(), "one submission is its student's page"
 
@@ -79,11 +100,19 @@ def test_who_handed_in_several_has_a_page_with_all_of_them(batch):
 STATES = {
     "right.ipynb": ("marked", "7", ""),
     "blank.ipynb": ("marked", "0", ""),
-    "Ann Lee_12_assignsubmission_file_/90-toy.ipynb": ("marked", "0", "The sign is turned round"),
+    "Ann Lee_12_assignsubmission_file_/90-toy.ipynb": (
+        "marked",
+        "0",
+        "The sign is turned round",
+    ),
     "Ben/90-toy.ipynb": ("marked", "2", ""),
     "Ben/91-other-toy.ipynb": ("marked", "1", ""),
     "Ben/90-toy (1).ipynb": ("marked", "0", ""),
-    "renamed.ipynb": ("needs a person", "0", "the nearest name is splits, and under that name it is right"),
+    "renamed.ipynb": (
+        "needs a person",
+        "0",
+        "the nearest name is splits, and under that name it is right",
+    ),
     "deleted.ipynb": ("needs a person", "0", "no cell defines area: was it deleted?"),
     "loop.ipynb": ("marked", "0", "it did not finish within 6 s"),
     "loop_in_cell.ipynb": ("marked", "0", ""),
@@ -104,9 +133,17 @@ def test_every_file_has_its_row(batch):
     for file, (state, total, words) in STATES.items():
         row = batch.rows[file]
         assert (row["state"], row["total"]) == (state, total), row
-        assert words in " ".join(v for k, v in row.items() if k and k.endswith("reason")), row
+        assert words in " ".join(
+            v for k, v in row.items() if k and k.endswith("reason")
+        ), row
     s = batch.summary
-    assert (s.submissions, s.kept, s.marked, s.needs_person, s.unusable) == (18, 0, 10, 2, 6)
+    assert (s.submissions, s.kept, s.marked, s.needs_person, s.unusable) == (
+        18,
+        0,
+        10,
+        2,
+        6,
+    )
     assert "repeat with --seed 11" in str(s) and "separate process" in str(s)
 
 
@@ -116,13 +153,33 @@ def test_columns_and_names(batch):
         batch.rows["Ann Lee_12_assignsubmission_file_/90-toy.ipynb"],
         batch.rows["Ben/91-other-toy.ipynb"],
     )
-    assert list(ann)[:7] == ["file", "student", "lesson", "total", "out_of", "state", "reason"]
+    assert list(ann)[:7] == [
+        "file",
+        "student",
+        "lesson",
+        "total",
+        "out_of",
+        "state",
+        "reason",
+    ]
     assert list(ann)[-3:] == ["seed", "isolation", "key"]
     assert list(ann)[7:-3:3] == ["twice", "split", "area", "thrice"]
     assert (ann["student"], ann["lesson"], ann["out_of"]) == ("Ann Lee", "90-toy", "7")
-    assert (ann["twice_state"], ann["split_state"], ann["thrice_state"]) == ("wrong", "not attempted", "")
-    assert (ben["student"], ben["lesson"], ben["out_of"], ben["thrice"]) == ("Ben", "91-other-toy", "1", "1")
-    assert batch.rows["renamed.ipynb"]["split"] == "" and batch.rows["renamed.ipynb"]["twice"] == "0"
+    assert (ann["twice_state"], ann["split_state"], ann["thrice_state"]) == (
+        "wrong",
+        "not attempted",
+        "",
+    )
+    assert (ben["student"], ben["lesson"], ben["out_of"], ben["thrice"]) == (
+        "Ben",
+        "91-other-toy",
+        "1",
+        "1",
+    )
+    assert (
+        batch.rows["renamed.ipynb"]["split"] == ""
+        and batch.rows["renamed.ipynb"]["twice"] == "0"
+    )
     assert {row["seed"] for row in batch.rows.values()} == {"11"}
     loop = batch.rows["loop_in_cell.ipynb"]
     # Its output or the clock, whichever is first.
@@ -132,7 +189,9 @@ def test_columns_and_names(batch):
 
 @pytest.mark.slow
 def test_progress_is_told(batch):
-    assert batch.told[0] == (0, 18, "") and [t[0] for t in batch.told] == list(range(19))
+    assert batch.told[0] == (0, 18, "") and [t[0] for t in batch.told] == list(
+        range(19)
+    )
     assert {t[2] for t in batch.told[1:]} == {f.removeprefix("'") for f in STATES}
 
 
@@ -140,10 +199,17 @@ def test_progress_is_told(batch):
 def test_every_submission_has_a_page_of_its_own(batch):
     """And Ben, who handed in three, one with all of them."""
     pages = {p.name: p.read_text() for p in batch.summary.feedback.iterdir()}
-    assert len(pages) == 18 + 1 and all(p.startswith("<!DOCTYPE html>") for p in pages.values())
-    assert "Ann_Lee--90-toy.html" in pages and "The sign is turned round" in pages["Ann_Lee--90-toy.html"]
+    assert len(pages) == 18 + 1 and all(
+        p.startswith("<!DOCTYPE html>") for p in pages.values()
+    )
+    assert (
+        "Ann_Lee--90-toy.html" in pages
+        and "The sign is turned round" in pages["Ann_Lee--90-toy.html"]
+    )
     assert "Ben--91-other-toy.html" in pages
-    assert len([name for name in pages if name.startswith("Ben--90-toy-")]) == 2  # two files of one name
+    assert (
+        len([name for name in pages if name.startswith("Ben--90-toy-")]) == 2
+    )  # two files of one name
     assert "7 of 7 points" in pages["right--90-toy.html"]
 
 
@@ -163,7 +229,12 @@ def test_a_batch_that_is_done_is_not_done_again(folder, tmp_path, monkeypatch):
     text, pages = out.read_text(), sorted(first.feedback.iterdir())
     monkeypatch.setattr(judging, "run_job", None)
     again = grade_folder(folder, out, lessons=LESSONS)
-    assert (again.kept, again.seed, again.marked, again.isolation) == (5, first.seed, 5, first.isolation)
+    assert (again.kept, again.seed, again.marked, again.isolation) == (
+        5,
+        first.seed,
+        5,
+        first.isolation,
+    )
     assert out.read_text() == text and sorted(first.feedback.iterdir()) == pages
 
 
@@ -176,10 +247,14 @@ def test_what_changed_is_marked_again(folder, tmp_path):
     (folder / "eve.ipynb").unlink()
     (first.feedback / "ben--90-toy.html").unlink()
     told = []
-    again = grade_folder(folder, out, lessons=LESSONS, on_progress=lambda *t: told.append(t[2]))
+    again = grade_folder(
+        folder, out, lessons=LESSONS, on_progress=lambda *t: told.append(t[2])
+    )
     assert sorted(told) == ["", "ann.ipynb", "ben.ipynb"] and again.kept == 1
     rows = rows_in(out)
-    assert rows["ann.ipynb"]["thrice"] == "1" and "eve.ipynb" in rows  # a row without its file stays
+    assert (
+        rows["ann.ipynb"]["thrice"] == "1" and "eve.ipynb" in rows
+    )  # a row without its file stays
     assert grade_folder(folder, out, lessons=LESSONS, seed=first.seed + 1).kept == 0
     assert grade_folder(folder, out, lessons=LESSONS).seed == first.seed + 1
     assert grade_folder(folder, out, lessons=LESSONS, time_limit=9.0).kept == 0
@@ -188,7 +263,10 @@ def test_what_changed_is_marked_again(folder, tmp_path):
 
 @pytest.mark.slow
 def test_the_seed_is_random_when_none_is_given(folder, tmp_path):
-    seeds = {grade_folder(folder, tmp_path / f"{i}.csv", lessons=LESSONS).seed for i in range(2)}
+    seeds = {
+        grade_folder(folder, tmp_path / f"{i}.csv", lessons=LESSONS).seed
+        for i in range(2)
+    }
     assert len(seeds) == 2
 
 
@@ -206,7 +284,9 @@ def test_what_was_done_before_an_interruption_is_kept(folder, tmp_path):
     assert len(kept) == 2
     done = grade_folder(folder, out, lessons=LESSONS)
     assert (
-        done.kept == 2 and done.marked == 5 and {r["seed"] for r in rows_in(out).values()} == {str(done.seed)}
+        done.kept == 2
+        and done.marked == 5
+        and {r["seed"] for r in rows_in(out).values()} == {str(done.seed)}
     )
     assert {f: rows_in(out)[f] for f in kept} == kept
 
@@ -246,7 +326,9 @@ def test_ctrl_c_ends_a_batch_at_once_and_leaves_no_process(folder, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_fault_of_ours_in_one_submission_stops_no_other(folder, tmp_path, monkeypatch):
+def test_a_fault_of_ours_in_one_submission_stops_no_other(
+    folder, tmp_path, monkeypatch
+):
     rows = judging.Judge.rows
 
     def fails(self, read):
@@ -257,12 +339,18 @@ def test_a_fault_of_ours_in_one_submission_stops_no_other(folder, tmp_path, monk
     monkeypatch.setattr(judging.Judge, "rows", fails)
     told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
     assert (told.marked, told.unusable) == (4, 1)
-    assert "not its author's fault: RuntimeError: a bug" in rows_in(told.out)["ben.ipynb"]["reason"]
+    assert (
+        "not its author's fault: RuntimeError: a bug"
+        in rows_in(told.out)["ben.ipynb"]["reason"]
+    )
 
 
-def test_a_machine_that_runs_no_answer_says_so_before_anything_is_marked(folder, tmp_path, monkeypatch):
+def test_a_machine_that_runs_no_answer_says_so_before_anything_is_marked(
+    folder, tmp_path, monkeypatch
+):
     monkeypatch.setattr(
-        "course.grading.sandbox.command", lambda where: [sys.executable, "-c", "raise SystemExit(3)"]
+        "course.grading.sandbox.command",
+        lambda where: [sys.executable, "-c", "raise SystemExit(3)"],
     )
     with pytest.raises(grading.SandboxFailure, match="exit code 3"):
         grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
@@ -293,11 +381,17 @@ def test_output_inside_the_folder_is_no_submission(folder):
 def test_arguments_that_cannot_be_used_are_refused(folder, tmp_path, change, words):
     (tmp_path / "nothing").mkdir()
     paths = {k: tmp_path / v if isinstance(v, str) else v for k, v in change.items()}
-    given = {"folder": folder, "out": tmp_path / "grades.csv", "lessons": LESSONS} | paths
+    given = {
+        "folder": folder,
+        "out": tmp_path / "grades.csv",
+        "lessons": LESSONS,
+    } | paths
     before = (folder / "ann.ipynb").read_text()
     with pytest.raises(ValueError, match=words):
         grade_folder(given.pop("folder"), given.pop("out"), **given)
-    assert (folder / "ann.ipynb").read_text() == before and not (tmp_path / "grades.csv").exists()
+    assert (folder / "ann.ipynb").read_text() == before and not (
+        tmp_path / "grades.csv"
+    ).exists()
 
 
 @pytest.mark.slow
@@ -309,8 +403,14 @@ def test_a_notebook_is_checked_on_its_own_inputs(tmp_path):
     assert str(told) == "91 Other\n✓ thrice  1/1  Right"
     write(path, only("twice", "def twice(x):\n    return -2 * x"))
     told = check_notebook(path, lessons=LESSONS)
-    assert not told.passed and [r.state for r in told] == ["wrong", "not attempted", "not attempted"]
-    assert "✗ twice  0/2  Not yet" in str(told) and "The sign is turned round" in str(told)
+    assert not told.passed and [r.state for r in told] == [
+        "wrong",
+        "not attempted",
+        "not attempted",
+    ]
+    assert "✗ twice  0/2  Not yet" in str(told) and "The sign is turned round" in str(
+        told
+    )
     assert "○ area   0/3  Not attempted" in str(told)
     with pytest.raises(UnusableNotebook, match="the file is empty"):
         check_notebook(write(path, ""), lessons=LESSONS)

@@ -5,7 +5,19 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from grading.toy_lessons import BLANK, IMPORTS, LESSONS, OTHER, RIGHT, TOY, blank, cell, notebook, only, write
+from grading.toy_lessons import (
+    BLANK,
+    IMPORTS,
+    LESSONS,
+    OTHER,
+    RIGHT,
+    TOY,
+    blank,
+    cell,
+    notebook,
+    only,
+    write,
+)
 
 from course.exercises.notebook_file import read_notebook
 from course.grading import judge as judging
@@ -19,7 +31,10 @@ from course.grading.sandbox import Cancelled, Run, SandboxFailure
 def rows_of(tmp_path):
     def rows(content, *, seed=None, seconds=20.0, cancel=None):
         read = read_notebook(write(tmp_path / "submission.ipynb", content), LESSONS)
-        return {row.exercise.name: row for row in Judge(seed, Limits(seconds), cancel).rows(read)}
+        return {
+            row.exercise.name: row
+            for row in Judge(seed, Limits(seconds), cancel).rows(read)
+        }
 
     return rows
 
@@ -29,7 +44,9 @@ def one(rows_of):
     """The row of a notebook of one exercise, thrice, whose cell is the source."""
 
     def row(source, *, seconds=20.0, cells=None):
-        return rows_of(notebook(OTHER, cells=cells, thrice=source), seconds=seconds)["thrice"]
+        return rows_of(notebook(OTHER, cells=cells, thrice=source), seconds=seconds)[
+            "thrice"
+        ]
 
     return row
 
@@ -46,9 +63,17 @@ def test_right_answers_get_all_points_in_the_order_of_the_lesson(rows_of):
 def test_blanks_are_not_attempted_and_start_no_process(rows_of, monkeypatch):
     monkeypatch.setattr(judging, "run_job", None)
     rows = rows_of(blank())
-    assert {(r.points, r.state, r.reason) for r in rows.values()} == {(0, "not attempted", "")}
+    assert {(r.points, r.state, r.reason) for r in rows.values()} == {
+        (0, "not attempted", "")
+    }
     # a lesson's author may blank the whole line: then the cell defines nothing
-    rows = rows_of(notebook(twice=BLANK["twice"], split=BLANK["split"], area="a, b = sp.symbols('a b')\n..."))
+    rows = rows_of(
+        notebook(
+            twice=BLANK["twice"],
+            split=BLANK["split"],
+            area="a, b = sp.symbols('a b')\n...",
+        )
+    )
     assert rows["area"].state == "not attempted"
 
 
@@ -66,13 +91,17 @@ def test_a_renamed_answer_with_a_hole_left_beside_it_is_for_a_person(rows_of):
 def test_wrong_answers_are_told_what_is_wrong(rows_of):
     rows = rows_of(notebook(twice="def twice(x):\n    return -2 * x", split="def split(x):\n    return x[..., 0], x",
                             area="a, b = sp.symbols('a b')\narea = a + b"))  # fmt: skip
-    assert {r.state for r in rows.values()} == {"wrong"} and {r.points for r in rows.values()} == {0}
+    assert {r.state for r in rows.values()} == {"wrong"} and {
+        r.points for r in rows.values()
+    } == {0}
     assert (
         "The sign is turned round" in rows["twice"].reason
         and "got: [-2., -4., -8.] m" in rows["twice"].reason
     )
     assert "shape (3,) where (2,) is expected" in rows["split"].reason
-    assert "expected: 6 m^2" in rows["area"].reason and "got: 5 m^2" in rows["area"].reason
+    assert (
+        "expected: 6 m^2" in rows["area"].reason and "got: 5 m^2" in rows["area"].reason
+    )
 
 
 @pytest.mark.slow
@@ -89,7 +118,11 @@ def test_the_grader_draws_other_inputs_than_the_notebook_does(rows_of):
 
 
 HOSTILE = {
-    "loop": ("def thrice(x):\n    while True: pass", "error", "it did not finish within 1 s"),
+    "loop": (
+        "def thrice(x):\n    while True: pass",
+        "error",
+        "it did not finish within 1 s",
+    ),
     "loop in the cell": (
         "while True: pass\nthrice = 3",
         "error",
@@ -105,7 +138,11 @@ HOSTILE = {
         "error",
         "its cell stopped with OutputFlood: it printed more",
     ),
-    "exit": ("import sys\ndef thrice(x):\n    sys.exit(0)", "error", "it stopped with SystemExit: 0"),
+    "exit": (
+        "import sys\ndef thrice(x):\n    sys.exit(0)",
+        "error",
+        "it stopped with SystemExit: 0",
+    ),
     "quit in the cell": (
         "quit()\ndef thrice(x):\n    return 3 * x",
         "error",
@@ -146,14 +183,22 @@ HOSTILE = {
         "error",
         "its cell stopped with PermissionError",
     ),
-    "memory": ("def thrice(x):\n    return np.zeros(10**11)", "error", "Unable to allocate"),
+    "memory": (
+        "def thrice(x):\n    return np.zeros(10**11)",
+        "error",
+        "Unable to allocate",
+    ),
     "recursion": ("def thrice(x):\n    return thrice(x)", "error", "RecursionError"),
     "billion": (
         "def thrice(x):\n    return np.zeros(10**9, np.int8)",
         "error",
         "at most 1,000,000 numbers; got 1,000,000,000",
     ),
-    "object": ("def thrice(x):\n    return object()", "error", "expected numbers; got object"),
+    "object": (
+        "def thrice(x):\n    return object()",
+        "error",
+        "expected numbers; got object",
+    ),
     "objects": (
         "def thrice(x):\n    return np.array([x, None, 'a'], dtype=object)",
         "error",
@@ -171,7 +216,11 @@ HOSTILE = {
     ),
     "module": ("thrice = np", "error", "expected a function; got module"),
     "none": ("def thrice(x):\n    y = 3 * x", "error", "it returned None"),
-    "writes": ("def thrice(x):\n    x *= 3\n    return x", "wrong", "it wrote into its input (x)"),
+    "writes": (
+        "def thrice(x):\n    x *= 3\n    return x",
+        "wrong",
+        "it wrote into its input (x)",
+    ),
     "raises at import": (
         "raise ValueError('not today')\ndef thrice(x):\n    return 3 * x",
         "error",
@@ -235,7 +284,9 @@ def hostile(tmp_path_factory):
 
     def row(name):
         content = notebook(OTHER, thrice=HOSTILE[name][0])
-        read = read_notebook(write(folder / name / "submission.ipynb", content), LESSONS)
+        read = read_notebook(
+            write(folder / name / "submission.ipynb", content), LESSONS
+        )
         return next(Judge(None, Limits(1.0 if "loop" in name else 20.0)).rows(read))
 
     with ThreadPoolExecutor(2) as pool:
@@ -254,13 +305,18 @@ def test_broken_and_hostile_answers(hostile, name):
 
 
 def test_what_a_cell_raises_after_the_function_does_not_matter(one):
-    assert one("def thrice(x):\n    return 3 * x\nthrice('a', 2)\nraise SystemExit").state == "passed"
+    assert (
+        one("def thrice(x):\n    return 3 * x\nthrice('a', 2)\nraise SystemExit").state
+        == "passed"
+    )
 
 
 @pytest.mark.slow
 def test_cells_before_are_run_as_far_as_they_are_needed(rows_of):
     """A cell that raises stops no other, one that loops costs its own exercise alone, and helpers are found."""
-    helper = cell("factor = 2\n%time x = 1\n\ndef times(x):\n    return factor * x\n\nprint(times(3))")
+    helper = cell(
+        "factor = 2\n%time x = 1\n\ndef times(x):\n    return factor * x\n\nprint(times(3))"
+    )
     looping = rows_of(
         notebook(
             cells=[helper],
@@ -270,7 +326,11 @@ def test_cells_before_are_run_as_far_as_they_are_needed(rows_of):
         ),
         seconds=1.0,
     )
-    assert [looping[n].state for n in ("twice", "split", "area")] == ["error", "passed", "not attempted"]
+    assert [looping[n].state for n in ("twice", "split", "area")] == [
+        "error",
+        "passed",
+        "not attempted",
+    ]
     twice = "def twice(x):\n    return 2 * x"
     halves = "def split(x):\n    return twice(x)[..., 0] / 2, twice(x)[..., 1:] / 2"
     using = rows_of(notebook(twice=twice, split=halves, area=BLANK["area"]))
@@ -285,7 +345,10 @@ def test_an_endless_cell_that_others_need_is_waited_for_once(rows_of):
     rows = rows_of(content, seconds=1.0)
     assert "its cell, outside the function, did not finish" in rows["twice"].reason
     assert "a cell before it, which it uses, did not finish" in rows["split"].reason
-    assert rows["area"].state == "error" and rows["split"].seconds == rows["area"].seconds == 0.0
+    assert (
+        rows["area"].state == "error"
+        and rows["split"].seconds == rows["area"].seconds == 0.0
+    )
 
 
 def test_a_cell_before_that_raised_is_told(one):
@@ -294,27 +357,54 @@ def test_a_cell_before_that_raised_is_told(one):
         cell("scale = undefined_name\n\ndef scaled(x):\n    return scale * x"),
     ]
     row = one("def thrice(x):\n    return scaled(x)", cells=cells)
-    assert row.state == "error" and "NameError: name 'scale' is not defined" in row.reason
-    assert "a cell before it, which it uses, stopped with NameError: name 'undefined_name'" in row.reason
+    assert (
+        row.state == "error" and "NameError: name 'scale' is not defined" in row.reason
+    )
+    assert (
+        "a cell before it, which it uses, stopped with NameError: name 'undefined_name'"
+        in row.reason
+    )
 
 
 @pytest.mark.slow
 def test_a_renamed_function_needs_a_person_and_is_tried_under_its_name(rows_of):
     rows = rows_of(
-        notebook(twice="def twise(x):\n    return 2 * x", split="def splt(x):\n    return x", area=None)
+        notebook(
+            twice="def twise(x):\n    return 2 * x",
+            split="def splt(x):\n    return x",
+            area=None,
+        )
     )
-    assert [(r.state, r.points) for r in rows.values()] == [("needs a person", None)] * 3
-    assert rows["twice"].reason.endswith("the nearest name is twise, and under that name it is right")
-    assert rows["split"].reason.endswith("the nearest name is splt, and under that name it is not right")
+    assert [(r.state, r.points) for r in rows.values()] == [
+        ("needs a person", None)
+    ] * 3
+    assert rows["twice"].reason.endswith(
+        "the nearest name is twise, and under that name it is right"
+    )
+    assert rows["split"].reason.endswith(
+        "the nearest name is splt, and under that name it is not right"
+    )
     assert "no cell defines area: was it deleted?" in rows["area"].reason
-    assert rows_of(notebook(OTHER, thrice="def thryce(x):\n    ..."))["thrice"].state == "not attempted"
+    assert (
+        rows_of(notebook(OTHER, thrice="def thryce(x):\n    ..."))["thrice"].state
+        == "not attempted"
+    )
 
 
 @pytest.mark.slow
 def test_imports_that_fail_do_not_take_the_others_along(one):
-    cells = [cell("import not_installed_here\nfrom course.nowhere import anything\nimport math")]
-    assert one("def thrice(x):\n    return math.sqrt(9) * x", cells=cells).state == "passed"
-    assert "plots.style()" in IMPORTS  # a call of the course in the import cell does nothing
+    cells = [
+        cell(
+            "import not_installed_here\nfrom course.nowhere import anything\nimport math"
+        )
+    ]
+    assert (
+        one("def thrice(x):\n    return math.sqrt(9) * x", cells=cells).state
+        == "passed"
+    )
+    assert (
+        "plots.style()" in IMPORTS
+    )  # a call of the course in the import cell does nothing
 
 
 def test_a_judge_that_fails_leaves_it_to_a_person(one, monkeypatch):
@@ -332,7 +422,9 @@ def test_a_machine_at_fault_is_no_fault_of_the_submission(one, monkeypatch):
         raise SandboxFailure("no space left")
 
     monkeypatch.setattr(judging, "run_job", fails)
-    assert one(RIGHT["thrice"]).state == "needs a person"  # a plain answer does run: so this one is odd
+    assert (
+        one(RIGHT["thrice"]).state == "needs a person"
+    )  # a plain answer does run: so this one is odd
     monkeypatch.setattr(judging, "isolation", fails)
     with pytest.raises(SandboxFailure):
         one(RIGHT["thrice"])
@@ -347,7 +439,10 @@ def test_a_machine_at_fault_is_no_fault_of_the_submission(one, monkeypatch):
             Run("crashed", "cell", 0, detail="SIGKILL"),
             "its cell, outside the function, crashed Python (SIGKILL)",
         ),
-        (Run("time", "ready", 0), "its cell, outside the function, did not finish within 20 s"),
+        (
+            Run("time", "ready", 0),
+            "its cell, outside the function, did not finish within 20 s",
+        ),
     ],
 )
 def test_every_end_has_its_words(one, monkeypatch, end, words):
@@ -362,7 +457,9 @@ def test_a_batch_that_is_stopped_stops_judging(rows_of):
         rows_of(notebook(OTHER), cancel=cancel)
 
 
-def test_the_parent_reads_what_the_child_sends_with_the_references_at_home(monkeypatch, rows_of):
+def test_the_parent_reads_what_the_child_sends_with_the_references_at_home(
+    monkeypatch, rows_of
+):
     """The job holds inputs and sources alone."""
     sent = []
 
@@ -374,7 +471,8 @@ def test_the_parent_reads_what_the_child_sends_with_the_references_at_home(monke
     rows_of(notebook(OTHER), seed=3)
     (job,) = sent
     drawn = OTHER.exercises[0].draw(3)
-    assert [np.array_equal(c["x"], d.arguments["x"]) for c, d in zip(job.cases, drawn, strict=True)] == [
-        True
-    ] * 3
+    assert [
+        np.array_equal(c["x"], d.arguments["x"])
+        for c, d in zip(job.cases, drawn, strict=True)
+    ] == [True] * 3
     assert set(vars(job)) == {"cells", "name", "kind", "arguments", "results", "cases"}

@@ -15,7 +15,9 @@ pytestmark = pytest.mark.slow
 
 def graded(folder: Path, tmp_path: Path) -> dict[str, dict[str, str]]:
     submissions = tmp_path / "submissions"
-    shutil.copytree(folder, submissions, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
+    shutil.copytree(
+        folder, submissions, ignore=shutil.ignore_patterns(".ipynb_checkpoints")
+    )
     # A fixed seed: that any seed will do is asked of the answers alone, and far more often, in tests/exercises.
     grade_folder(submissions, tmp_path / "grades.csv", seed=20_261)
     with (tmp_path / "grades.csv").open(newline="", encoding="utf-8") as file:
@@ -29,7 +31,11 @@ def test_solutions_get_full_marks(tmp_path):
         assert {e.name: row[f"{e.name}_state"] for e in lesson.exercises} == {
             e.name: "passed" for e in lesson.exercises
         }
-        assert float(row["total"]) == float(row["out_of"]) == sum(e.points for e in lesson.exercises)
+        assert (
+            float(row["total"])
+            == float(row["out_of"])
+            == sum(e.points for e in lesson.exercises)
+        )
 
 
 def test_lessons_as_handed_out_are_not_attempted(tmp_path):

@@ -36,7 +36,9 @@ def test_needed(wanted, expected):
 
 
 def test_a_cell_that_imports_everything_is_kept():
-    assert needed_cells(("from numpy import *", "x = 1"), "def f(y):\n    return sum(y)") == (0,)
+    assert needed_cells(
+        ("from numpy import *", "x = 1"), "def f(y):\n    return sum(y)"
+    ) == (0,)
 
 
 def test_names_of_a_cell():

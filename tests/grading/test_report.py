@@ -10,7 +10,14 @@ from grading.toy_lessons import LESSONS, OTHER, TOY, TWICE
 from course.exercises.verdict import Verdict
 from course.grading.feedback import page
 from course.grading.judge import Row
-from course.grading.report import Submission, Table, cells_of, columns, read_table, safe_cell
+from course.grading.report import (
+    Submission,
+    Table,
+    cells_of,
+    columns,
+    read_table,
+    safe_cell,
+)
 from course.grading.submissions import student_of
 
 KEY = "0" * 64
@@ -40,7 +47,9 @@ def test_no_cell_is_a_formula(value, cell):
 
 
 def test_a_row_has_three_columns_an_exercise():
-    cells = cells_of(submission("passed", "wrong", "needs a person"), seed=4, isolation="clock")
+    cells = cells_of(
+        submission("passed", "wrong", "needs a person"), seed=4, isolation="clock"
+    )
     assert (cells["total"], cells["out_of"], cells["state"], cells["lesson"]) == (
         "2",
         "7",
@@ -52,23 +61,35 @@ def test_a_row_has_three_columns_an_exercise():
     ]  # fmt: skip
     assert cells["area_reason"] == "because needs a person"
     assert set(cells) == set(columns(["twice", "split", "area"]))
-    broken = cells_of(Submission("=x.pdf", "", KEY, reason="not a notebook"), 4, "clock")
-    assert (broken["file"], broken["state"], broken["out_of"]) == ("'=x.pdf", "unusable", "")
+    broken = cells_of(
+        Submission("=x.pdf", "", KEY, reason="not a notebook"), 4, "clock"
+    )
+    assert (broken["file"], broken["state"], broken["out_of"]) == (
+        "'=x.pdf",
+        "unusable",
+        "",
+    )
 
 
 def test_rows_are_in_the_file_as_they_come_and_a_cut_one_is_left_out(tmp_path):
     path = tmp_path / "grades.csv"
     table = Table(path, ["twice", "split", "area"], [])
     for name in ("ben", "ann"):
-        done = submission("passed", "passed", "passed", file=f'{name}, "x".ipynb', key=name[0] * 64)
+        done = submission(
+            "passed", "passed", "passed", file=f'{name}, "x".ipynb', key=name[0] * 64
+        )
         table.add(cells_of(done, 4, "clock, memory"))
     # Not closed, as after a crash: both rows are there.
     exercises, rows = read_table(path)
-    assert exercises == ("twice", "split", "area") and [r["file"][:3] for r in rows] == ["ben", "ann"]
+    assert exercises == ("twice", "split", "area") and [
+        r["file"][:3] for r in rows
+    ] == ["ben", "ann"]
     whole = path.read_text()
     for length in range(len(whole) - 2, whole.index('"ann'), -7):
         path.write_text(whole[:length])
-        assert [r["file"][:3] for r in read_table(path)[1]] in (["ben"], []), whole[:length]
+        assert [r["file"][:3] for r in read_table(path)[1]] in (["ben"], []), whole[
+            :length
+        ]
     path.write_text(whole)
     table.close()
     assert [r["file"][:3] for r in read_table(path)[1]] == ["ann", "ben"]
@@ -77,14 +98,18 @@ def test_rows_are_in_the_file_as_they_come_and_a_cut_one_is_left_out(tmp_path):
 def test_a_file_that_is_no_table_is_not_written_over(tmp_path):
     other = tmp_path / "other.csv"
     other.write_text("name,mark\nann,3\n")
-    with pytest.raises(ValueError, match="out: expected a table of marks or a new file"):
+    with pytest.raises(
+        ValueError, match="out: expected a table of marks or a new file"
+    ):
         read_table(other)
     assert read_table(tmp_path / "new.csv") == ((), [])
 
 
 def test_columns_are_the_union_of_old_and_new(tmp_path):
     path = tmp_path / "grades.csv"
-    Table(path, ["thrice"], [cells_of(submission("passed", lesson=OTHER), 4, "")]).close()
+    Table(
+        path, ["thrice"], [cells_of(submission("passed", lesson=OTHER), 4, "")]
+    ).close()
     exercises, rows = read_table(path)
     Table(path, ["twice", *exercises], rows).close()
     with path.open(newline="") as file:
@@ -123,10 +148,14 @@ def test_a_page_says_what_is_right_and_what_to_try_next():
     text = " ".join(tags.text.split())
     assert "2 of 7 points, and a person has still to look" in text
     assert "Next: split. Open the lesson" in text and "hint('split')" in text
-    assert "hint look here" in text  # nothing said in what way it is wrong: the first hint does
+    assert (
+        "hint look here" in text
+    )  # nothing said in what way it is wrong: the first hint does
     assert "About 5 minutes of core exercises are left" in text
     assert "✓ Right" in text and "✗ Not yet" in text and "? of 3" in text
-    done = " ".join(parsed(page(submission("passed", "passed", "passed"), seed=4)).text.split())
+    done = " ".join(
+        parsed(page(submission("passed", "passed", "passed"), seed=4)).text.split()
+    )
     assert "7 of 7 points." in done and "Nothing is left to do in this lesson." in done
 
 
@@ -140,8 +169,12 @@ def test_a_page_stands_alone_and_can_be_read_aloud():
     assert {a["href"][1:] for t, a in tags.seen if t == "a"} | {
         a["aria-labelledby"] for t, a in tags.seen if "aria-labelledby" in a
     } <= names
-    assert [a.get("scope") for t, a in tags.seen if t == "th"] == ["col"] * 3 + ["row"] * 3
-    assert "title" in [t for t, _ in tags.seen] and "caption" in [t for t, _ in tags.seen]
+    assert [a.get("scope") for t, a in tags.seen if t == "th"] == ["col"] * 3 + [
+        "row"
+    ] * 3
+    assert "title" in [t for t, _ in tags.seen] and "caption" in [
+        t for t, _ in tags.seen
+    ]
 
 
 def test_what_a_student_wrote_is_escaped():
@@ -157,7 +190,10 @@ def test_what_a_student_wrote_is_escaped():
 
 def test_a_file_that_cannot_be_marked_has_a_page_too():
     text = parsed(
-        page(Submission("a.pdf", "ann", KEY, reason="not a notebook: not text in UTF-8"), seed=4)
+        page(
+            Submission("a.pdf", "ann", KEY, reason="not a notebook: not text in UTF-8"),
+            seed=4,
+        )
     ).text
     assert "This file could not be marked" in text and "not text in UTF-8" in text
     assert "Hand in the notebook itself" in text

@@ -21,8 +21,17 @@ LINUX = pytest.mark.skipif(
 )
 
 
-def run(source, *, case=None, results=1, seconds=5.0, memory_mb=2000, file_mb=100, **options):
-    job = Job(((source, False),), "f", "function", ("x",), results, ({"x": 1.0} if case is None else case,))
+def run(
+    source, *, case=None, results=1, seconds=5.0, memory_mb=2000, file_mb=100, **options
+):
+    job = Job(
+        ((source, False),),
+        "f",
+        "function",
+        ("x",),
+        results,
+        ({"x": 1.0} if case is None else case,),
+    )
     return run_job(job, Limits(seconds, memory_mb, file_mb), **options)
 
 
@@ -61,7 +70,13 @@ def test_memory_is_limited_and_the_report_says_so():
     assert "Memory" in outcome(small, memory_mb=300).text
     assert value(small).tolist() == [1.0] * 3
     held = isolation(Limits())
-    assert {"separate process", "clock", "memory", "processor time", "audit hook"} <= set(held)
+    assert {
+        "separate process",
+        "clock",
+        "memory",
+        "processor time",
+        "audit hook",
+    } <= set(held)
 
 
 def test_the_environment_of_the_grader_does_not_travel(monkeypatch):
@@ -86,10 +101,17 @@ def f(x):
 check(f); hint(f); predict("a", 3); progress(); show(f, 3)
 """
     assert value(source) == 2.0
-    told = outcome("from course.dynamics import impulse_central\ndef f(x):\n    return impulse_central(x)")
-    assert (told.kind, told.text) == ("unreadable", "expected numbers; got StandInForCourse")
+    told = outcome(
+        "from course.dynamics import impulse_central\ndef f(x):\n    return impulse_central(x)"
+    )
+    assert (told.kind, told.text) == (
+        "unreadable",
+        "expected numbers; got StandInForCourse",
+    )
     folder = sandbox.PACKAGE / "exercises" / "definitions"
-    told = outcome(f"def f(x):\n    return len(open({str(folder / '__init__.py')!r}).read())")
+    told = outcome(
+        f"def f(x):\n    return len(open({str(folder / '__init__.py')!r}).read())"
+    )
     assert told.kind == "raised" and "cannot be read" in told.text
     around = f"""
 import sys
@@ -162,16 +184,25 @@ def test_its_own_folder_can_be_written_to_and_is_gone_afterwards():
     )
     assert told.kind == "value", told
     assert not os.path.exists(told.printed.strip())
-    assert outcome("import os\ndef f(x):\n    os.mkdir('d'); os.chmod('d', 0); return x").kind == "value"
+    assert (
+        outcome(
+            "import os\ndef f(x):\n    os.mkdir('d'); os.chmod('d', 0); return x"
+        ).kind
+        == "value"
+    )
 
 
 @pytest.mark.slow
 @POSIX
 def test_files_are_limited_in_size_and_number():
     large = run(
-        "def f(x):\n    open('big', 'wb').write(b'0' * 8_000_000)\n    return x", seconds=30.0, file_mb=5
+        "def f(x):\n    open('big', 'wb').write(b'0' * 8_000_000)\n    return x",
+        seconds=30.0,
+        file_mb=5,
     )
-    assert large.end == "files" or "File too large" in large.reply.outcomes[0].text  # whichever comes first
+    assert (
+        large.end == "files" or "File too large" in large.reply.outcomes[0].text
+    )  # whichever comes first
     many = "def f(x):\n    for i in range(3000): open(str(i), 'w').close()\n    while True: pass"
     assert run(many, seconds=30.0).end == "files"
 
@@ -192,7 +223,9 @@ def f(x):
 @POSIX
 def test_what_was_written_to_the_reply_from_outside_is_no_reply():
     result = run(FORGED)
-    assert (result.end, result.stage, result.reply) == ("unreadable", "ready", None), result
+    assert (result.end, result.stage, result.reply) == ("unreadable", "ready", None), (
+        result
+    )
 
 
 @pytest.mark.slow
@@ -200,7 +233,9 @@ def test_what_was_written_to_the_reply_from_outside_is_no_reply():
 def test_recursion_without_end():
     # Without Python's own limit it ends by memory, by the clock or by a crash, as the version of Python has it.
     deep = run(
-        "import sys\nsys.setrecursionlimit(10**9)\ndef f(x):\n    return f(x)", seconds=1.0, memory_mb=300
+        "import sys\nsys.setrecursionlimit(10**9)\ndef f(x):\n    return f(x)",
+        seconds=1.0,
+        memory_mb=300,
     )
     assert deep.end in ("crashed", "time") or deep.reply.outcomes[0].kind == "raised"
 
@@ -213,16 +248,16 @@ def test_limits_are_set_on_the_process():
         "apply_limits(Limits(seconds=4.5, memory_mb=900, file_mb=7))\n"
         "print([r.getrlimit(k) for k in (r.RLIMIT_CPU, r.RLIMIT_FSIZE, r.RLIMIT_CORE)])"
     )
-    told = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True, timeout=60).stdout
+    told = subprocess.run(
+        [sys.executable, "-c", source], capture_output=True, text=True, timeout=60
+    ).stdout
     assert told.strip() == "[(7, 9), (7000000, 7000000), (0, 0)]"
     assert sandbox._ended(-signal.SIGXCPU, "case", 3) == sandbox.Run("time", "case", 3)
 
 
 @pytest.mark.slow
 def test_a_thread_that_goes_on_holds_nothing_up():
-    source = (
-        "import threading, time\ndef f(x):\n    threading.Thread(target=time.sleep, args=(60,)).start()\n"
-    )
+    source = "import threading, time\ndef f(x):\n    threading.Thread(target=time.sleep, args=(60,)).start()\n"
     source += "    return x"
     started = time.monotonic()
     assert value(source) == 1.0
@@ -248,11 +283,15 @@ def test_processes_left_in_the_group_are_ended(monkeypatch, tmp_path):
         f"pathlib.Path({str(tmp_path / 'pid')!r}).write_text(str(p.pid))\n"
         "pathlib.Path(sys.argv[1], 'stage').write_text('case 0')\n"
     )
-    monkeypatch.setattr(sandbox, "command", lambda folder: [sys.executable, "-c", slipped, str(folder)])
+    monkeypatch.setattr(
+        sandbox, "command", lambda folder: [sys.executable, "-c", slipped, str(folder)]
+    )
     assert run("def f(x): return x").end == "ended"
     pid = int((tmp_path / "pid").read_text())
     for _ in range(100):
-        told = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True)
+        told = subprocess.run(
+            ["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True
+        )
         if told.stdout.strip()[:1] in ("", "Z"):
             return
         time.sleep(0.05)
@@ -278,7 +317,9 @@ def test_memory_of_a_process_is_told():
 
 def test_a_machine_that_cannot_run_answers_says_so(monkeypatch):
     monkeypatch.setattr(
-        sandbox, "command", lambda folder: [sys.executable, "-c", "raise SystemError('no numpy here')"]
+        sandbox,
+        "command",
+        lambda folder: [sys.executable, "-c", "raise SystemError('no numpy here')"],
     )
     with pytest.raises(SandboxFailure, match="no numpy here"):
         isolation(Limits())
@@ -288,7 +329,8 @@ def test_a_machine_that_cannot_run_answers_says_so(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "bad", [dict(seconds=0), dict(seconds=float("nan")), dict(memory_mb=10), dict(file_mb=0)]
+    "bad",
+    [dict(seconds=0), dict(seconds=float("nan")), dict(memory_mb=10), dict(file_mb=0)],
 )
 def test_limits_that_cannot_be_are_refused(bad):
     with pytest.raises(ValueError, match=r"expected .*; got"):
@@ -309,4 +351,8 @@ def f(x):
     plt.show()
     return before, solved, len(plt.get_fignums())
 """
-    assert [float(v) for v in outcome(source, results=3, seconds=60.0).values] == [0.0, 0.5, 1.0]
+    assert [float(v) for v in outcome(source, results=3, seconds=60.0).values] == [
+        0.0,
+        0.5,
+        1.0,
+    ]

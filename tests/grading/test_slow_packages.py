@@ -17,7 +17,13 @@ IMPORTS = "import cvxpy as cp\nimport numpy as np"
         (["def f(b):\n    return np.sum(b)"], ()),
         (["def f(b):\n    import cvxpy\n    return cvxpy.Variable(2)"], ("cvxpy",)),
         (["from cvxpy import Variable\nf = lambda b: Variable(2)"], ("cvxpy",)),
-        (["def helper(b):\n    return cp.Variable(2)", "def f(b):\n    return helper(b)"], ("cvxpy",)),
+        (
+            [
+                "def helper(b):\n    return cp.Variable(2)",
+                "def f(b):\n    return helper(b)",
+            ],
+            ("cvxpy",),
+        ),
         (["def f(b):\n    return 'cp'"], ()),
         (["def f(b:\n"], ()),
         ([], ()),
@@ -34,10 +40,20 @@ def test_what_an_answer_uses_is_loaded_before_its_clock_starts(word):
         "import sys\nloaded = 'cvxpy' in sys.modules\n"
         f"def f(b):\n    own = {word}\n    return [1.0 if loaded else 0.0, float(b[0])]"
     )
-    job = Job(((IMPORTS, True), (answer, False)), "f", "function", ("b",), 1, ({"b": np.array([-1.0, 2.0])},))
+    job = Job(
+        ((IMPORTS, True), (answer, False)),
+        "f",
+        "function",
+        ("b",),
+        1,
+        ({"b": np.array([-1.0, 2.0])},),
+    )
     run = run_job(job, Limits(seconds=8.0))
     assert run.end == "replied", run
-    assert run.reply.outcomes[0].values[0].tolist() == [1.0 if word == "cp" else 0.0, -1.0]
+    assert run.reply.outcomes[0].values[0].tolist() == [
+        1.0 if word == "cp" else 0.0,
+        -1.0,
+    ]
 
 
 @pytest.mark.slow
@@ -47,7 +63,14 @@ def test_a_programme_is_solved_within_the_limits():
         "    cp.Problem(cp.Minimize(cp.sum_squares(x) / 2 + b @ x), [x >= 0]).solve(solver=cp.CLARABEL)\n"
         "    return x.value"
     )
-    job = Job(((IMPORTS, True), (answer, False)), "f", "function", ("b",), 1, ({"b": np.array([-1.0, 2.0])},))
+    job = Job(
+        ((IMPORTS, True), (answer, False)),
+        "f",
+        "function",
+        ("b",),
+        1,
+        ({"b": np.array([-1.0, 2.0])},),
+    )
     run = run_job(job, Limits())
     assert run.end == "replied", run
     assert run.reply.outcomes[0].kind == "value", run.reply.outcomes[0].text

@@ -30,11 +30,17 @@ def test_values_come_back_as_they_were(value):
     assert type(back) is type(value)
     if isinstance(value, np.ndarray):
         assert back.dtype == value.dtype and back.shape == value.shape
-    assert np.array_equal(back, value) if isinstance(value, (np.ndarray, np.generic)) else back == value
+    assert (
+        np.array_equal(back, value)
+        if isinstance(value, (np.ndarray, np.generic))
+        else back == value
+    )
 
 
 def test_nan_and_several_arrays_keep_their_places():
-    a, b, c = wire.unpack(wire.pack((np.array([np.nan, 1.0]), np.array([True]), np.array([2.0, 3.0]))))
+    a, b, c = wire.unpack(
+        wire.pack((np.array([np.nan, 1.0]), np.array([True]), np.array([2.0, 3.0])))
+    )
     assert np.isnan(a[0]) and a[1] == 1.0 and b[0] and c.tolist() == [2.0, 3.0]
 
 
@@ -72,7 +78,9 @@ def test_what_pack_does_not_write_is_refused(bad):
 @pytest.mark.parametrize("seed", [1, 2])
 def test_damaged_messages_raise_unreadable_and_nothing_else(seed):
     rng = np.random.default_rng(seed)
-    whole = np.frombuffer(wire.pack({"v": [np.arange(3.0), "text", (1, True)]}), np.uint8)
+    whole = np.frombuffer(
+        wire.pack({"v": [np.arange(3.0), "text", (1, True)]}), np.uint8
+    )
     refused = 0
     for _ in range(2000):
         damaged = whole.copy()
@@ -86,14 +94,18 @@ def test_damaged_messages_raise_unreadable_and_nothing_else(seed):
 
 
 GOOD = {
-    "outcomes": [{"kind": "value", "text": "", "printed": "", "values": [np.array(1.0)]}],
+    "outcomes": [
+        {"kind": "value", "text": "", "printed": "", "values": [np.array(1.0)]}
+    ],
     "held": ["memory", "x"],
 }
 
 
 def test_a_good_reply_is_read():
     reply = checked_reply(GOOD, cells=1, cases=1, results=1)
-    assert reply.outcomes == (Outcome("value", (np.array(1.0),)),) and reply.held == ("memory",)
+    assert reply.outcomes == (Outcome("value", (np.array(1.0),)),) and reply.held == (
+        "memory",
+    )
 
 
 @pytest.mark.parametrize(
@@ -114,12 +126,17 @@ def test_notes_are_taken_only_where_they_name_a_cell():
     notes = [[0, "NameError"], [5, "x"], [True, "x"], ["0", "x"], [0], "no", [0, 7]]
     reply = checked_reply(GOOD | {"notes": notes[:1]}, 1, 1, 1)
     assert reply.notes == ((0, "NameError"),)
-    assert [i for i, _ in checked_reply(GOOD | {"notes": notes}, 7, 1, 1).notes] == [0, 5, 0]
+    assert [i for i, _ in checked_reply(GOOD | {"notes": notes}, 7, 1, 1).notes] == [
+        0,
+        5,
+        0,
+    ]
 
 
 def test_text_of_a_stranger_is_made_plain():
     assert (
-        clean("a\x1b[31mb\n\ud800\x00", 100) == "a\N{REPLACEMENT CHARACTER}[31mb\n?\N{REPLACEMENT CHARACTER}"
+        clean("a\x1b[31mb\n\ud800\x00", 100)
+        == "a\N{REPLACEMENT CHARACTER}[31mb\n?\N{REPLACEMENT CHARACTER}"
     )
     assert clean("x" * 50, 10) == "x" * 10 and clean(3, 10) == ""
 

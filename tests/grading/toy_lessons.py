@@ -35,13 +35,18 @@ def _negative(reference):
 
 TWICE = exercise("twice", lambda x: 2 * x, (Value("twice", "(..., 3)", "m"),))
 SPLIT = exercise(
-    "split", lambda x: (x[..., 0], x[..., 1:]), (Value("first", "(...)", "m"), Value("rest", "(..., 2)", "m"))
+    "split",
+    lambda x: (x[..., 0], x[..., 1:]),
+    (Value("first", "(...)", "m"), Value("rest", "(..., 2)", "m")),
 )
 
 
 def _areas(rng):
     a, b = rng.uniform(1, 2, (2, 4))
-    return [Case("by hand", {"a": 2.0, "b": 3.0}), Case("drawn", {"a": a, "b": b}, "batch")]
+    return [
+        Case("by hand", {"a": 2.0, "b": 3.0}),
+        Case("drawn", {"a": a, "b": b}, "batch"),
+    ]
 
 
 AREA = exercise(
@@ -53,7 +58,9 @@ AREA = exercise(
     arguments=(Value("a", "scalar", "m"), Value("b", "scalar", "m")),
     cases=_areas,
 )
-THRICE = exercise("thrice", lambda x: 3 * x, (Value("thrice", "(..., 3)", "m"),), points=1)
+THRICE = exercise(
+    "thrice", lambda x: 3 * x, (Value("thrice", "(..., 3)", "m"),), points=1
+)
 
 TOY = Lesson("90", "toy", "Toy", "Is it two?", 10, (TWICE, SPLIT, AREA))
 OTHER = Lesson("91", "other-toy", "Other", "Is it three?", 5, (THRICE,))
@@ -105,5 +112,7 @@ def only(name, source):
 
 def write(path: Path, content) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
+    path.write_text(
+        content if isinstance(content, str) else json.dumps(content), encoding="utf-8"
+    )
     return path

@@ -38,12 +38,16 @@ def uncompared(cell) -> str:
     tags = set(cell.metadata.get("tags", []))
     if cell.execution_count is None:
         return "it was not run before it was saved"
-    if "raises-exception" in tags or any(o.output_type == "error" for o in cell.outputs):
+    if "raises-exception" in tags or any(
+        o.output_type == "error" for o in cell.outputs
+    ):
         return "it raises"
     if "nbval-skip" in tags:
         return "it is skipped"
     if "nbval-ignore-output" in tags and not tags & REASONS:
-        return "its output is ignored without a reason among its tags (measured, widget)"
+        return (
+            "its output is ignored without a reason among its tags (measured, widget)"
+        )
     if tags & REASONS and "nbval-ignore-output" not in tags:
         return "its tags say that its output differs from run to run, but nbval compares it"
     if cell.source.rstrip().endswith(";"):
@@ -61,7 +65,11 @@ def test_lessons_are_what_their_solutions_make():
 
 @each
 def test_every_cell_is_compared(path):
-    faults = [f"cell {i}: {fault}" for i, c in enumerate(code_cells(path)) if (fault := uncompared(c))]
+    faults = [
+        f"cell {i}: {fault}"
+        for i, c in enumerate(code_cells(path))
+        if (fault := uncompared(c))
+    ]
     assert faults == []
 
 
@@ -70,32 +78,49 @@ def test_every_cell_is_compared(path):
     [
         (dict(execution_count=None), "not run"),
         (dict(metadata={"tags": ["raises-exception"]}), "raises"),
-        (dict(outputs=[nbformat.v4.new_output("error", ename="E", evalue="", traceback=[])]), "raises"),
+        (
+            dict(
+                outputs=[
+                    nbformat.v4.new_output("error", ename="E", evalue="", traceback=[])
+                ]
+            ),
+            "raises",
+        ),
         (dict(metadata={"tags": ["nbval-ignore-output"]}), "without a reason"),
         (dict(metadata={"tags": ["measured"]}), "compares it"),
         (dict(source="x;"), "trailing"),
     ],
 )
 def test_a_cell_that_would_not_be_compared_is_found(cell, fault):
-    assert fault in uncompared(nbformat.v4.new_code_cell(**({"source": "x", "execution_count": 1} | cell)))
+    assert fault in uncompared(
+        nbformat.v4.new_code_cell(**({"source": "x", "execution_count": 1} | cell))
+    )
     assert uncompared(nbformat.v4.new_code_cell("x", execution_count=1)) == ""
 
 
 def test_nbval_compares_words_and_not_how_they_are_drawn():
     """nbval compares HTML to the letter: a picture in it, or a message's colours, must not count."""
-    patterns = get_sanitize_patterns((ROOT / "tests" / "nbval_sanitize.cfg").read_text())
+    patterns = get_sanitize_patterns(
+        (ROOT / "tests" / "nbval_sanitize.cfg").read_text()
+    )
 
     def compared(text):
         for pattern, instead in patterns:
             text = re.sub(pattern, instead, text)
         return text
 
-    picture = '<img alt="Speed 1.5 m/s" src="data:image/png;base64,{}" style="width: 100px">'
+    picture = (
+        '<img alt="Speed 1.5 m/s" src="data:image/png;base64,{}" style="width: 100px">'
+    )
     assert compared(picture.format("iVBORw0+/==")) == compared(picture.format("Zm9v"))
-    assert compared(picture.format("Zm9v")) != compared(picture.format("Zm9v").replace("1.5", "1.6"))
+    assert compared(picture.format("Zm9v")) != compared(
+        picture.format("Zm9v").replace("1.5", "1.6")
+    )
     one, other = (Message(state, "Right: f").html() for state in ("passed", "wrong"))
     assert one != other and compared(one) == compared(other)
-    assert compared(str(Message("passed", "Right: f"))) != compared(str(Message("wrong", "Right: f")))
+    assert compared(str(Message("passed", "Right: f"))) != compared(
+        str(Message("wrong", "Right: f"))
+    )
 
 
 @each
@@ -103,10 +128,14 @@ def test_figures_are_shown_with_alternative_text(path):
     for i, cell in enumerate(code_cells(path)):
         for output in cell.outputs:
             data = output.get("data", {})
-            assert "image/png" not in data, f"cell {i}: no alternative text; end the cell with plots.show()"
+            assert "image/png" not in data, (
+                f"cell {i}: no alternative text; end the cell with plots.show()"
+            )
             for image in re.findall(r"<img[^>]*>", "".join(data.get("text/html", ""))):
                 alt = re.search(r'alt="([^"]*)"', image)
-                assert alt and len(alt.group(1)) > 40, f"cell {i}: alternative text of a few words says nothing"
+                assert alt and len(alt.group(1)) > 40, (
+                    f"cell {i}: alternative text of a few words says nothing"
+                )
 
 
 @each
@@ -122,24 +151,40 @@ def test_parts_stand_in_order(path):
 def test_style_that_can_be_counted(path):
     for text in _markdown(path):
         for paragraph in re.split(r"\n\s*\n", text):
-            prose = re.sub(r"\$\$.*?\$\$|\$.*?\$|`.*?`|\[.*?\]\(.*?\)", "x", paragraph, flags=re.S)
-            if prose.lstrip().startswith(("|", "-", "1.", "#", "*")) and not prose.lstrip().startswith("**"):
+            prose = re.sub(
+                r"\$\$.*?\$\$|\$.*?\$|`.*?`|\[.*?\]\(.*?\)", "x", paragraph, flags=re.S
+            )
+            if prose.lstrip().startswith(
+                ("|", "-", "1.", "#", "*")
+            ) and not prose.lstrip().startswith("**"):
                 continue
             if prose.startswith("**Read next"):
                 continue
-            prose = re.sub(r"^\*\*.*?\*\*", "", prose, count=1)       # a heading in the line is no sentence
-            sentences = len(re.findall(r"[.!?:](?=\s|$|\*)", prose.replace("...", "").replace(":", "")))
-            assert sentences <= 4, f"a long paragraph ({sentences} sentences): {paragraph[:80]!r}"
+            prose = re.sub(
+                r"^\*\*.*?\*\*", "", prose, count=1
+            )  # a heading in the line is no sentence
+            sentences = len(
+                re.findall(
+                    r"[.!?:](?=\s|$|\*)", prose.replace("...", "").replace(":", "")
+                )
+            )
+            assert sentences <= 4, (
+                f"a long paragraph ({sentences} sentences): {paragraph[:80]!r}"
+            )
     for cell in code_cells(path):
         if cell.metadata.get("course", {}).get("exercise") is None:
-            assert len(cell.source.splitlines()) <= 16, f"a long cell: {cell.source[:60]!r}"
+            assert len(cell.source.splitlines()) <= 16, (
+                f"a long cell: {cell.source[:60]!r}"
+            )
 
 
-COMMANDS = frozenset("""
+COMMANDS = frozenset(
+    """
     alpha approx arctan begin big bigl bigr boldsymbol boxed cdot circ cos dddot ddot delta Delta dfrac dot dots ell end
     frac ge hat infty lambda le left leftarrow ln mathbf mathrm mathsf max min mu neq omega Omega overline partial perp
     pi pm qquad quad rho right sigma sin sqrt sum tau text tfrac theta times to underbrace varepsilon varphi
-""".split())
+""".split()
+)
 
 
 @each
@@ -154,7 +199,12 @@ def test_formulas_are_written_in_commands_that_are_known(path):
 @each
 def test_student_code_is_called_only_through_use(path):
     """A cell that is no exercise names a student's function only as what use, check or hint is given."""
-    names = {e.name for lesson in all_lessons() if lesson.file_name == path.name for e in lesson.exercises}
+    names = {
+        e.name
+        for lesson in all_lessons()
+        if lesson.file_name == path.name
+        for e in lesson.exercises
+    }
     for i, cell in enumerate(code_cells(path)):
         if "exercise" in cell.metadata.get("course", {}):
             continue
@@ -162,11 +212,16 @@ def test_student_code_is_called_only_through_use(path):
         allowed = {
             id(arg)
             for node in ast.walk(tree)
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("use", "check", "hint")
+            if isinstance(node, ast.Call)
+            and getattr(node.func, "id", "") in ("use", "check", "hint")
             for arg in node.args
         }
         for node in ast.walk(tree):
-            if isinstance(node, ast.Name) and node.id in names and isinstance(node.ctx, ast.Load):
+            if (
+                isinstance(node, ast.Name)
+                and node.id in names
+                and isinstance(node.ctx, ast.Load)
+            ):
                 assert id(node) in allowed, f"cell {i} calls {node.id} directly"
 
 
@@ -181,7 +236,9 @@ def test_every_exercise_has_its_cell_and_its_check(path):
         call = f"check({exercise.name}{named})"
         assert call in cells[exercise.name]
         assert "# BEGIN SOLUTION" in cells[exercise.name]
-    predicted = re.findall(r'predict\(\s*"(\w+)",', "\n".join(c.source for c in code_cells(path)))
+    predicted = re.findall(
+        r'predict\(\s*"(\w+)",', "\n".join(c.source for c in code_cells(path))
+    )
     assert predicted == [p.name for p in lesson.predictions]
 
 
@@ -189,19 +246,28 @@ def test_every_exercise_has_its_cell_and_its_check(path):
 def test_checks_pass_in_the_solution_as_stored(path):
     for cell in code_cells(path):
         if "exercise" in cell.metadata.get("course", {}):
-            shown = "".join("".join(o.get("data", {}).get("text/plain", "")) for o in cell.outputs)
+            shown = "".join(
+                "".join(o.get("data", {}).get("text/plain", "")) for o in cell.outputs
+            )
             assert shown.startswith(SYMBOLS["passed"])
 
 
 def test_blank_replaces_what_is_marked_and_refuses_unpaired_markers():
     code = "def f(x):\n    # BEGIN SOLUTION\n    y = x\n    return y\n    # END SOLUTION\n\n\ncheck(f)"
     assert blank(code) == "def f(x):\n    ...\n\n\ncheck(f)"
-    for broken in ("# BEGIN SOLUTION\nx", "x\n# END SOLUTION", "# BEGIN SOLUTION\n# BEGIN SOLUTION\n# END SOLUTION"):
+    for broken in (
+        "# BEGIN SOLUTION\nx",
+        "x\n# END SOLUTION",
+        "# BEGIN SOLUTION\n# BEGIN SOLUTION\n# END SOLUTION",
+    ):
         with pytest.raises(BrokenSource, match="cell 3"):
             blank(broken, where="cell 3")
 
 
-@pytest.mark.parametrize("marker", ("### {} SOLUTION", "#{} SOLUTION", "# {} Solution", "x = 1  # {} SOLUTION"))
+@pytest.mark.parametrize(
+    "marker",
+    ("### {} SOLUTION", "#{} SOLUTION", "# {} Solution", "x = 1  # {} SOLUTION"),
+)
 def test_a_misspelt_marker_hands_no_answer_out(marker):
     with pytest.raises(BrokenSource, match="alone in a line"):
         blank(f"{marker.format('BEGIN')}\nanswer\n{marker.format('END')}")
@@ -209,30 +275,48 @@ def test_a_misspelt_marker_hands_no_answer_out(marker):
 
 def test_a_solution_in_a_text_cell_is_refused(tmp_path):
     source = tmp_path / "00-x.ipynb"
-    cell = nbformat.v4.new_markdown_cell("Words.\n# BEGIN SOLUTION\nthe answer\n# END SOLUTION")
+    cell = nbformat.v4.new_markdown_cell(
+        "Words.\n# BEGIN SOLUTION\nthe answer\n# END SOLUTION"
+    )
     source.write_text(nbformat.writes(nbformat.v4.new_notebook(cells=[cell])))
-    with pytest.raises(BrokenSource, match="cell 0: expected solutions in code cells only"):
+    with pytest.raises(
+        BrokenSource, match="cell 0: expected solutions in code cells only"
+    ):
         lesson_text(source)
 
 
 def test_blank_keeps_the_rest_as_it_is():
-    for code in ("x\n", "x", "", "\n\nx", "s = 'a\u2028b\x0c'", "\tdef f(): ...", "a\x0bb"):
+    for code in (
+        "x\n",
+        "x",
+        "",
+        "\n\nx",
+        "s = 'a\u2028b\x0c'",
+        "\tdef f(): ...",
+        "a\x0bb",
+    ):
         assert blank(code) == code == blank(blank(code))
-    assert blank("a\r\n# BEGIN SOLUTION\r\nb\r\n# END SOLUTION\r\nc\r\n") == "a\n...\nc\n"
+    assert (
+        blank("a\r\n# BEGIN SOLUTION\r\nb\r\n# END SOLUTION\r\nc\r\n") == "a\n...\nc\n"
+    )
     assert blank("\t# BEGIN SOLUTION\n\tb\n\t# END SOLUTION") == "\t..."
 
 
 def test_drift_is_reported(tmp_path):
     (tmp_path / "solutions").mkdir()
     source = tmp_path / "solutions" / "00-x.ipynb"
-    cell = nbformat.v4.new_code_cell("# BEGIN SOLUTION\n1\n# END SOLUTION", execution_count=3)
+    cell = nbformat.v4.new_code_cell(
+        "# BEGIN SOLUTION\n1\n# END SOLUTION", execution_count=3
+    )
     source.write_text(nbformat.writes(nbformat.v4.new_notebook(cells=[cell])))
     assert build(check=True, root=tmp_path) == ["lessons/00-x.ipynb: missing"]
     assert not (tmp_path / "lessons").exists()
     build(root=tmp_path)
     assert build(check=True, root=tmp_path) == []
     lesson = tmp_path / "lessons" / "00-x.ipynb"
-    assert lesson.read_text() == lesson_text(source) and "BEGIN" not in lesson.read_text()
+    assert (
+        lesson.read_text() == lesson_text(source) and "BEGIN" not in lesson.read_text()
+    )
     lesson.write_text(lesson.read_text().replace("...", "1"))
     (tmp_path / "lessons" / "99-y.ipynb").write_text("{}")
     assert build(check=True, root=tmp_path) == [
@@ -242,4 +326,8 @@ def test_drift_is_reported(tmp_path):
 
 
 def _markdown(path) -> list[str]:
-    return [c.source for c in nbformat.read(path, as_version=4).cells if c.cell_type == "markdown"]
+    return [
+        c.source
+        for c in nbformat.read(path, as_version=4).cells
+        if c.cell_type == "markdown"
+    ]

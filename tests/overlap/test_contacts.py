@@ -27,7 +27,11 @@ def test_point_lies_halfway_and_separation_comes_back():
 def test_feature_is_a_face_of_b_when_nothing_is_said():
     contacts = some()
     assert contacts.feature.tolist() == ["face_b"] * 3
-    assert contacts.edge_a is None and contacts.curvature_b is None and contacts.pair is None
+    assert (
+        contacts.edge_a is None
+        and contacts.curvature_b is None
+        and contacts.pair is None
+    )
 
 
 def test_picking_by_mask_indices_slice_and_int():
@@ -35,19 +39,34 @@ def test_picking_by_mask_indices_slice_and_int():
     assert contacts[np.array([True, False, True])].pair.tolist() == [7, 9]
     assert contacts[[2, 0]].body_a.tolist() == [2, 0]
     assert len(contacts[1:]) == 2 and len(contacts[-1]) == 1 and len(contacts[[]]) == 0
-    with pytest.raises(ValueError, match=r"contacts\[mask\]: expected shape \(3,\); got shape \(2,\)"):
+    with pytest.raises(
+        ValueError, match=r"contacts\[mask\]: expected shape \(3,\); got shape \(2,\)"
+    ):
         contacts[[True, False]]
     with pytest.raises(ValueError, match="a mask, whole numbers or a slice"):
         contacts[0.5]
 
 
 def test_concatenate_fills_what_a_part_lacks_with_nan():
-    edges = some(2, feature=["edges", "face_a"], edge_a=[[1, 0, 0], [0, 0, 0]], edge_b=[[0, 1, 0], [0, 0, 0]])
-    curved = some(1, feature=["curved"], curvature_a=np.eye(3)[None], curvature_b=np.zeros((1, 3, 3)))
+    edges = some(
+        2,
+        feature=["edges", "face_a"],
+        edge_a=[[1, 0, 0], [0, 0, 0]],
+        edge_b=[[0, 1, 0], [0, 0, 0]],
+    )
+    curved = some(
+        1,
+        feature=["curved"],
+        curvature_a=np.eye(3)[None],
+        curvature_b=np.zeros((1, 3, 3)),
+    )
     joined = Contacts.concatenate([some(), edges, curved])
     assert joined.feature.tolist() == ["face_b"] * 3 + ["edges", "face_a", "curved"]
     assert np.isnan(joined.edge_a[:3]).all() and joined.edge_a[3].tolist() == [1, 0, 0]
-    assert np.array_equal(joined.curvature_a[5], np.eye(3)) and np.isnan(joined.curvature_a[:5]).all()
+    assert (
+        np.array_equal(joined.curvature_a[5], np.eye(3))
+        and np.isnan(joined.curvature_a[:5]).all()
+    )
     again = joined[3:]
     assert again.edge_b[0].tolist() == [0, 1, 0]
 
@@ -56,9 +75,13 @@ def test_concatenate_keeps_pair_only_if_every_part_has_it():
     both = Contacts.concatenate([some(pair=[0, 0, 1]), some(pair=[2, 2, 2])])
     assert both.pair.tolist() == [0, 0, 1, 2, 2, 2]
     assert Contacts.concatenate([some(pair=[0, 0, 1]), some()]).pair is None
-    with pytest.raises(ValueError, match="parts: expected at least one Contacts; got none"):
+    with pytest.raises(
+        ValueError, match="parts: expected at least one Contacts; got none"
+    ):
         Contacts.concatenate([])
-    with pytest.raises(ValueError, match=r"parts: expected Contacts; got int at index \(1,\)"):
+    with pytest.raises(
+        ValueError, match=r"parts: expected Contacts; got int at index \(1,\)"
+    ):
         Contacts.concatenate([some(), 3])
 
 

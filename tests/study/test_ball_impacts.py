@@ -22,14 +22,24 @@ TABLE = ((-1.2, -0.6), (1.2, 0.6))
 def test_contacts_of_balls():
     contacts = ball_contacts([[0, 0, 0], [3.0, 0, 0], [0, 4.0, 0]], [1.0, 2.0, 3.0])
     # Centres 3, 4 and 5 apart, radii 1, 2 and 3: every pair touches.
-    assert contacts.body_a.tolist() == [0, 0, 1] and contacts.body_b.tolist() == [1, 2, 2]
-    assert np.allclose(contacts.normal, [[-1, 0, 0], [0, -1, 0], [0.6, -0.8, 0]])  # out of B toward A
+    assert contacts.body_a.tolist() == [0, 0, 1] and contacts.body_b.tolist() == [
+        1,
+        2,
+        2,
+    ]
+    assert np.allclose(
+        contacts.normal, [[-1, 0, 0], [0, -1, 0], [0.6, -0.8, 0]]
+    )  # out of B toward A
     assert np.allclose(contacts.point, [[1, 0, 0], [0, 1, 0], [1.8, 1.6, 0]])
     assert contacts.feature.tolist() == ["curved"] * 3
     assert np.allclose(contacts.curvature_b[1], np.diag([1 / 3, 0, 1 / 3]))
     apart = ball_contacts([[0, 0, 0], [3.2, 0, 0]], [1.0, 2.0], margin=0.5)
-    assert apart.separation[0] == pytest.approx(0.2) and np.allclose(apart.point, [[1.1, 0, 0]])
-    assert np.allclose(apart.point_a, [[1, 0, 0]]) and np.allclose(apart.point_b, [[1.2, 0, 0]])
+    assert apart.separation[0] == pytest.approx(0.2) and np.allclose(
+        apart.point, [[1.1, 0, 0]]
+    )
+    assert np.allclose(apart.point_a, [[1, 0, 0]]) and np.allclose(
+        apart.point_b, [[1.2, 0, 0]]
+    )
     assert len(ball_contacts([[0, 0, 0], [3.2, 0, 0]], [1.0, 2.0])) == 0
     with pytest.raises(ValueError, match="position: expected centres apart"):
         ball_contacts(np.zeros((2, 3)), 1.0)
@@ -38,7 +48,9 @@ def test_contacts_of_balls():
 def test_cradle_of_the_laws():
     assert np.allclose(cradle([1.0, 0, 0]), [-1 / 3, 2 / 3, 2 / 3])
     assert np.allclose(cradle([1.0, 0, 0], law="sequential"), [0, 0, 1])
-    assert np.allclose(cradle([1.0, 0], restitution=0.5, mass=[1.0, 3.0]), [-0.125, 0.375])
+    assert np.allclose(
+        cradle([1.0, 0], restitution=0.5, mass=[1.0, 3.0]), [-0.125, 0.375]
+    )
     bodies, contacts = touching_row([1.0, 0, 0, 0])
     assert len(bodies) == 4 and contacts.body_b.tolist() == [1, 2, 3]
 
@@ -50,16 +62,24 @@ def test_springs_reproduce_the_published_cradles():
         end = cradle_by_springs([1, 0, 0], exponent=1.0, stiffness=stiffness).final
         assert np.allclose(end, linear, atol=5e-6)
         assert np.allclose(
-            cradle_by_springs([1, 0, 0], stiffness=stiffness, mass=0.2).final, hertz, atol=5e-6
+            cradle_by_springs([1, 0, 0], stiffness=stiffness, mass=0.2).final,
+            hertz,
+            atol=5e-6,
         )
-    assert np.allclose(2 * np.array(hertz), cradle_by_springs([2, 0, 0]).final, atol=1e-5)
+    assert np.allclose(
+        2 * np.array(hertz), cradle_by_springs([2, 0, 0]).final, atol=1e-5
+    )
 
 
 def test_two_balls_on_a_linear_spring_follow_the_sine():
     # One contact: delta = v/w sin(w t), w^2 = 2 k/m, until w t = pi; then the velocities have changed hands.
     motion = cradle_by_springs([1.0, 0.0], exponent=1.0, stiffness=8.0, mass=4.0)
     inside = motion.time < np.pi / 2
-    assert np.allclose(motion.force[inside, 0], 8.0 * np.sin(2.0 * motion.time[inside]) / 2.0, atol=1e-7)
+    assert np.allclose(
+        motion.force[inside, 0],
+        8.0 * np.sin(2.0 * motion.time[inside]) / 2.0,
+        atol=1e-7,
+    )
     assert np.allclose(motion.final, [0, 1], atol=1e-8)
     assert not motion.force[motion.time > np.pi / 2 + 0.01].any()
 
@@ -69,7 +89,11 @@ def test_springs_keep_momentum_and_energy(exponent):
     start, mass = np.array([1.0, 0.3, 0.0, -0.4]), np.array([1.0, 2.0, 0.5, 1.5])
     motion = cradle_by_springs(start, exponent=exponent, stiffness=50.0, mass=mass)
     assert np.allclose(motion.velocity @ mass, start @ mass, atol=1e-9)
-    stored = np.maximum(-np.diff(motion.displacement, axis=1), 0) ** (exponent + 1) * 50 / (exponent + 1)
+    stored = (
+        np.maximum(-np.diff(motion.displacement, axis=1), 0) ** (exponent + 1)
+        * 50
+        / (exponent + 1)
+    )
     total = 0.5 * motion.velocity**2 @ mass + stored.sum(axis=1)
     assert np.allclose(total, total[0], rtol=1e-7)
     assert np.all(np.diff(motion.final) >= 0)
@@ -80,14 +104,18 @@ def test_no_single_law_is_the_truth():
     assert table.model == (*LAWS, "linear springs", "Hertz springs")
     assert table.difference[-1] == 0
     assert table.difference[0] > 0.5 and 0.07 < table.difference[1] < 0.08
-    assert np.allclose(table.velocity.sum(axis=1), 1) and np.allclose((table.velocity**2).sum(axis=1), 1)
+    assert np.allclose(table.velocity.sum(axis=1), 1) and np.allclose(
+        (table.velocity**2).sum(axis=1), 1
+    )
 
 
 def test_rack_is_fifteen_touching_balls():
     x = rack(radius=0.5)
     distance = np.linalg.norm(x[:, None] - x, axis=-1)[np.triu_indices(15, 1)]
     assert x.shape == (15, 3) and distance.min() == pytest.approx(1)
-    assert np.count_nonzero(distance < 1 + 1e-9) == 30  # 10 + 10 + 10 along the three directions
+    assert (
+        np.count_nonzero(distance < 1 + 1e-9) == 30
+    )  # 10 + 10 + 10 along the three directions
     assert np.all(x[0] == 0) and x[:, 0].max() == pytest.approx(4 * np.sqrt(0.75))
 
 
@@ -96,7 +124,9 @@ def test_break(law):
     shot = billiard_break(law=law)
     assert len(shot.contacts) == 31
     v = shot.after.velocity
-    assert np.allclose(v.sum(axis=0), [8, 0, 0], atol=1e-13) and (v**2).sum() == pytest.approx(64, rel=1e-13)
+    assert np.allclose(v.sum(axis=0), [8, 0, 0], atol=1e-13) and (
+        v**2
+    ).sum() == pytest.approx(64, rel=1e-13)
     assert normal_velocity(shot.after, shot.contacts).min() >= -8e-12
     if law != "sequential":  # straight on: left and right alike
         mirror = np.array(
@@ -135,7 +165,9 @@ def test_cushions_mirror_and_a_corner_mirrors_twice():
     bodies = Bodies.balls(1.0, 0.1, [[0.0, 0, 0]], [[1.0, 1.0, 0]])
     tracks = roll(bodies, 0.1, 2.0, table=((-0.5, -0.5), (0.6, 0.6)))
     assert tracks.events == 2  # into the corner at 0.5 s, and the other at 1.4 s
-    assert np.allclose(tracks.velocity[-1], [[1, 1, 0]]) and np.allclose(tracks.position[-1], [[0.2, 0.2, 0]])
+    assert np.allclose(tracks.velocity[-1], [[1, 1, 0]]) and np.allclose(
+        tracks.position[-1], [[0.2, 0.2, 0]]
+    )
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -145,7 +177,10 @@ def test_balls_stay_apart_and_on_the_table(law, e):
     tracks = roll(shot.after, shot.radius, 1.0, table=TABLE, law=law, restitution=e)
     assert tracks.finished and tracks.events > 10 and np.all(np.diff(tracks.time) >= 0)
     for x in tracks.position:
-        gaps = np.linalg.norm(x[:, None] - x, axis=-1)[np.triu_indices(16, 1)] - 2 * shot.radius
+        gaps = (
+            np.linalg.norm(x[:, None] - x, axis=-1)[np.triu_indices(16, 1)]
+            - 2 * shot.radius
+        )
         assert gaps.min() > -1e-9
         assert np.abs(x[:, 0]).max() < 1.2 - shot.radius + 1e-9
         assert np.abs(x[:, 1]).max() < 0.6 - shot.radius + 1e-9

@@ -23,9 +23,23 @@ def digits(value):
 
 def test_both_orders_reproduce_the_published_columns_to_every_digit():
     ours = bouncing_errors()
-    assert [digits(x) for x in ours.ode] == [digits(x) for x in PUBLISHED_BOUNCING.ode_error]
-    assert [digits(x) for x in ours.bullet] == [digits(x) for x in PUBLISHED_BOUNCING.bullet_error]
-    assert ours.steps.tolist() == [1999999, 499999, 200000, 50000, 20000, 5000, 2000, 500, 200]
+    assert [digits(x) for x in ours.ode] == [
+        digits(x) for x in PUBLISHED_BOUNCING.ode_error
+    ]
+    assert [digits(x) for x in ours.bullet] == [
+        digits(x) for x in PUBLISHED_BOUNCING.bullet_error
+    ]
+    assert ours.steps.tolist() == [
+        1999999,
+        499999,
+        200000,
+        50000,
+        20000,
+        5000,
+        2000,
+        500,
+        200,
+    ]
     ratio = ours.bullet / ours.ode  # one line moved
     assert np.all(ratio > 370) and np.all(ratio < 420)
     # Exact between impacts: ten events against two million steps.
@@ -60,10 +74,16 @@ def test_one_step_at_a_time_is_the_loop(order):
 def test_step_by_hand_and_batched():
     # z = .05 < r and v = -2: reflect first, and gravity waits a step; or pull first, and reflect the pull too.
     assert bouncing_ball_step(0.05, -2.0, 0.1) == pytest.approx((0.25, 2.0))
-    assert bouncing_ball_step(0.05, -2.0, 0.1, order="bullet") == pytest.approx((0.05 + 0.2981, 2.981))
-    assert bouncing_ball_step(0.05, -2.0, 0.1, restitution=0.5) == pytest.approx((0.15, 1.0))
+    assert bouncing_ball_step(0.05, -2.0, 0.1, order="bullet") == pytest.approx(
+        (0.05 + 0.2981, 2.981)
+    )
+    assert bouncing_ball_step(0.05, -2.0, 0.1, restitution=0.5) == pytest.approx(
+        (0.15, 1.0)
+    )
     z, v = bouncing_ball_step([1.0, 0.05, 0.05], [-2.0, -2.0, 2.0], 0.1)
-    assert np.allclose(v, [-2.981, 2.0, 1.019]) and np.allclose(z, [1 - 0.2981, 0.25, 0.1519])
+    assert np.allclose(v, [-2.981, 2.0, 1.019]) and np.allclose(
+        z, [1 - 0.2981, 0.25, 0.1519]
+    )
 
 
 @pytest.mark.parametrize("e", [0.0, 0.1, 0.5, 0.9, 1.0])
@@ -73,7 +93,9 @@ def test_events_follow_the_closed_form(e):
     t = np.linspace(0, 3, 2001)
     by_events, closed = events.motion(t), ball_motion(t, 1.0, e)
     assert np.allclose(by_events.height, closed.height, atol=1e-12)
-    assert closed.height.min() >= 0 and closed.height[0] == 1 and closed.velocity[0] == 0
+    assert (
+        closed.height.min() >= 0 and closed.height[0] == 1 and closed.velocity[0] == 0
+    )
     resting = t > bounce_rest_time(1.0, e) + 1e-9
     assert not closed.height[resting].any() and not closed.velocity[resting].any()
     assert not by_events.height[resting].any() and not by_events.velocity[resting].any()
@@ -85,7 +107,9 @@ def test_closed_form_obeys_the_laws_of_motion():
     motion = ball_motion(t, 1.0, e)
     assert motion.height.shape == (4001, 3)
     rises = ball_motion(np.sqrt(2 / 9.81) * (1 + e), 1.0, e)  # top of the first rise
-    assert np.allclose(rises.height, e**2, atol=1e-14) and np.allclose(rises.velocity, 0, atol=1e-14)
+    assert np.allclose(rises.height, e**2, atol=1e-14) and np.allclose(
+        rises.velocity, 0, atol=1e-14
+    )
     energy = 9.81 * motion.height + 0.5 * motion.velocity**2
     assert np.all(np.diff(energy, axis=0) < 1e-12)  # never gained
     assert np.allclose(energy[:, 2], 9.81)  # kept at e = 1
@@ -102,9 +126,15 @@ def test_path_travelled_is_that_of_the_closed_form():
 def test_infinitely_many_bounces_are_never_got_past_without_a_rest_speed():
     events = ball_events(1.0, 0.5, 3.0, max_events=40)
     assert not events.finished and events.time.size == 40
-    assert events.time[-1] < bounce_rest_time(1.0, 0.5) == pytest.approx(1.354571, abs=5e-7)
+    assert (
+        events.time[-1]
+        < bounce_rest_time(1.0, 0.5)
+        == pytest.approx(1.354571, abs=5e-7)
+    )
     assert np.isnan(events.motion(2.0).height)
-    cured = ball_events(1.0, 0.5, 3.0, rest_speed=9.81e-3)  # above g h for a step of 1 ms
+    cured = ball_events(
+        1.0, 0.5, 3.0, rest_speed=9.81e-3
+    )  # above g h for a step of 1 ms
     assert cured.finished and cured.time.size < 12
     # What is cut off is 2 s/(g (1 - e)) at most, s the rest speed.
     assert 0 < 1.354571 - cured.rest <= 2 * 9.81e-3 / (9.81 * 0.5)

@@ -12,22 +12,34 @@ from course.study.contact_matrices import (
     measured_accelerations,
     tilted_foot,
 )
-from course.study.resting_scenes import random_scene, spinning_between_pins, stack, table, wall
+from course.study.resting_scenes import (
+    random_scene,
+    spinning_between_pins,
+    stack,
+    table,
+    wall,
+)
 
 
 @pytest.mark.parametrize(
-    "scene", [table(), ladder(1.0, rate=-0.5), stack(2), tilted_foot(table(), 1, 0.3)], ids=lambda s: s.name
+    "scene",
+    [table(), ladder(1.0, rate=-0.5), stack(2), tilted_foot(table(), 1, 0.3)],
+    ids=lambda s: s.name,
 )
 def test_motion_obeys_b_plus_a_f(scene):
     f = np.random.default_rng(5).uniform(0, 4, len(scene.contacts))
     system = scene.system()
-    np.testing.assert_allclose(measured_accelerations(scene, f), system.A @ f + system.b, atol=2e-8)
+    np.testing.assert_allclose(
+        measured_accelerations(scene, f), system.A @ f + system.b, atol=2e-8
+    )
 
 
 def test_without_external_forces_a_f_remains():
     scene = floating(table())
     np.testing.assert_allclose(
-        measured_accelerations(scene, [1.0, 0, 0, 0]), scene.system().A.toarray()[:, 0], atol=2e-9
+        measured_accelerations(scene, [1.0, 0, 0, 0]),
+        scene.system().A.toarray()[:, 0],
+        atol=2e-9,
     )
 
 
@@ -45,17 +57,30 @@ def test_a_tilted_foot_makes_the_fourth_force_zero():
     np.testing.assert_allclose(f, expected, atol=1e-10)
 
 
-@pytest.mark.parametrize("scene", [table(5), wall(2, 2), random_scene(3, contacts=12)], ids=lambda s: s.name)
+@pytest.mark.parametrize(
+    "scene", [table(5), wall(2, 2), random_scene(3, contacts=12)], ids=lambda s: s.name
+)
 def test_exact_entries(scene):
     a = contact_matrix_by_entries(scene.bodies, scene.contacts)
-    np.testing.assert_allclose(exact_matrix(scene.bodies, scene.contacts), a, atol=1e-14 * np.abs(a).max())
+    np.testing.assert_allclose(
+        exact_matrix(scene.bodies, scene.contacts), a, atol=1e-14 * np.abs(a).max()
+    )
 
 
 def test_costs_of_a_table_and_of_a_wall():
     one = matrix_cost(table().bodies, table().contacts)
-    assert (one.contacts, one.bodies, one.stored_dense, one.stored_sparse) == (4, 2, 16, 16)
-    assert one.entries == 30 * 2 * 16  # the table and the floor are in common to all pairs
-    assert one.stored_factors == 4 * 3 + 6  # N_z, two lever components a row; 1/m three times, I^-1 diagonal
+    assert (one.contacts, one.bodies, one.stored_dense, one.stored_sparse) == (
+        4,
+        2,
+        16,
+        16,
+    )
+    assert (
+        one.entries == 30 * 2 * 16
+    )  # the table and the floor are in common to all pairs
+    assert (
+        one.stored_factors == 4 * 3 + 6
+    )  # N_z, two lever components a row; 1/m three times, I^-1 diagonal
     assert (
         one.sparse == 4 * 3 + 3 * 16
     )  # M^-1 J' diagonal times J', then three columns of four by rows of four

@@ -19,7 +19,9 @@ def second_difference(gap, angle, h=1e-3):
 @pytest.mark.parametrize("dome", [Dome(), Dome(radius=2.5, start=0.3, gravity=1.6)])
 def test_three_gaps_have_three_accelerations(dome):
     """The true one v^2/R - g cos, from the old point 2 v^2/R - g cos, from the old plane - g cos."""
-    np.testing.assert_allclose(second_difference(dome.gap, ANGLES), dome.bias(ANGLES), atol=1e-8)
+    np.testing.assert_allclose(
+        second_difference(dome.gap, ANGLES), dome.bias(ANGLES), atol=1e-8
+    )
     found = second_difference(dome.gap_from_the_old_point, ANGLES)
     np.testing.assert_allclose(found, dome.bias_as_printed(ANGLES), atol=1e-8)
     found = second_difference(dome.gap_from_the_old_plane, ANGLES)
@@ -28,16 +30,23 @@ def test_three_gaps_have_three_accelerations(dome):
 
 def test_it_leaves_at_two_thirds():
     assert np.degrees(Dome().leaving_angle) == pytest.approx(48.1897, abs=1e-4)
-    assert np.degrees(Dome().leaving_angle_as_printed) == pytest.approx(36.8699, abs=1e-4)
+    assert np.degrees(Dome().leaving_angle_as_printed) == pytest.approx(
+        36.8699, abs=1e-4
+    )
     dome = Dome(start=0.4, radius=3.0)
     assert dome.bias(dome.leaving_angle) == pytest.approx(0, abs=1e-14)
-    assert dome.bias_as_printed(dome.leaving_angle_as_printed) == pytest.approx(0, abs=1e-14)
+    assert dome.bias_as_printed(dome.leaving_angle_as_printed) == pytest.approx(
+        0, abs=1e-14
+    )
 
 
 def test_bias_is_that_of_the_contact_package():
     """A ball of 1e-9 m on a fixed sphere, with curvature tensors."""
     dome, theta, tiny = Dome(radius=2.0), 0.7, 1e-9
-    out, along = np.array([0, np.sin(theta), np.cos(theta)]), np.array([0, np.cos(theta), -np.sin(theta)])
+    out, along = (
+        np.array([0, np.sin(theta), np.cos(theta)]),
+        np.array([0, np.cos(theta), -np.sin(theta)]),
+    )
     bodies = Bodies.balls([1.0, np.inf], [tiny, 2.0], [(2.0 + tiny) * out, np.zeros(3)],
                           [dome.speed(theta) * along, np.zeros(3)])  # fmt: skip
     contacts = Contacts(np.array([0]), np.array([1]), 2.0 * out[None], out[None], np.zeros(1), np.array(["curved"]),
@@ -50,12 +59,20 @@ def test_bias_is_that_of_the_contact_package():
 def test_stepping_finds_the_angles():
     dome = Dome(start=0.1)
     late = [slide_off(dome, h)[0] - dome.leaving_angle for h in (0.01, 0.0025)]
-    assert 0 <= late[1] < 0.0025 * 4 and 0 <= late[0] < 0.01 * 4  # theta_dot is below 4 rad/s there
-    located = [abs(slide_off(dome, h, rule=RULES[2])[0] - dome.leaving_angle) for h in (0.02, 0.0025)]
+    assert (
+        0 <= late[1] < 0.0025 * 4 and 0 <= late[0] < 0.01 * 4
+    )  # theta_dot is below 4 rad/s there
+    located = [
+        abs(slide_off(dome, h, rule=RULES[2])[0] - dome.leaving_angle)
+        for h in (0.02, 0.0025)
+    ]
     assert located[0] < 2e-3 and located[1] < 3e-5
     printed = slide_off(dome, 1e-3, rule="as printed")[0]
     assert printed == pytest.approx(dome.leaving_angle_as_printed, abs=5e-3)
-    assert slide_off(dome, 0.01)[1] % 4 == 0 and slide_off(dome, 0.005)[1] > slide_off(dome, 0.01)[1]
+    assert (
+        slide_off(dome, 0.01)[1] % 4 == 0
+        and slide_off(dome, 0.005)[1] > slide_off(dome, 0.01)[1]
+    )
 
 
 def test_refusals():

@@ -25,14 +25,21 @@ def row_after(start, impulse):
 
 
 @pytest.mark.parametrize("e", [0.0, 0.4, 1.0])
-@pytest.mark.parametrize("law, function", [("sequential", impulses_in_turn), ("simultaneous", impulses_at_once)])
+@pytest.mark.parametrize(
+    "law, function",
+    [("sequential", impulses_in_turn), ("simultaneous", impulses_at_once)],
+)
 def test_counted_laws_are_those_of_the_library(law, function, e):
     rng = np.random.default_rng(6)
     for _ in range(10):
         bodies, contacts = box_on_corners(spin=[*rng.uniform(-1.2, 1.2, 2), 0.0])
         u, matrix = normal_velocity(bodies, contacts), normal_response(bodies, contacts)
-        assert np.all(u < 0)  # otherwise the simultaneous law is asked of some contacts only
-        after = normal_velocity(resolve_collisions(bodies, contacts, e, law=law), contacts)
+        assert np.all(
+            u < 0
+        )  # otherwise the simultaneous law is asked of some contacts only
+        after = normal_velocity(
+            resolve_collisions(bodies, contacts, e, law=law), contacts
+        )
         assert np.allclose(u + matrix @ function(matrix, u, e)[0], after, atol=1e-9)
 
 
@@ -40,12 +47,19 @@ def test_cradle_by_every_law():
     # One ball onto two that touch, known figures: (-1/3, 2/3, 2/3) at once, (0, 0, 1) in turn, and by springs
     # (-.13026, .15023, .98003) for linear and (-.07095, .07640, .99455) for Hertz's.
     start = [1.0, 0.0, 0.0]
-    assert np.allclose(row_after(start, impulses_at_once(*CRADLE, 1.0)[0]), [-1 / 3, 2 / 3, 2 / 3])
+    assert np.allclose(
+        row_after(start, impulses_at_once(*CRADLE, 1.0)[0]), [-1 / 3, 2 / 3, 2 / 3]
+    )
     assert np.allclose(row_after(start, impulses_in_turn(*CRADLE, 1.0)[0]), [0, 0, 1])
-    for exponent, expected in ((1.0, [-0.13026, 0.15023, 0.98003]), (1.5, [-0.07095, 0.07640, 0.99455])):
+    for exponent, expected in (
+        (1.0, [-0.13026, 0.15023, 0.98003]),
+        (1.5, [-0.07095, 0.07640, 0.99455]),
+    ):
         after = row_after(start, impulses_by_springs(*CRADLE, exponent=exponent))
         assert np.allclose(after, expected, atol=5e-6)
-        assert np.allclose(after, cradle_by_springs(start, exponent=exponent).final, atol=1e-8)
+        assert np.allclose(
+            after, cradle_by_springs(start, exponent=exponent).final, atol=1e-8
+        )
 
 
 def test_springs_keep_energy_and_part_everywhere():
@@ -55,7 +69,9 @@ def test_springs_keep_energy_and_part_everywhere():
             impulse = impulses_by_springs(landings.matrix, u, exponent=exponent)
             after = u + landings.matrix @ impulse
             assert np.all(impulse >= 0) and np.all(after >= 0)
-            assert impulse @ (u + after) / 2 == pytest.approx(0, abs=1e-8)  # the work of the impulses
+            assert impulse @ (u + after) / 2 == pytest.approx(
+                0, abs=1e-8
+            )  # the work of the impulses
 
 
 def test_steps_come_nearer_to_the_springs():
@@ -63,7 +79,11 @@ def test_steps_come_nearer_to_the_springs():
 
     def error(step):
         off = [
-            landings.matrix @ (impulses_by_steps(landings.matrix, u, step)[0] - impulses_by_springs(landings.matrix, u))
+            landings.matrix
+            @ (
+                impulses_by_steps(landings.matrix, u, step)[0]
+                - impulses_by_springs(landings.matrix, u)
+            )
             for u in landings.normal_velocity
         ]
         return np.abs(off).max()
@@ -93,9 +113,15 @@ def test_no_impulse_to_contacts_that_part():
 @pytest.mark.parametrize(
     "change, message",
     [
-        (dict(matrix=np.ones((2, 3))), r"matrix: expected shape \(c, c\); got shape \(2, 3\)"),
+        (
+            dict(matrix=np.ones((2, 3))),
+            r"matrix: expected shape \(c, c\); got shape \(2, 3\)",
+        ),
         (dict(normal_velocity=[1.0]), r"normal_velocity: expected shape \(2,\)"),
-        (dict(matrix=np.zeros((2, 2))), "matrix: expected a positive diagonal; got 0.0"),
+        (
+            dict(matrix=np.zeros((2, 2))),
+            "matrix: expected a positive diagonal; got 0.0",
+        ),
         (dict(restitution=1.2), "restitution: expected numbers from 0 to 1; got 1.2"),
     ],
 )

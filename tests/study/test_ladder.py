@@ -25,7 +25,9 @@ def test_it_touches_and_does_not_part(angle, rate):
     scene = ladder(angle, rate=rate, length=3.0)
     y, z = scene.bodies.position[0, 1:]
     np.testing.assert_allclose(ladder_gaps(y, z, angle, length=3.0), 0, atol=1e-15)
-    np.testing.assert_allclose(separation_rate(scene.bodies, scene.contacts), 0, atol=1e-15)
+    np.testing.assert_allclose(
+        separation_rate(scene.bodies, scene.contacts), 0, atol=1e-15
+    )
     assert scene.bodies.angular_velocity[0, 0] == pytest.approx(rate, abs=1e-15)
 
 
@@ -60,22 +62,30 @@ def test_closed_form_moves_along_both():
 
 def test_standing_ladder_balances():
     np.testing.assert_allclose(
-        standing_ladder_forces(np.pi / 4, mass=1.0, gravity=10.0), [10, 5, 5], rtol=1e-12
+        standing_ladder_forces(np.pi / 4, mass=1.0, gravity=10.0),
+        [10, 5, 5],
+        rtol=1e-12,
     )
     scene = ladder(1.1, kerb=True)
     system = contact_system(scene.bodies, scene.contacts, scene.force, scene.torque)
-    np.testing.assert_allclose(system.A @ standing_ladder_forces(1.1) + system.b, 0, atol=1e-13)
+    np.testing.assert_allclose(
+        system.A @ standing_ladder_forces(1.1) + system.b, 0, atol=1e-13
+    )
 
 
 def test_it_leaves_the_wall_at_two_thirds():
     start = 1.2
     theta = leaving_angle(start)
-    rate = -np.sqrt(3 * 9.81 / 4.0 * (np.sin(start) - np.sin(theta)))  # energy: m l^2 theta_dot^2/6
+    rate = -np.sqrt(
+        3 * 9.81 / 4.0 * (np.sin(start) - np.sin(theta))
+    )  # energy: m l^2 theta_dot^2/6
     assert sliding_ladder_forces(theta, rate=rate)[1] == pytest.approx(0, abs=1e-12)
 
 
 def test_gaps_of_a_batch():
-    found = ladder_gaps(np.array([-2.0, -3.0]), 1.0, np.array([0.0, np.pi / 2]), length=2.0)
+    found = ladder_gaps(
+        np.array([-2.0, -3.0]), 1.0, np.array([0.0, np.pi / 2]), length=2.0
+    )
     np.testing.assert_allclose(found, [[1.0, 1.0], [0.0, 3.0]], atol=1e-15)
 
 

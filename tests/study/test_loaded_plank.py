@@ -14,7 +14,9 @@ def test_both_feet_carry_by_the_lever(load_at):
     """Moments about one foot: f_2 (2 feet) = m g (c + feet), with the common centre c."""
     centre = 20 * load_at / 30
     found = solve(loaded_plank(load_at).system())
-    np.testing.assert_allclose(found.force, 30 * G * (0.5 + np.array([-centre, centre])), rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(
+        found.force, 30 * G * (0.5 + np.array([-centre, centre])), rtol=1e-9, atol=1e-9
+    )
     np.testing.assert_allclose(found.acceleration, 0, atol=1e-9)
 
 
@@ -26,7 +28,9 @@ def test_a_foot_lifts_as_the_plank_turns_about_the_other():
     found = solve(scene.system())
     fall = G * 30 * 0.2**2 / (inertia + 30 * 0.2**2)
     np.testing.assert_allclose(found.force, [0, 30 * (G - fall)], rtol=1e-9, atol=1e-9)
-    assert found.acceleration[0] == pytest.approx(fall / 0.2, rel=1e-9)  # 1 m from the foot it turns about
+    assert found.acceleration[0] == pytest.approx(
+        fall / 0.2, rel=1e-9
+    )  # 1 m from the foot it turns about
 
 
 def test_forcing_both_feet_to_stay_needs_one_that_pulls():
@@ -38,7 +42,12 @@ def test_forcing_both_feet_to_stay_needs_one_that_pulls():
 
 @pytest.mark.parametrize(
     ("bad", "name"),
-    [(dict(load_at=1.6), "load_at"), (dict(load=0.0), "load"), (dict(mass=-1.0), "mass"), (dict(feet=0.0), "feet")],
+    [
+        (dict(load_at=1.6), "load_at"),
+        (dict(load=0.0), "load"),
+        (dict(mass=-1.0), "mass"),
+        (dict(feet=0.0), "feet"),
+    ],
 )
 def test_refusals(bad, name):
     with pytest.raises(ValueError, match=f"^{name}: expected"):

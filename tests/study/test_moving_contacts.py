@@ -30,8 +30,12 @@ def test_rates_are_those_of_the_gap(kind, seed, gap):
     assert contacts.separation[0] == pytest.approx(gap, abs=1e-14)
     d_dot = separation_rate(scene.bodies, contacts)[0]
     assert CENTRAL.difference(scene.gap, 0.0, 1e-5) == pytest.approx(d_dot, abs=1e-8)
-    d_ddot = separation_acceleration(scene.bodies, contacts, scene.force, scene.torque)[0]
-    assert SECOND_FIVE.difference(scene.gap, 0.0, 1e-3) == pytest.approx(d_ddot, abs=1e-8)
+    d_ddot = separation_acceleration(scene.bodies, contacts, scene.force, scene.torque)[
+        0
+    ]
+    assert SECOND_FIVE.difference(scene.gap, 0.0, 1e-3) == pytest.approx(
+        d_ddot, abs=1e-8
+    )
 
     def rate(time):
         bodies = scene.at(time)
@@ -60,9 +64,13 @@ def test_inertias_are_those_of_bodies(kind):
         moments = np.linalg.eigvalsh(inertia)
         return moments[..., 2] - moments[..., 0] - moments[..., 1]
 
-    drawn = np.stack([moving_contact(kind, seed=seed).bodies.inertia for seed in range(300)])
+    drawn = np.stack(
+        [moving_contact(kind, seed=seed).bodies.inertia for seed in range(300)]
+    )
     assert drawn.shape == (300, 2, 3, 3)
-    assert np.linalg.eigvalsh(drawn).min() >= 1.0 - 1e-12  # both second moments are at least 0.5 kg m^2
+    assert (
+        np.linalg.eigvalsh(drawn).min() >= 1.0 - 1e-12
+    )  # both second moments are at least 0.5 kg m^2
     assert excess(drawn).max() < 0
     root = np.random.default_rng(13).normal(size=(600, 3, 3))
     assert np.mean(excess(root @ np.swapaxes(root, 1, 2) + np.eye(3)) > 0) > 0.8
@@ -93,11 +101,15 @@ def test_turning_pair_against_sympy():
 
 def test_outlines_hold_the_corner_that_meets():
     pair = TurningPair()
-    np.testing.assert_allclose(pair.outlines(0.1)[0, 0], pair.contacts(0.1).point_a[0, 1:], atol=1e-15)
+    np.testing.assert_allclose(
+        pair.outlines(0.1)[0, 0], pair.contacts(0.1).point_a[0, 1:], atol=1e-15
+    )
 
 
 @pytest.mark.parametrize(
-    "stencil", [FORWARD, CENTRAL, FIVE_POINTS, SECOND, SECOND_FIVE], ids=lambda s: s.name
+    "stencil",
+    [FORWARD, CENTRAL, FIVE_POINTS, SECOND, SECOND_FIVE],
+    ids=lambda s: s.name,
 )
 def test_stencils_have_the_order_they_say(stencil):
     """On exp at 0, whose derivatives are all 1; halving a step that is large against rounding."""
@@ -111,7 +123,11 @@ def test_error_of_differences_is_a_v():
     found = difference_errors(
         [(s, pair.gap) for s in (FORWARD, CENTRAL, FIVE_POINTS)], exact, steps, time=0.1
     )
-    for name, largest in (("one-sided", 1e-7), ("central", 1e-9), ("five points", 1e-11)):
+    for name, largest in (
+        ("one-sided", 1e-7),
+        ("central", 1e-9),
+        ("five points", 1e-11),
+    ):
         step, error = found.best(name)
         assert error < largest and steps[0] < step < steps[-1]
         assert found.error[name][0] > 100 * error < found.error[name][-1]
@@ -123,13 +139,17 @@ def test_error_of_differences_is_a_v():
 
 def test_complex_step_is_the_rate_of_the_gap():
     corners, h = flying_corners(50, seed=3), 1e-5
-    d = [np.sum((p_a - p_b) * n, axis=-1) for p_a, p_b, n in (corners.points(-h), corners.points(h))]
+    d = [
+        np.sum((p_a - p_b) * n, axis=-1)
+        for p_a, p_b, n in (corners.points(-h), corners.points(h))
+    ]
     np.testing.assert_allclose(corners.rates(), (d[1] - d[0]) / (2 * h), atol=1e-8)
     x, v, omega, arm = corners.position, corners.velocity, corners.omega, corners.arm
     move = v + np.cross(omega, arm)
     points = x + arm
     by_hand = np.sum(
-        (move[0] - move[1]) * corners.normal + (points[0] - points[1]) * np.cross(omega[1], corners.normal),
+        (move[0] - move[1]) * corners.normal
+        + (points[0] - points[1]) * np.cross(omega[1], corners.normal),
         axis=-1,
     )
     np.testing.assert_allclose(corners.rates(), by_hand, atol=1e-13)
@@ -139,5 +159,7 @@ def test_flying_corners_keep_their_arms():
     corners = flying_corners(5)
     p_a, _, n = corners.points(0.7)
     centre = corners.position[0] + 0.7 * corners.velocity[0]
-    np.testing.assert_allclose(np.linalg.norm(p_a - centre, axis=-1), np.linalg.norm(corners.arm[0], axis=-1))
+    np.testing.assert_allclose(
+        np.linalg.norm(p_a - centre, axis=-1), np.linalg.norm(corners.arm[0], axis=-1)
+    )
     np.testing.assert_allclose(np.linalg.norm(n, axis=-1), 1)

@@ -37,7 +37,9 @@ SCENES = [
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda s: s.name)
 def test_every_scene_rests(scene):
-    np.testing.assert_allclose(separation_rate(scene.bodies, scene.contacts), 0, atol=1e-12)
+    np.testing.assert_allclose(
+        separation_rate(scene.bodies, scene.contacts), 0, atol=1e-12
+    )
     assert scene.force.shape == scene.torque.shape == (len(scene.bodies), 3)
     system = scene.system()
     assert len(system) == len(scene.contacts) and np.all(np.isfinite(system.b))
@@ -49,7 +51,9 @@ def test_every_scene_rests(scene):
 
 
 @pytest.mark.parametrize(
-    "scene", [stack(6), wall(5, 4), wall(4, 4, depth=4), cannonballs(5), pile(40, RNG)], ids=lambda s: s.name
+    "scene",
+    [stack(6), wall(5, 4), wall(4, 4, depth=4), cannonballs(5), pile(40, RNG)],
+    ids=lambda s: s.name,
 )
 def test_the_ground_carries_all_that_does_not_fall(scene):
     force = solve(scene.system()).force
@@ -57,7 +61,9 @@ def test_the_ground_carries_all_that_does_not_fall(scene):
     weight = GRAVITY * scene.bodies.mass[:-1].sum()
     if scene.name.startswith(("stack", "wall")):
         assert -carried[-1, 2] == pytest.approx(weight, rel=1e-9)
-        np.testing.assert_allclose(carried[:-1] + scene.force[:-1], 0, atol=1e-8 * weight)
+        np.testing.assert_allclose(
+            carried[:-1] + scene.force[:-1], 0, atol=1e-8 * weight
+        )
     else:  # some balls still fall, and without friction a pyramid of balls spreads
         assert 0.2 * weight < -carried[-1, 2] < 1.001 * weight
 
@@ -96,7 +102,10 @@ def test_changes_do_what_they_say():
     rng = np.random.default_rng(3)
     scene = stack(4)
     double = with_duplicates(scene, rng, share=0.5)
-    assert len(double.contacts) == 24 and len(np.unique(double.contacts.point, axis=0)) == 16
+    assert (
+        len(double.contacts) == 24
+        and len(np.unique(double.contacts.point, axis=0)) == 16
+    )
     more = with_redundant_points(scene, rng, share=0.5)
     assert len(more.contacts) == 24
     assert np.linalg.matrix_rank(more.system().A.toarray()) == np.linalg.matrix_rank(
@@ -109,13 +118,22 @@ def test_changes_do_what_they_say():
     np.testing.assert_allclose(heavy.bodies.inertia[1], 1e3 * scene.bodies.inertia[1])
     np.testing.assert_allclose(heavy.system().b, scene.system().b)
     rough = shaken(scene, rng, strength=0.1)
-    assert 0 < np.abs((rough.force - scene.force)[:-1] / scene.bodies.mass[:-1, None]).max() <= 0.1 * GRAVITY
+    assert (
+        0
+        < np.abs((rough.force - scene.force)[:-1] / scene.bodies.mass[:-1, None]).max()
+        <= 0.1 * GRAVITY
+    )
     moving = on_a_moving_ground(scene, [1, 2, 3], [0.4, 0.5, 0.6])
-    assert np.isfinite(moving.bodies.mass).all() and np.abs(moving.system().b - scene.system().b).max() > 0.01
+    assert (
+        np.isfinite(moving.bodies.mass).all()
+        and np.abs(moving.system().b - scene.system().b).max() > 0.01
+    )
 
 
 def test_a_seed_gives_the_same_scene_again():
-    one, two, other = (random_scene([1, seed], contacts=60).system() for seed in (4, 4, 5))
+    one, two, other = (
+        random_scene([1, seed], contacts=60).system() for seed in (4, 4, 5)
+    )
     assert np.array_equal(one.b, two.b) and abs(one.A - two.A).max() == 0
     assert len(one) != len(other) or not np.array_equal(one.b, other.b)
     assert len(random_scene(0, contacts=0).contacts) == 0
@@ -145,7 +163,11 @@ def test_auto_solves_random_scenes(seed):
 
 
 @pytest.mark.parametrize(
-    "seed", [pytest.param(seed, marks=pytest.mark.slow if seed < 20 else pytest.mark.long) for seed in range(240)]
+    "seed",
+    [
+        pytest.param(seed, marks=pytest.mark.slow if seed < 20 else pytest.mark.long)
+        for seed in range(240)
+    ],
 )
 def test_auto_solves_every_random_scene(seed):
     """1 to 5,000 contacts; these seeds were not used while the methods were built."""

@@ -50,7 +50,9 @@ def test_energy_grows_as_predicted(method):
 @pytest.mark.parametrize("method", [symplectic_euler, splitting])
 def test_symplectic_methods_make_no_energy(method):
     growth = oscillator_growth(method, [0.1, 0.5, 1.0, 1.9], steps=1000)
-    assert np.all(np.abs(growth - 1) < 5e-3)  # energy swings by up to (2 + x)/(2 - x): ln(39)/1000
+    assert np.all(
+        np.abs(growth - 1) < 5e-3
+    )  # energy swings by up to (2 + x)/(2 - x): ln(39)/1000
 
 
 def stays(method, steps=300, **options):
@@ -59,20 +61,24 @@ def stays(method, steps=300, **options):
 
 
 def test_the_threshold_of_rk4():
-    assert find_threshold(stays(rk4, steps=100), 2.5, 3.3, tolerance=4e-3) == pytest.approx(
-        2 * np.sqrt(2), rel=1e-2
-    )
+    assert find_threshold(
+        stays(rk4, steps=100), 2.5, 3.3, tolerance=4e-3
+    ) == pytest.approx(2 * np.sqrt(2), rel=1e-2)
 
 
 @pytest.mark.parametrize("method", [symplectic_euler, splitting])
 def test_the_threshold_of_symplectic_methods(method):
-    assert find_threshold(stays(method), 1.7, 2.5, tolerance=4e-3) == pytest.approx(2, rel=1e-2)
+    assert find_threshold(stays(method), 1.7, 2.5, tolerance=4e-3) == pytest.approx(
+        2, rel=1e-2
+    )
 
 
 @pytest.mark.parametrize("ratio", [0.02, 0.1, 0.5, 1.0])
 def test_the_threshold_of_symplectic_euler_with_damping(ratio):
     predicted = 2 * (np.sqrt(1 + ratio**2) - ratio)
-    found = find_threshold(stays(symplectic_euler, damping_ratio=ratio), 0.7 * predicted, 1.4 * predicted)
+    found = find_threshold(
+        stays(symplectic_euler, damping_ratio=ratio), 0.7 * predicted, 1.4 * predicted
+    )
     assert found == pytest.approx(predicted, rel=1e-2)
 
 
@@ -95,7 +101,14 @@ def test_the_threshold_of_a_stack_on_springs(count):
         rest = np.zeros((count, 3))
         start = rest.copy()
         start[:, 2] = rng.normal(size=count)
-        bodies = Bodies(np.ones(count), np.tile(np.eye(3), (count, 1, 1)), start, identity(count), rest, rest)
+        bodies = Bodies(
+            np.ones(count),
+            np.tile(np.eye(3), (count, 1, 1)),
+            start,
+            identity(count),
+            rest,
+            rest,
+        )
         for _ in range(400):
             bodies = symplectic_euler(bodies, chain(x**2), 1.0)
             if np.abs(bodies.position).max() > 1e3:
@@ -113,13 +126,22 @@ def test_the_wobble_about_the_middle_axis_grows_as_predicted(method, seed):
     moments = np.sort(rng.uniform(1, 3, 3))
     spin, tilt = 2.0, np.array([1e-8, 0, 1e-8])
     momentum = moments * np.array([0, spin, 0]) + tilt
-    bodies = Bodies([1.0], [np.diag(moments)], np.zeros((1, 3)), identity(1), np.zeros((1, 3)), [momentum])
+    bodies = Bodies(
+        [1.0],
+        [np.diag(moments)],
+        np.zeros((1, 3)),
+        identity(1),
+        np.zeros((1, 3)),
+        [momentum],
+    )
     predicted = middle_axis_growth_rate(moments, spin)
     step, times, sizes = 0.02 / predicted, [], []
     for k in range(600):
         bodies = method(bodies, None, step)
         local = bodies.rotation[0].T @ momentum
-        if k % 30 == 0 and k * step * predicted > 5:  # by then the part that dies away has died
+        if (
+            k % 30 == 0 and k * step * predicted > 5
+        ):  # by then the part that dies away has died
             times.append((k + 1) * step)
             sizes.append(np.hypot(local[0], local[2]))
     assert growth_rate(times, sizes) == pytest.approx(predicted, rel=1e-2)
@@ -131,7 +153,9 @@ def test_stability_map():
         {
             "explicit Euler": lambda x: oscillator_growth(explicit_euler, x, steps=100),
             "RK4": lambda x: oscillator_growth(rk4, x, steps=100),
-            "symplectic Euler": lambda x: oscillator_growth(symplectic_euler, x, steps=600),
+            "symplectic Euler": lambda x: oscillator_growth(
+                symplectic_euler, x, steps=600
+            ),
         },
         knob,
         knob_name="h w",
@@ -141,7 +165,11 @@ def test_stability_map():
     assert np.array_equal(chart.stable()[1], chart.growth[1] <= 1.01)
     table = chart.table()
     assert len(table) == 105
-    assert table[0] == {"method": "explicit Euler", "knob": pytest.approx(0.1), "growth": pytest.approx(1.01)}
+    assert table[0] == {
+        "method": "explicit Euler",
+        "knob": pytest.approx(0.1),
+        "growth": pytest.approx(1.01),
+    }
     always = stability_map({"still": lambda x: np.ones(35)}, knob, knob_name="h w")
     assert always.thresholds()[0] == knob[-1]
 
@@ -150,7 +178,9 @@ def test_measures_by_hand():
     assert measured_order([0.1, 0.05, 0.025], [8e-3, 1e-3, 1.25e-4]) == pytest.approx(3)
     assert growth_rate([0.0, 1.0, 2.0], [1.0, np.e**0.5, np.e]) == pytest.approx(0.5)
     assert np.allclose(growth_per_step([[1.0, 7.0, 4.0], [2.0, 1.0, 0.5]]), [2.0, 0.5])
-    assert find_threshold(lambda x: x < 1.234, 0.1, 10.0, tolerance=1e-9) == pytest.approx(1.234, rel=1e-9)
+    assert find_threshold(
+        lambda x: x < 1.234, 0.1, 10.0, tolerance=1e-9
+    ) == pytest.approx(1.234, rel=1e-9)
 
 
 def test_growth_broadcasts_and_a_batch_is_a_loop():
@@ -159,36 +189,71 @@ def test_growth_broadcasts_and_a_batch_is_a_loop():
     assert table.shape == (2, 3)
     for i in range(2):
         for j in range(3):
-            one = oscillator_growth(symplectic_euler, x[j], damping_ratio=z[i, 0], steps=40)
+            one = oscillator_growth(
+                symplectic_euler, x[j], damping_ratio=z[i, 0], steps=40
+            )
             assert table[i, j] == pytest.approx(one, rel=1e-12)
 
 
 KNOB = np.array([1.0, 2.0])
 REFUSED = [
-    (lambda: measured_order([0.1], [1.0]), "steps: expected at least two different ones"),
-    (lambda: measured_order([0.1, 0.1], [1.0, 2.0]), "steps: expected at least two different ones"),
+    (
+        lambda: measured_order([0.1], [1.0]),
+        "steps: expected at least two different ones",
+    ),
+    (
+        lambda: measured_order([0.1, 0.1], [1.0, 2.0]),
+        "steps: expected at least two different ones",
+    ),
     (
         lambda: measured_order([0.1, 0.2], [1.0, 0.0]),
         "errors: expected positive numbers; got 0.0 at index (1,)",
     ),
-    (lambda: growth_rate([0, 1], [1.0, 2.0, 3.0]), "values: expected shape (2,) as times; got shape (3,)"),
+    (
+        lambda: growth_rate([0, 1], [1.0, 2.0, 3.0]),
+        "values: expected shape (2,) as times; got shape (3,)",
+    ),
     (lambda: growth_per_step([1.0]), "values: expected at least 2 along the last axis"),
-    (lambda: find_threshold(lambda x: x < 2, 3.0, 4.0), "lower: expected a value that is stable; got 3.0"),
+    (
+        lambda: find_threshold(lambda x: x < 2, 3.0, 4.0),
+        "lower: expected a value that is stable; got 3.0",
+    ),
     (
         lambda: find_threshold(lambda x: x < 2, 0.5, 1.0),
         "upper: expected a value that is not stable; got 1.0",
     ),
-    (lambda: find_threshold(lambda x: x < 2, 3.0, 1.0), "lower: expected a value above 0 and below upper"),
-    (lambda: find_threshold(lambda x: x < 2, 1.0, 3.0, tolerance=0), "tolerance: expected a positive number"),
-    (lambda: oscillator_growth(rk4, 0.0), "frequency_step: expected positive numbers; got 0.0"),
-    (lambda: oscillator_growth(rk4, 1.0, damping_ratio=-1), "damping_ratio: expected numbers at or above 0"),
-    (lambda: oscillator_growth(rk4, 1.0, steps=0), "steps: expected a whole number of at least 1; got 0"),
-    (lambda: stability_map({}, KNOB, knob_name="x"), "methods: expected at least one; got none"),
+    (
+        lambda: find_threshold(lambda x: x < 2, 3.0, 1.0),
+        "lower: expected a value above 0 and below upper",
+    ),
+    (
+        lambda: find_threshold(lambda x: x < 2, 1.0, 3.0, tolerance=0),
+        "tolerance: expected a positive number",
+    ),
+    (
+        lambda: oscillator_growth(rk4, 0.0),
+        "frequency_step: expected positive numbers; got 0.0",
+    ),
+    (
+        lambda: oscillator_growth(rk4, 1.0, damping_ratio=-1),
+        "damping_ratio: expected numbers at or above 0",
+    ),
+    (
+        lambda: oscillator_growth(rk4, 1.0, steps=0),
+        "steps: expected a whole number of at least 1; got 0",
+    ),
+    (
+        lambda: stability_map({}, KNOB, knob_name="x"),
+        "methods: expected at least one; got none",
+    ),
     (
         lambda: stability_map({"m": lambda x: x}, [2.0, 1.0], knob_name="x"),
         "knob: expected ascending numbers",
     ),
-    (lambda: stability_map({"m": lambda x: 1.0}, KNOB, knob_name="x"), "growth of m: expected shape (2,)"),
+    (
+        lambda: stability_map({"m": lambda x: 1.0}, KNOB, knob_name="x"),
+        "growth of m: expected shape (2,)",
+    ),
 ]
 
 

@@ -5,7 +5,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from course.study import count_collisions, critical_mass_ratio, pi_count, predicted_count, two_blocks
+from course.study import (
+    count_collisions,
+    critical_mass_ratio,
+    pi_count,
+    predicted_count,
+    two_blocks,
+)
 
 PI = "31415926535897932384626433832795028841971693993751"
 
@@ -13,7 +19,9 @@ PI = "31415926535897932384626433832795028841971693993751"
 @pytest.mark.parametrize("exponent", range(4))
 @pytest.mark.parametrize("arithmetic", ["float64", "float32", "exact"])
 def test_mass_ratio_100_to_the_k_counts_k_plus_1_digits_of_pi(exponent, arithmetic):
-    assert count_collisions(100**exponent, arithmetic=arithmetic) == int(PI[: exponent + 1])
+    assert count_collisions(100**exponent, arithmetic=arithmetic) == int(
+        PI[: exponent + 1]
+    )
 
 
 def test_more_digits_in_float64():
@@ -27,7 +35,9 @@ def test_formula_in_whole_numbers_and_where_its_float64_form_stops():
     assert predicted_count(100**17) != pi_count(17)
 
 
-@pytest.mark.parametrize("ratio", [Fraction(1, 3), 1, Fraction(22, 7), 3, 50, Fraction(10**7, 3)])
+@pytest.mark.parametrize(
+    "ratio", [Fraction(1, 3), 1, Fraction(22, 7), 3, 50, Fraction(10**7, 3)]
+)
 def test_any_ratio_three_ways(ratio):
     exact = count_collisions(ratio, arithmetic="exact")
     assert exact == count_collisions(ratio) == predicted_count(ratio)
@@ -38,11 +48,16 @@ def test_rounding_decides_grazes():
     wrong = 0
     for n in range(5, 60):
         ratio = critical_mass_ratio(n)
-        exact, rounded = count_collisions(ratio, arithmetic="exact"), count_collisions(ratio)
+        exact, rounded = (
+            count_collisions(ratio, arithmetic="exact"),
+            count_collisions(ratio),
+        )
         assert exact in (n - 1, n) and abs(exact - rounded) <= 1
         wrong += exact != rounded
     assert wrong > 0
-    assert critical_mass_ratio(4) == pytest.approx(1) and critical_mass_ratio(6) == pytest.approx(3)
+    assert critical_mass_ratio(4) == pytest.approx(1) and critical_mass_ratio(
+        6
+    ) == pytest.approx(3)
     assert count_collisions(3, arithmetic="exact") == 5
 
 
@@ -52,7 +67,9 @@ def test_motion_is_a_billiard_on_a_circle():
     radius = np.linalg.norm(motion.scaled_velocity, axis=1)
     assert np.allclose(radius, 20.0, rtol=1e-14)  # sqrt(m2) * speed: energy kept
     assert np.all(np.diff(motion.time) > 0) and motion.time[0] == 0.5  # gap 1 at 2 m/s
-    assert np.array_equal(motion.at_wall, np.arange(31) % 2 == 1)  # by turns, the blocks first
+    assert np.array_equal(
+        motion.at_wall, np.arange(31) % 2 == 1
+    )  # by turns, the blocks first
     assert np.all(motion.position[motion.at_wall, 0] == 0)
     meets = motion.position[~motion.at_wall]
     assert np.allclose(meets[:, 0], meets[:, 1]) and np.all(meets[:, 0] > 0)
@@ -64,7 +81,9 @@ def test_motion_is_a_billiard_on_a_circle():
 
 def test_picture_does_not_depend_on_the_units():
     fast, slow = two_blocks(16, speed=3.0, start=(2.0, 4.0)), two_blocks(16)
-    assert np.allclose(fast.time, slow.time * 2 / 3) and np.allclose(fast.position, 2 * slow.position)
+    assert np.allclose(fast.time, slow.time * 2 / 3) and np.allclose(
+        fast.position, 2 * slow.position
+    )
 
 
 @pytest.mark.parametrize(

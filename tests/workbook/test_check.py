@@ -20,7 +20,9 @@ NAME = "impulse_central"
 
 def right(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
     closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)
-    return np.where(closing > 0, (1 + restitution) * closing / (1 / mass_1 + 1 / mass_2), 0.0)
+    return np.where(
+        closing > 0, (1 + restitution) * closing / (1 / mass_1 + 1 / mass_2), 0.0
+    )
 
 
 def named(function, name=NAME):
@@ -29,7 +31,9 @@ def named(function, name=NAME):
 
 
 def progress_module_itself():
-    return sys.modules["course.workbook.progress"]  # as an attribute of the package it is the function
+    return sys.modules[
+        "course.workbook.progress"
+    ]  # as an attribute of the package it is the function
 
 
 @pytest.fixture(autouse=True)
@@ -78,7 +82,11 @@ def test_an_answer_that_runs_on_is_told_of_while_it_runs(monkeypatch):
         return right(*given)
 
     assert judge_here(exercise, named(waits)).passed
-    assert len(told) == 1 and "still running after" in told[0] and "loop whose end is never reached" in told[0]
+    assert (
+        len(told) == 1
+        and "still running after" in told[0]
+        and "loop whose end is never reached" in told[0]
+    )
 
 
 def test_wrong_answer_gives_a_counterexample_that_can_be_pasted(capsys):
@@ -87,7 +95,9 @@ def test_wrong_answer_gives_a_counterexample_that_can_be_pasted(capsys):
 
     check(impulse_central)
     out = capsys.readouterr().out
-    assert "✗ Not yet" in out and "The factor is e where it must be 1 + e" in re.sub(r"\s+", " ", out)
+    assert "✗ Not yet" in out and "The factor is e where it must be 1 + e" in re.sub(
+        r"\s+", " ", out
+    )
     call = out[out.index("impulse_central(\n") : out.index("expected")].strip()
     value = eval(call, {"np": np, "impulse_central": impulse_central})
     got = float(re.search(r"got\s+([-\d.]+) N s", out).group(1))
@@ -100,7 +110,10 @@ def test_wrong_answer_gives_a_counterexample_that_can_be_pasted(capsys):
         (lambda *a: None, "returned None"),
         (lambda *a: np.nan, "NaN"),
         (lambda *a: np.inf, "infinity"),
-        (lambda *a: np.zeros((2, 2, 2)), "shape (2, 2, 2) where () (a single number) is expected"),
+        (
+            lambda *a: np.zeros((2, 2, 2)),
+            "shape (2, 2, 2) where () (a single number) is expected",
+        ),
         (lambda *a: "four", "where numbers are expected"),
         (lambda *a: 1 / 0, "ZeroDivisionError"),
         (lambda *a: [[1.0], [1.0, 2.0]], "ragged"),
@@ -140,12 +153,17 @@ TWICE = "np.cross(angular_velocity, arm)"
         (POINT.format(1, TWICE), 1, False),  # the slip is contact_bias's own
     ],
 )
-def test_an_earlier_function_that_is_called_and_not_right_is_named(capsys, point, factor, told):
+def test_an_earlier_function_that_is_called_and_not_right_is_named(
+    capsys, point, factor, told
+):
     cell = {"np": np, "__name__": "__main__"}
     exec(CALLING.format(point=point, factor=factor), cell)
     check(cell["contact_bias"])
     text = said(capsys)
-    assert ("It calls your free_point_acceleration, which does not pass its own check yet" in text) == told
+    assert (
+        "It calls your free_point_acceleration, which does not pass its own check yet"
+        in text
+    ) == told
     assert "Right" not in text
 
 
@@ -233,7 +251,10 @@ def test_use_falls_back_to_the_reference_and_says_so(capsys):
 
 
 def test_use_can_be_run_twice_on_what_it_returned(capsys):
-    for function, words in ((right, "yours"), (lambda a, b, c, d, n, e: 0.0, "the reference for now")):
+    for function, words in (
+        (right, "yours"),
+        (lambda a, b, c, d, n, e: 0.0, "the reference for now"),
+    ):
         once = use(named(function))
         assert use(once) is once
         assert said(capsys).count(words) == 2
@@ -247,10 +268,15 @@ def test_a_right_expression_is_ones_own_although_the_reference_was_lent_before(c
     check(own, "p_hat")
     assert "✓ Right: p_hat" in said(capsys)
     assert use(own, "p_hat", symbols=symbols) is own and "yours" in said(capsys)
-    assert use(lent, "p_hat", symbols=symbols) is lent and "the reference" in said(capsys)
+    assert use(lent, "p_hat", symbols=symbols) is lent and "the reference" in said(
+        capsys
+    )
     with pytest.raises(ValueError, match="got what use"):
         check(lent, "p_hat")
-    with pytest.raises(ValueError, match="symbols: expected those for m_1, m_2, v_1, v_2, e, in this order; got 0"):
+    with pytest.raises(
+        ValueError,
+        match="symbols: expected those for m_1, m_2, v_1, v_2, e, in this order; got 0",
+    ):
         use(..., "p_hat")
 
 
@@ -259,9 +285,15 @@ def test_hints_go_up_in_three_tiers_then_the_reference(work, capsys):
     for _ in range(4):
         hint(NAME)
         seen.append(said(capsys))
-    assert ["Hint 1 of 3" in seen[0], "Hint 2 of 3" in seen[1], "____" in seen[2]] == [True] * 3
-    assert "def impulse_central" in seen[3] and "def impulse_central" not in "".join(seen[:3])
-    events = [json.loads(line) for line in (work / "progress.jsonl").read_text().splitlines()]
+    assert ["Hint 1 of 3" in seen[0], "Hint 2 of 3" in seen[1], "____" in seen[2]] == [
+        True
+    ] * 3
+    assert "def impulse_central" in seen[3] and "def impulse_central" not in "".join(
+        seen[:3]
+    )
+    events = [
+        json.loads(line) for line in (work / "progress.jsonl").read_text().splitlines()
+    ]
     assert [e["tier"] for e in events] == [1, 2, 3, 4]
 
 
@@ -339,16 +371,25 @@ def test_a_folder_that_cannot_be_written_stops_nothing(work, capsys):
 def test_two_kernels_lose_nothing_of_each_other(work):
     """Each appends in one write; neither holds the file."""
     code = "from course.workbook.progress import record\nfor i in range(200): record('check', f'{who}{i}', state='')"
-    both = [subprocess.Popen([sys.executable, "-c", f"who = {who!r}\n{code}"], cwd=work) for who in "ab"]
+    both = [
+        subprocess.Popen([sys.executable, "-c", f"who = {who!r}\n{code}"], cwd=work)
+        for who in "ab"
+    ]
     assert [p.wait(60) for p in both] == [0, 0]
-    names = [json.loads(line)["name"] for line in (work / "progress.jsonl").read_text().splitlines()]
+    names = [
+        json.loads(line)["name"]
+        for line in (work / "progress.jsonl").read_text().splitlines()
+    ]
     assert sorted(names) == sorted(f"{who}{i}" for who in "ab" for i in range(200))
 
 
 def test_wrong_answers_that_match_nothing_are_kept_here(work, capsys):
     check(named(lambda a, b, c, d, n, e: 17.0 + np.sum(c * n, axis=-1)))
     check(named(lambda a, b, c, d, n, e: e * right(a, b, c, d, n, 0.0)))
-    kept = [json.loads(line) for line in (work / "unrecognised.jsonl").read_text().splitlines()]
+    kept = [
+        json.loads(line)
+        for line in (work / "unrecognised.jsonl").read_text().splitlines()
+    ]
     assert [k["exercise"] for k in kept] == [NAME]
     assert "17.0" in kept[0]["source"]
 
@@ -368,7 +409,11 @@ def test_predictions_show_the_outcome_only_after_an_answer(capsys):
     assert "○ Your prediction" in asked and "it is" not in asked
     predict("parting", 2)
     answered = said(capsys)
-    assert "Not what you predicted" in answered and "-1 m/s" in answered and "tempting" in answered
+    assert (
+        "Not what you predicted" in answered
+        and "-1 m/s" in answered
+        and "tempting" in answered
+    )
     predict("parting", -1.0)
     assert "✓ As you predicted" in said(capsys)
     predict("parting", np.inf)
@@ -382,7 +427,9 @@ def test_predictions_show_the_outcome_only_after_an_answer(capsys):
     ):
         predict(name, answer)
         told = said(capsys)
-        assert "○ Not an answer yet" in told and expected in told and "it is" not in told
+        assert (
+            "○ Not an answer yet" in told and expected in told and "it is" not in told
+        )
 
 
 def test_a_check_leaves_numpys_random_state_alone(capsys):

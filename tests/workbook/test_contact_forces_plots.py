@@ -36,21 +36,31 @@ def test_force_plane_marks_the_solution_on_the_lines(load_at):
     for i in (0, 1):
         points = lines[rf"$\ddot d_{i + 1} = 0$"]
         np.testing.assert_allclose(a[i] @ points, -b[i], atol=1e-9)
-    np.testing.assert_allclose(lines["least with f ≥ 0"][:, 0], solve(system).force, atol=1e-9)
+    np.testing.assert_allclose(
+        lines["least with f ≥ 0"][:, 0], solve(system).force, atol=1e-9
+    )
     np.testing.assert_allclose(a @ lines["both forced to 0"][:, 0], -b, atol=1e-9)
     swept = lines["three sweeps from 0"]
     steps = np.diff(swept, axis=1)
-    assert swept.shape == (2, 7) and np.all(steps[1, ::2] == 0) and np.all(steps[0, 1::2] == 0)  # axis by axis
+    assert (
+        swept.shape == (2, 7)
+        and np.all(steps[1, ::2] == 0)
+        and np.all(steps[0, 1::2] == 0)
+    )  # axis by axis
     answer = find_exercise("projected_gauss_seidel")[1].reference(a, b, np.zeros(2), 3)
     np.testing.assert_allclose(swept[:, -1], answer, rtol=1e-12)
     lifted = np.abs(solve(system).acceleration).max() > 1e-9
     named = [entry.get_text() for entry in ax.get_legend().get_texts()]
-    assert (r"slope of q there, $\ddot d$" in named) == lifted  # the arrow is drawn only where a slope is left
+    assert (
+        r"slope of q there, $\ddot d$" in named
+    ) == lifted  # the arrow is drawn only where a slope is left
 
 
 def test_plank_says_which_foot_lifts():
     ax = plots.plank_and_forces(1.05)
-    assert "left foot lifts" in ax.get_title(loc="left") and "the right one 272 N" in text(ax)
+    assert "left foot lifts" in ax.get_title(
+        loc="left"
+    ) and "the right one 272 N" in text(ax)
     assert "right foot lifts" in plots.plank_and_forces(-1.05).get_title(loc="left")
     assert "both feet stay" in plots.plank_and_forces(0.0).get_title(loc="left")
 
@@ -59,7 +69,9 @@ def test_ladder_forces_tell_where_it_lets_go():
     angles = np.radians([60.0, 45, 30])
     closed = np.array([[80.0, 30], [50, 10], [20, -20]])
     ax = plots.ladder_forces(angles, np.maximum(closed, 0), closed, leaving=0.7)
-    assert "40.1 degrees" in text(ax) and "falls to -20 N and the solved one stays at 0 N" in text(ax)
+    assert "40.1 degrees" in text(
+        ax
+    ) and "falls to -20 N and the solved one stays at 0 N" in text(ax)
 
 
 def test_solver_growth_draws_time_and_steps():
@@ -69,7 +81,10 @@ def test_solver_growth_draws_time_and_steps():
     assert left is ax and len(left.lines) == len(right.lines) == 2
     np.testing.assert_array_equal(right.lines[0].get_ydata(), [10, 20])
     assert "10 to 100 contacts" in text(ax)
-    assert "a: 10 steps and 1 s at 10, 20 steps and 2 s at 100. b: 30 steps and 3 s at 10." in text(ax)
+    assert (
+        "a: 10 steps and 1 s at 10, 20 steps and 2 s at 100. b: 30 steps and 3 s at 10."
+        in text(ax)
+    )
 
 
 @pytest.mark.slow
@@ -77,4 +92,8 @@ def test_the_widget_redraws():
     panel = demos.plank()
     before = panel.picture
     panel.children[0].children[0].value = 1.2
-    assert panel.picture != before and "left foot lifts" not in before and "the left foot lifts" in panel.picture
+    assert (
+        panel.picture != before
+        and "left foot lifts" not in before
+        and "the left foot lifts" in panel.picture
+    )

@@ -37,7 +37,10 @@ def test_the_still_line_parts_rising_from_sinking():
     ax = plots.pushed_table(0.5, 0.3)
     line = next(line for line in ax.lines if line.get_linestyle() == "--")
     (x_0, x_1), (y_0, y_1) = line.get_data()
-    side = [(x_1 - x_0) * (y - y_0) - (y_1 - y_0) * (x - x_0) for x, y, _ in table().contacts.point]
+    side = [
+        (x_1 - x_0) * (y - y_0) - (y_1 - y_0) * (x - x_0)
+        for x, y, _ in table().contacts.point
+    ]
     response = table().system().A.toarray()[:, 0]
     assert np.array_equal(np.sign(side) == np.sign(side[0]), response > 0)
     even = plots.pushed_table(0.1, 0.05)
@@ -55,8 +58,12 @@ def test_pattern_counts_what_is_not_zero():
 
 def test_costs_show_the_exponent():
     n = [10.0, 100.0, 1000.0]
-    ax = plots.matrix_costs({"full": n}, {"full": np.square(n)}, {"full": np.power(n, 3)})
-    assert "full time [s] c^2.0" in text(ax) and "full multiplications c^3.0" in text(ax)
+    ax = plots.matrix_costs(
+        {"full": n}, {"full": np.square(n)}, {"full": np.power(n, 3)}
+    )
+    assert "full time [s] c^2.0" in text(ax) and "full multiplications c^3.0" in text(
+        ax
+    )
 
 
 @pytest.mark.slow
@@ -71,4 +78,7 @@ def test_a_foot_on_the_still_line_feels_nothing():
     """1 - 1.75 p_y - 2 p_x = 0 for foot 3 with the push at (0.46, 0.21) m: the lesson names this place."""
     ax = plots.pushed_table(0.46, 0.21)
     heights = [bar.get_height() for bar in ax.get_figure().axes[1].patches]
-    assert heights[2] == pytest.approx(0, abs=1e-12) and min(heights[0], heights[1], heights[3]) > 0.3
+    assert (
+        heights[2] == pytest.approx(0, abs=1e-12)
+        and min(heights[0], heights[1], heights[3]) > 0.3
+    )

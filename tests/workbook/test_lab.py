@@ -24,14 +24,18 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def options(tmp_path, **more):
-    said = lab.options(tmp_path, **{"notebook": tmp_path / "work" / "10-impulse (new 2).ipynb", **more})
+    said = lab.options(
+        tmp_path, **{"notebook": tmp_path / "work" / "10-impulse (new 2).ipynb", **more}
+    )
     return dict(option[2:].split("=", 1) for option in said)
 
 
 def test_it_is_rooted_at_the_project_and_opens_the_notebook(tmp_path):
     said = options(tmp_path)
     assert said["ServerApp.root_dir"] == str(tmp_path)
-    assert said["LabApp.default_url"] == "/lab/tree/work/10-impulse%20%28new%202%29.ipynb"
+    assert (
+        said["LabApp.default_url"] == "/lab/tree/work/10-impulse%20%28new%202%29.ipynb"
+    )
     assert said["LabApp.workspaces_dir"].startswith(str(tmp_path / "work"))
     assert said["ServerApp.open_browser"] == "True" and "ServerApp.port" not in said
 
@@ -39,19 +43,25 @@ def test_it_is_rooted_at_the_project_and_opens_the_notebook(tmp_path):
 def test_port_and_browser(tmp_path):
     said = options(tmp_path, port=8899, browser=False)
     assert (said["ServerApp.port"], said["ServerApp.open_browser"]) == ("8899", "False")
-    assert "ServerApp.port_retries" not in said               # Jupyter's own default: the next ones are tried
+    assert (
+        "ServerApp.port_retries" not in said
+    )  # Jupyter's own default: the next ones are tried
     assert "LabApp.default_url" not in options(tmp_path, notebook=None)
 
 
 def test_its_only_kernel_is_this_interpreter(tmp_path, monkeypatch):
     wrong = tmp_path / "kernels" / "python3"
     wrong.mkdir(parents=True)
-    (wrong / "kernel.json").write_text('{"argv": ["/no/such/python"], "display_name": "x", "language": "python"}')
+    (wrong / "kernel.json").write_text(
+        '{"argv": ["/no/such/python"], "display_name": "x", "language": "python"}'
+    )
     monkeypatch.setenv("JUPYTER_PATH", str(tmp_path))
     monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path))
     from jupyter_client.kernelspec import KernelSpecManager
 
-    assert KernelSpecManager().get_kernel_spec("python3").argv[0] == "/no/such/python"      # the trap is set
+    assert (
+        KernelSpecManager().get_kernel_spec("python3").argv[0] == "/no/such/python"
+    )  # the trap is set
     kernels = lab.ThisPython()
     assert list(kernels.get_all_specs()) == ["python3"]
     assert kernels.get_kernel_spec("python3").argv[0] == sys.executable
@@ -71,12 +81,18 @@ def test_what_it_leaves_out_is_named_as_jupyterlab_names_it():
     """A plugin renamed by a later JupyterLab would come back unnoticed."""
     folder = lab.CONFIGURATION
     page = json.loads((folder / "labconfig" / "page_config.json").read_text())
-    settings = json.loads((folder / "labconfig" / "default_setting_overrides.json").read_text())
+    settings = json.loads(
+        (folder / "labconfig" / "default_setting_overrides.json").read_text()
+    )
     assert set(page) == {"disabledExtensions"}
     schemas = Path(sys.prefix) / "share" / "jupyter" / "lab" / "schemas"
     if not schemas.is_dir():
         pytest.skip("JupyterLab's settings are not in this interpreter's own folder")
-    known = json.loads((schemas / "@jupyterlab" / "apputils-extension" / "notification.json").read_text())["properties"]
+    known = json.loads(
+        (
+            schemas / "@jupyterlab" / "apputils-extension" / "notification.json"
+        ).read_text()
+    )["properties"]
     assert set(settings) == {"@jupyterlab/apputils-extension:notification"}
     assert set(settings["@jupyterlab/apputils-extension:notification"]) <= set(known)
 
@@ -88,7 +104,13 @@ def test_all_that_ships_is_found_where_it_is_looked_for():
         "from course.workbook import lab; lab.put_first('JUPYTER_CONFIG_PATH', lab.CONFIGURATION)\n"
         "from jupyterlab_server.settings_utils import _get_overrides; print(_get_overrides('/nowhere')[0])"
     )
-    out = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    out = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
     assert "'fetchNews': 'false'" in out
 
 
@@ -110,7 +132,9 @@ def asked(address):
 def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
     """A home of its own with a kernel that would not start; the port is taken; Ctrl-C ends it without a word."""
     root, home = tmp_path / "project", tmp_path / "home"
-    shutil.copytree(ROOT / "course", root / "course", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(
+        ROOT / "course", root / "course", ignore=shutil.ignore_patterns("__pycache__")
+    )
     for name in ("pyproject.toml", "requirements.lock", "requirements-all.lock"):
         shutil.copy(ROOT / name, root / name)
     (root / "lessons").mkdir()
@@ -118,13 +142,28 @@ def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
     (root / "lessons" / "10-impulse.ipynb").write_text(empty)
     wrong = home / ".local" / "share" / "jupyter" / "kernels" / "python3"
     wrong.mkdir(parents=True)
-    (wrong / "kernel.json").write_text('{"argv": ["/no/such/python"], "display_name": "x", "language": "python"}')
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("JUPYTER_", "IPYTHONDIR", "PYTHONPATH"))}
+    (wrong / "kernel.json").write_text(
+        '{"argv": ["/no/such/python"], "display_name": "x", "language": "python"}'
+    )
+    kept = {
+        k: v
+        for k, v in os.environ.items()
+        if not k.startswith(("JUPYTER_", "IPYTHONDIR", "PYTHONPATH"))
+    }
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = taken.getsockname()[1]
-        command = [sys.executable, "-m", "course", "open", "10", "--no-browser", "--port", str(port)]
+        command = [
+            sys.executable,
+            "-m",
+            "course",
+            "open",
+            "10",
+            "--no-browser",
+            "--port",
+            str(port),
+        ]
         server = subprocess.Popen(command, cwd=root, env={**kept, "HOME": str(home)}, text=True, start_new_session=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)  # fmt: skip
         said = []
@@ -134,7 +173,9 @@ def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
             if address:
                 break
         assert address, "".join(said)
-        assert int(address[2]) != port and address[3] == "lab/tree/work/10-impulse.ipynb"
+        assert (
+            int(address[2]) != port and address[3] == "lab/tree/work/10-impulse.ipynb"
+        )
         specs = asked(f"{address[1]}/api/kernelspecs?token={address[4]}")
         content = asked(f"{address[1]}/api/contents/work?token={address[4]}")
     os.killpg(server.pid, signal.SIGINT)
@@ -143,4 +184,6 @@ def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
     assert list(specs["kernelspecs"]) == ["python3"]
     assert specs["kernelspecs"]["python3"]["spec"]["argv"][0] == sys.executable
     assert [entry["name"] for entry in content["content"]] == ["10-impulse.ipynb"]
-    assert not (home / ".jupyter" / "lab").exists()           # no settings of ours in the user's home
+    assert not (
+        home / ".jupyter" / "lab"
+    ).exists()  # no settings of ours in the user's home

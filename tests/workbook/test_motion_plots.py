@@ -27,22 +27,34 @@ def text(ax):
 
 def test_energies_are_drawn_with_their_sum():
     times = np.array([0.0, 1.0, 2.0])
-    ax = plots.energies(times, {"V": [3.0, 2.0, 0.0], "T": [0.0, 1.0, 3.5]}, title="A fall")
+    ax = plots.energies(
+        times, {"V": [3.0, 2.0, 0.0], "T": [0.0, 1.0, 3.5]}, title="A fall"
+    )
     assert [line.get_label() for line in ax.lines] == ["V", "T", "their sum"]
     assert ax.lines[-1].get_ydata() == pytest.approx([3.0, 3.0, 3.5])
-    assert "A fall over 0 to 2 s: V runs from 0 to 3 J; T runs from 0 to 3.5 J. Their sum changes by 0.5 J." in text(ax)
+    assert (
+        "A fall over 0 to 2 s: V runs from 0 to 3 J; T runs from 0 to 3.5 J. Their sum changes by 0.5 J."
+        in text(ax)
+    )
     assert len({line.get_linestyle() for line in ax.lines[:2]}) == 2
 
 
 def test_L_seen_from_the_body_tells_each_turning_over(motion):
     ax = plots.seen_from_body(motion)
     for line, values in zip(ax.lines, motion.seen_from_body.T, strict=False):
-        assert line.get_ydata() == pytest.approx(values / np.linalg.norm(motion.angular_momentum))
+        assert line.get_ydata() == pytest.approx(
+            values / np.linalg.norm(motion.angular_momentum)
+        )
     for when in turnover_times(motion):
         assert f"{when:.2f}" in text(ax)
-    assert "crossbar -0.49 to 0.49, stem -1.00 to 1.00, third axis 0.02 to 0.87" in text(ax)
+    assert (
+        "crossbar -0.49 to 0.49, stem -1.00 to 1.00, third axis 0.02 to 0.87"
+        in text(ax)
+    )
     short = free_tumble(spinning_handle(), np.linspace(0, 1, 51))
-    assert "The part along the stem does not cross zero." in text(plots.seen_from_body(short))
+    assert "The part along the stem does not cross zero." in text(
+        plots.seen_from_body(short)
+    )
 
 
 def test_lines_of_equal_energy_hold_the_path(motion):
@@ -63,7 +75,10 @@ def test_lines_of_equal_energy_hold_the_path(motion):
             level = depth / moments[0] + x**2 / moments[1] + y**2 / moments[2]
             assert level == pytest.approx(level[0], rel=1e-9)
     assert len(drawn) == 3 and "closed rings" in text(ax)
-    assert "crossbar -0.49 to 0.49, stem -1.00 to 1.00, third axis 0.02 to 0.87" in text(ax)
+    assert (
+        "crossbar -0.49 to 0.49, stem -1.00 to 1.00, third axis 0.02 to 0.87"
+        in text(ax)
+    )
 
 
 def test_the_film_has_L_and_omega_where_the_handle_is(motion):
@@ -71,7 +86,9 @@ def test_the_film_has_L_and_omega_where_the_handle_is(motion):
     momentum, omega = scene.arrows
     assert (momentum.name, omega.name) == ("L", "ω")
     tip = (omega.origin + omega.length)[100, 0]
-    assert tip == pytest.approx(motion.position[100] + omega.scale * motion.angular_velocity[100])
+    assert tip == pytest.approx(
+        motion.position[100] + omega.scale * motion.angular_velocity[100]
+    )
     assert np.ptp(momentum.length, axis=0) == pytest.approx(np.zeros((1, 3)))
     assert demos.tumbling_scene(motion, arrows=False).arrows == ()
 
@@ -86,7 +103,9 @@ def test_the_widget_starts_again_as_its_controls_say():
     assert not np.allclose(demo.viewer.plot.objects[0].model_matrix["100"], film)
     demo.axis.value = 1
     assert demo.picture == first
-    assert demo.tumble.moments[1] * 6.0 == pytest.approx(np.linalg.norm(demo.tumble.angular_momentum))
+    assert demo.tumble.moments[1] * 6.0 == pytest.approx(
+        np.linalg.norm(demo.tumble.angular_momentum)
+    )
     assert set(demo.values) == {"tilt", "spin", "axis"}
     bundle = demo._repr_mimebundle_()
     assert bundle["text/html"].count("<img") == 2 and bundle["text/plain"] == "[widget]"

@@ -17,7 +17,10 @@ def neighbours(value):
     return values
 
 
-@pytest.mark.parametrize("value", (0.125, 0.375, 2.5, 0.5, 1.0, 0.3, 1e3, 99.5, 12.5, 1e-3, 1e-4, 1e7, 3.5e8, -0.125))
+@pytest.mark.parametrize(
+    "value",
+    (0.125, 0.375, 2.5, 0.5, 1.0, 0.3, 1e3, 99.5, 12.5, 1e-3, 1e-4, 1e7, 3.5e8, -0.125),
+)
 @pytest.mark.parametrize("digits", (1, 2, 3, 6))
 def test_a_number_on_the_edge_of_rounding_shows_one_way(value, digits):
     assert len({show(v, digits) for v in neighbours(value)}) == 1

@@ -20,20 +20,34 @@ def no_figure_left():
 
 
 def a_work_precision():
-    method = Method("halving", lambda h: (1 + h, round(1 / h)), (0.5, 0.25, 0.125), "step")
-    return work_precision(Problem("a problem", lambda v: abs(v - 1), "m", "exactly 1"), [method], count_unit="steps")
+    method = Method(
+        "halving", lambda h: (1 + h, round(1 / h)), (0.5, 0.25, 0.125), "step"
+    )
+    return work_precision(
+        Problem("a problem", lambda v: abs(v - 1), "m", "exactly 1"),
+        [method],
+        count_unit="steps",
+    )
 
 
 DRAWN = {
     "impact": lambda ax: plots.impact(2.0, 1.0, -3.0, 1.0, 0.5, ax=ax),
-    "impact of bodies that part": lambda ax: plots.impact(2.0, 100.0, 3.0, 1.0, 0.5, ax=ax),
-    "ball_row": lambda ax: plots.ball_row({"before": (1.0, 0.0), "after": (0.0, 1.0)}, ax=ax),
+    "impact of bodies that part": lambda ax: plots.impact(
+        2.0, 100.0, 3.0, 1.0, 0.5, ax=ax
+    ),
+    "ball_row": lambda ax: plots.ball_row(
+        {"before": (1.0, 0.0), "after": (0.0, 1.0)}, ax=ax
+    ),
     "blocks_and_wall": lambda ax: plots.blocks_and_wall(ax=ax),
     "block_paths": lambda ax: plots.block_paths(two_blocks(100), ax=ax),
     "velocity_circle": lambda ax: plots.velocity_circle(two_blocks(100), ax=ax),
     "reflection": lambda ax: plots.reflection(20.0, -25.0, 0.8, ax=ax),
-    "stability_sweep": lambda ax: plots.stability_sweep([1, 2], [3, 4], threshold=1.5, labels=("a", "b", "c"), ax=ax),
-    "work_precision": lambda ax: plots.work_precision(a_work_precision(), by="count", tolerance=0.3, ax=ax),
+    "stability_sweep": lambda ax: plots.stability_sweep(
+        [1, 2], [3, 4], threshold=1.5, labels=("a", "b", "c"), ax=ax
+    ),
+    "work_precision": lambda ax: plots.work_precision(
+        a_work_precision(), by="count", tolerance=0.3, ax=ax
+    ),
 }
 
 
@@ -84,13 +98,20 @@ def test_a_demo_redraws_with_its_words_as_a_slider_moves(demo):
 
 def words_of_a_sweep(knob, measured, **options):
     labels = ("step [s]", "growth [-]", "A title")
-    return alternative_text(plots.stability_sweep(knob, measured, labels=labels, **options).figure)
+    return alternative_text(
+        plots.stability_sweep(knob, measured, labels=labels, **options).figure
+    )
 
 
 def test_a_sweep_is_told_at_its_ends_and_beside_its_threshold():
     x = np.array([0.0, 0.5, 1.5, 2.5, 3.0, 4.0])
     told = words_of_a_sweep(
-        x, x**2, predicted=x**2 + 1e-15, cure=0.5 + 0 * x, threshold=2.0, names=("plain", "x squared", "mended")
+        x,
+        x**2,
+        predicted=x**2 + 1e-15,
+        cure=0.5 + 0 * x,
+        threshold=2.0,
+        names=("plain", "x squared", "mended"),
     )
     assert told == (
         "A title: growth [-] over step [s]. The predicted threshold is 2, between 1.5 and 2.5. plain: below 1e-12 at "
@@ -107,7 +128,10 @@ def test_a_sweep_is_told_in_the_order_of_its_knob_and_where_it_peaks():
     assert "measured: 0.1 at 1, 0.3 at 3, 0.5 at 5." in told
     x = np.linspace(0.0, 1.0, 11)
     told = words_of_a_sweep(x, x * (1 - x) * np.where(x < 0.5, 1, -1), threshold=0.95)
-    assert "measured: below 1e-12 at 0, 0.24 at 0.4, -0.25 at 0.5, -0.09 at 0.9, below 1e-12 at 1." in told
+    assert (
+        "measured: below 1e-12 at 0, 0.24 at 0.4, -0.25 at 0.5, -0.09 at 0.9, below 1e-12 at 1."
+        in told
+    )
 
 
 @pytest.mark.parametrize(
@@ -115,16 +139,23 @@ def test_a_sweep_is_told_in_the_order_of_its_knob_and_where_it_peaks():
     [
         (0.5, "is 0.5, before the first point. measured: 1 at 1, 3 at 3."),
         (7.0, "is 7, past the last point. measured: 1 at 1, 3 at 3."),
-        (2.0, "is 2, between 1 and 3. measured: 1 at 1, 3 at 3."),      # the point on it is neither
+        (
+            2.0,
+            "is 2, between 1 and 3. measured: 1 at 1, 3 at 3.",
+        ),  # the point on it is neither
     ],
 )
 def test_a_threshold_outside_a_sweep_or_on_a_point_of_it(threshold, where):
-    assert words_of_a_sweep([1.0, 2.0, 3.0], [1.0, 2.0, 3.0], threshold=threshold).endswith(where)
+    assert words_of_a_sweep(
+        [1.0, 2.0, 3.0], [1.0, 2.0, 3.0], threshold=threshold
+    ).endswith(where)
 
 
 def test_a_sweep_with_gaps_says_so():
     nan = float("nan")
-    assert words_of_a_sweep([1, 2, 3], [nan, 5.0, 6.0]).endswith("measured: no value at 1, 5 at 2, 6 at 3.")
+    assert words_of_a_sweep([1, 2, 3], [nan, 5.0, 6.0]).endswith(
+        "measured: no value at 1, 5 at 2, 6 at 3."
+    )
     assert words_of_a_sweep([1, 2, 3], [nan] * 3).endswith(
         "measured: no value at 1, no value at 2, no value at 3."
     )

@@ -23,19 +23,32 @@ def text(ax):
 
 def test_turning_pair_tells_its_gaps():
     ax = plots.turning_pair(TurningPair(), (0.0, 0.14))
-    assert "0.250 m at 0 s" in text(ax) and f"{TurningPair().gap(0.14):.3f} m at 0.14 s" in text(ax)
+    assert "0.250 m at 0 s" in text(
+        ax
+    ) and f"{TurningPair().gap(0.14):.3f} m at 0.14 s" in text(ax)
     assert len(ax.patches) >= 4
 
 
 def test_later_gaps_stand_in_the_picture():
     ax = plots.turning_pair(TurningPair(), (0.0, 0.14))
-    assert f"d = {TurningPair().gap(0.14):.3f} m at 0.14 s" in [t.get_text() for t in ax.texts][2]
+    assert (
+        f"d = {TurningPair().gap(0.14):.3f} m at 0.14 s"
+        in [t.get_text() for t in ax.texts][2]
+    )
 
 
 def test_a_marked_point_and_the_opposite_one():
     ax = plots.marked_point(TurningPair(), -0.4)
-    drawn = [tuple(np.round(line.get_xydata()[0], 9)) for line in ax.lines if line.get_marker() == "o"]
-    assert drawn == [(1.0, 0.3), (1.0, 0.05), (-0.4, 0.05)]  # the corner, the point below it, the marked one
+    drawn = [
+        tuple(np.round(line.get_xydata()[0], 9))
+        for line in ax.lines
+        if line.get_marker() == "o"
+    ]
+    assert drawn == [
+        (1.0, 0.3),
+        (1.0, 0.05),
+        (-0.4, 0.05),
+    ]  # the corner, the point below it, the marked one
     assert "N_dot points to the left" in text(ax)
 
 
@@ -46,7 +59,11 @@ def test_ladder_tells_both_gaps():
 
 @pytest.mark.parametrize(
     ("motion", "rate"),
-    [((1.5, 0.5, 0.0, 0.0), "-1.70"), ((0.0, 0.0, 0.3, 0.0), "+0.30"), ((0.0, 0.0, 0.0, 0.3), "-0.30")],
+    [
+        ((1.5, 0.5, 0.0, 0.0), "-1.70"),
+        ((0.0, 0.0, 0.3, 0.0), "+0.30"),
+        ((0.0, 0.0, 0.0, 0.3), "-0.30"),
+    ],
 )
 def test_contributions_add_up(motion, rate):
     ax = plots.contact_velocities(*motion)
@@ -57,19 +74,29 @@ def test_contributions_add_up(motion, rate):
 
 def test_a_rigid_whole_keeps_its_gap():
     """Both turn at one rate about their own centres, and A rises as the whole would carry it: d_dot = 0."""
-    assert "in all +0.00" in text(plots.contact_velocities(1.0, 1.0, 1.8, 0.0, reach=1.8))
+    assert "in all +0.00" in text(
+        plots.contact_velocities(1.0, 1.0, 1.8, 0.0, reach=1.8)
+    )
 
 
 def test_difference_errors_show_every_stencil():
     pair, steps = TurningPair(), [1e-3, 1e-2]
     found = difference_errors([(FORWARD, pair.gap), (CENTRAL, pair.gap)], -1.7, steps)
-    ax = plots.difference_errors(found, formula=0.0, expected={"one-sided": steps, "central": steps})
-    assert len(ax.lines) == 5 and "one-sided, central" in text(ax) and "level line" in text(ax)
+    ax = plots.difference_errors(
+        found, formula=0.0, expected={"one-sided": steps, "central": steps}
+    )
+    assert (
+        len(ax.lines) == 5
+        and "one-sided, central" in text(ax)
+        and "level line" in text(ax)
+    )
 
 
 def test_passing_a_corner_draws_a_normal_at_every_place():
     ax = plots.passing_a_corner((0.3, 0.03))
-    assert len(ax.texts) == 22 and "at 0.3 m and at 0.03 m" in text(ax)  # annotations without text: arrows
+    assert len(ax.texts) == 22 and "at 0.3 m and at 0.03 m" in text(
+        ax
+    )  # annotations without text: arrows
 
 
 @pytest.mark.slow
@@ -88,11 +115,17 @@ def test_dome_tells_both_angles():
 def test_dome_looks_closer_where_the_printed_path_is_deepest_inside():
     scene = Dome()
     ax = plots.dome(scene)
-    times = np.linspace(0, 0.4, 4001)  # it comes out after 0.23 s, and meets the floor after 0.29 s
+    times = np.linspace(
+        0, 0.4, 4001
+    )  # it comes out after 0.23 s, and meets the floor after 0.29 s
     gaps = scene.gap(scene.leaving_angle_as_printed, times)
     deepest = int(np.argmin(gaps))
-    out = scene.flight(scene.leaving_angle_as_printed, times[deepest + np.argmax(gaps[deepest:] > 0)])
-    assert f"up to {-1000 * gaps[deepest]:.0f} mm deep" in text(ax) and f"z = {out[1]:.2f} m" in text(ax)
+    out = scene.flight(
+        scene.leaving_angle_as_printed, times[deepest + np.argmax(gaps[deepest:] > 0)]
+    )
+    assert f"up to {-1000 * gaps[deepest]:.0f} mm deep" in text(
+        ax
+    ) and f"z = {out[1]:.2f} m" in text(ax)
     (near,) = ax.child_axes
     y, z = scene.flight(scene.leaving_angle_as_printed, times[deepest])
     assert np.mean(near.get_xlim()) == pytest.approx(y, abs=1e-2)
@@ -121,11 +154,21 @@ def test_old_point_tells_both_gaps():
         assert f"{1000 * gap:.1f} mm" in text(ax)
     assert "sinks in" in ax.get_title(loc="left")
     lines = {str(line.get_label()): np.transpose(line.get_data()) for line in ax.lines}
-    (bar,) = (points for label, points in lines.items() if label.startswith("gap from the old point"))
-    for end, name in zip(bar, ("through the old point", "through the particle"), strict=True):
-        (helper,) = (points for label, points in lines.items() if label.startswith(name))
+    (bar,) = (
+        points
+        for label, points in lines.items()
+        if label.startswith("gap from the old point")
+    )
+    for end, name in zip(
+        bar, ("through the old point", "through the particle"), strict=True
+    ):
+        (helper,) = (
+            points for label, points in lines.items() if label.startswith(name)
+        )
         along, off = helper[1] - helper[0], end - helper[0]
-        assert abs(along[0] * off[1] - along[1] * off[0]) < 1e-9  # the end lies on its helper line
+        assert (
+            abs(along[0] * off[1] - along[1] * off[0]) < 1e-9
+        )  # the end lies on its helper line
     assert "lets it go" in plots.old_point(60.0, 0.05).get_title(loc="left")
 
 
@@ -133,7 +176,10 @@ def test_bias_terms_add_up():
     scene = moving_contact("face_b")
     contacts = scene.contacts(scene.bodies)
     ax = plots.bias_terms(
-        separation_acceleration_terms(scene.bodies, contacts, scene.force, scene.torque), ["one"]
+        separation_acceleration_terms(
+            scene.bodies, contacts, scene.force, scene.torque
+        ),
+        ["one"],
     )
     heights = [bar.get_height() for bar in ax.patches]
     assert len(heights) == 6 and sum(heights[:5]) == pytest.approx(heights[5])

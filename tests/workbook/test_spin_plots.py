@@ -23,10 +23,31 @@ def text(ax):
 @pytest.mark.parametrize(
     ("angle", "restitution", "place", "told"),
     [
-        (0.0, 1.0, 1.0, ("0.250 kg", "0.500 N s", "-0.50 m/s upward", "3.00 rad/s, anticlockwise", "100 percent")),
-        (0.0, 1.0, 0.0, ("1.000 kg", "2.000 N s", "+1.00 m/s upward", "0.00 rad/s;", "100 percent")),
+        (
+            0.0,
+            1.0,
+            1.0,
+            (
+                "0.250 kg",
+                "0.500 N s",
+                "-0.50 m/s upward",
+                "3.00 rad/s, anticlockwise",
+                "100 percent",
+            ),
+        ),
+        (
+            0.0,
+            1.0,
+            0.0,
+            ("1.000 kg", "2.000 N s", "+1.00 m/s upward", "0.00 rad/s;", "100 percent"),
+        ),
         (90.0, 0.0, 1.0, ("1.000 kg", "1.000 N s", "0.00 rad/s;", "; 0 percent")),
-        (0.0, 0.0, -1.0, ("0.250 kg", "0.250 N s", "1.50 rad/s, clockwise", "75 percent")),
+        (
+            0.0,
+            0.0,
+            -1.0,
+            ("0.250 kg", "0.250 N s", "1.50 rad/s, clockwise", "75 percent"),
+        ),
     ],
 )
 def test_a_rod_tells_what_happens_to_it(angle, restitution, place, told):
@@ -42,17 +63,26 @@ def test_the_question_gives_both_impulses():
 
 
 def test_impulses_over_the_angle():
-    ax = plots.rod_impulses([0, 90], [0.5, 2.0], {"measured": ([0, 45], [0.5, 0.8])}, without_spin=2.0)
+    ax = plots.rod_impulses(
+        [0, 90], [0.5, 2.0], {"measured": ([0, 45], [0.5, 0.8])}, without_spin=2.0
+    )
     assert "measured: 0.500 N s at 0 degrees, 0.800 at 45" in text(ax)
-    assert [line.get_label() for line in ax.lines][-1] == "measured" and len(ax.lines) == 4
+    assert [line.get_label() for line in ax.lines][-1] == "measured" and len(
+        ax.lines
+    ) == 4
 
 
 def test_a_box_has_its_corners_speeds():
     box, corners = box_on_corners()
-    after = {law: resolve_collisions(box, corners, 0.5, law=law) for law in ("simultaneous", "reflection")}
+    after = {
+        law: resolve_collisions(box, corners, 0.5, law=law)
+        for law in ("simultaneous", "reflection")
+    }
     ax = plots.box_outcomes(box, corners.point, after)
     assert len(ax.get_figure().axes) == 3
-    assert "before: -1.00, -1.00, -1.00, -1.00 m/s" in text(ax) and "reflection: 0.50, 0.50, 0.50, 0.50 m/s" in text(ax)
+    assert "before: -1.00, -1.00, -1.00, -1.00 m/s" in text(
+        ax
+    ) and "reflection: 0.50, 0.50, 0.50, 0.50 m/s" in text(ax)
     assert "-0.00" not in text(ax)
     written = [t.get_text() for t in ax.get_figure().axes[1].texts]
     assert written == ["1: +0.50", "2: +0.50", "3: +0.50", "4: +0.50"]
@@ -61,20 +91,30 @@ def test_a_box_has_its_corners_speeds():
 def test_spins_are_drawn_one_an_order():
     box, corners = box_on_corners()
     orders = [(0, 1, 2, 3), (3, 2, 1, 0), (0, 2, 1, 3)]
-    ax = plots.spins_by_order(outcomes_by_order(box, corners, 1.0, orders), {"at once": np.zeros(3)})
-    assert len(ax.lines[0].get_xdata()) == 3 and "3 orders: 3 different outcomes" in text(ax)
+    ax = plots.spins_by_order(
+        outcomes_by_order(box, corners, 1.0, orders), {"at once": np.zeros(3)}
+    )
+    assert len(
+        ax.lines[0].get_xdata()
+    ) == 3 and "3 orders: 3 different outcomes" in text(ax)
     assert "at once: 0.00 rad/s" in text(ax) and not ax.texts
 
 
 def test_orders_with_one_outcome_are_counted():
     box, corners = box_on_corners()
-    same = outcomes_by_order(box, corners, 1.0, [(0, 1, 2, 3), (3, 2, 1, 0), (0, 1, 2, 3)])
+    same = outcomes_by_order(
+        box, corners, 1.0, [(0, 1, 2, 3), (3, 2, 1, 0), (0, 1, 2, 3)]
+    )
     ax = plots.spins_by_order(same, {})
-    assert [t.get_text() for t in ax.texts] == ["2 orders"] and "2 different outcomes" in text(ax)
+    assert [t.get_text() for t in ax.texts] == [
+        "2 orders"
+    ] and "2 different outcomes" in text(ax)
 
 
 def test_pegs_mark_the_threshold():
-    ax = plots.spin_by_pegs([0.1, 0.3], {"left": [1.0, -0.2], "right": [-1.0, 0.2]}, [0.0, 0.0], 0.289)
+    ax = plots.spin_by_pegs(
+        [0.1, 0.3], {"left": [1.0, -0.2], "right": [-1.0, 0.2]}, [0.0, 0.0], 0.289
+    )
     assert "up to 1.00 rad/s" in text(ax) and "0.289 m" in text(ax)
 
 
@@ -82,4 +122,8 @@ def test_the_face_shows_where_spin_does_not_matter():
     x, y = np.linspace(-1, 1, 21), np.linspace(-1, 1, 11)
     ax = plots.mass_over_face(x, y, 1 / (1 + x**2 + y[:, None] ** 2))
     assert "0.33 at the corners" in text(ax)
-    assert [t.get_text() for t in ax.get_legend().get_texts()] == ["1 % too large", "10 % too large", "50 % too large"]
+    assert [t.get_text() for t in ax.get_legend().get_texts()] == [
+        "1 % too large",
+        "10 % too large",
+        "50 % too large",
+    ]

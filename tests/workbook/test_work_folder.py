@@ -9,7 +9,13 @@ from pathlib import Path
 import pytest
 
 from course.workbook import work_folder
-from course.workbook.work_folder import RECORD, create_exclusively, find_lesson, lesson_files, open_lesson
+from course.workbook.work_folder import (
+    RECORD,
+    create_exclusively,
+    find_lesson,
+    lesson_files,
+    open_lesson,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -28,7 +34,11 @@ def write(root, name, text):
 
 
 def files(root):
-    return {path.name: path.read_text() for path in (root / "work").iterdir() if path.name != RECORD}
+    return {
+        path.name: path.read_text()
+        for path in (root / "work").iterdir()
+        if path.name != RECORD
+    }
 
 
 def test_lessons_are_those_with_a_number(root):
@@ -71,7 +81,10 @@ def test_a_changed_lesson_is_laid_beside_once(root):
     opened = open_lesson("10", root)
     assert opened.path.read_text() == "my answers"
     assert opened.newer == root / "work" / "10-impulse (new 2).ipynb"
-    assert "has changed since you started it" in opened.message and "(new 2)" in opened.message
+    assert (
+        "has changed since you started it" in opened.message
+        and "(new 2)" in opened.message
+    )
     assert open_lesson("10", root).newer is None
     opened.newer.write_text("begun as well")
     write(root, "10-impulse", "third version\n")
@@ -82,9 +95,9 @@ def test_a_changed_lesson_is_laid_beside_once(root):
 
 def test_only_a_lesson_that_changed_counts(root):
     open_lesson("10", root).path.write_text("mine")
-    os.utime(root / "lessons" / "10-impulse.ipynb", (2e9, 2e9))      # a newer date
+    os.utime(root / "lessons" / "10-impulse.ipynb", (2e9, 2e9))  # a newer date
     assert open_lesson("10", root).newer is None
-    write(root, "10-impulse", "first version\r\n")                   # another checkout's line endings
+    write(root, "10-impulse", "first version\r\n")  # another checkout's line endings
     assert open_lesson("10", root).newer is None
     write(root, "00-start-here", "another lesson")
     assert open_lesson("10", root).newer is None
@@ -93,7 +106,7 @@ def test_only_a_lesson_that_changed_counts(root):
 def test_a_lesson_changed_back_is_not_offered_again(root):
     open_lesson("10", root)
     write(root, "10-impulse", "second version\n")
-    open_lesson("10", root).newer.unlink()                           # the student does not want it
+    open_lesson("10", root).newer.unlink()  # the student does not want it
     assert open_lesson("10", root).newer is None
     write(root, "10-impulse", "first version\n")
     assert open_lesson("10", root).newer is None
@@ -106,7 +119,9 @@ def test_a_deleted_copy_is_made_anew(root):
 
 def test_a_copy_of_unknown_origin_is_kept_and_the_lesson_laid_beside(root):
     (root / "work").mkdir()
-    (root / "work" / "10-impulse.ipynb").write_text("brought along from another machine")
+    (root / "work" / "10-impulse.ipynb").write_text(
+        "brought along from another machine"
+    )
     opened = open_lesson("10", root)
     assert opened.path.read_text() == "brought along from another machine"
     assert opened.newer.read_text() == "first version\n"
@@ -150,16 +165,24 @@ def test_saved_between_the_look_and_the_copy_it_is_not_overwritten(root, monkeyp
 @pytest.mark.parametrize("links", [True, False], ids=["hard links", "no hard links"])
 def test_exclusive_creation(tmp_path, monkeypatch, links):
     if not links:
-        monkeypatch.setattr(os, "link", lambda *names: (_ for _ in ()).throw(PermissionError("no links here")))
+        monkeypatch.setattr(
+            os,
+            "link",
+            lambda *names: (_ for _ in ()).throw(PermissionError("no links here")),
+        )
     target = tmp_path / "a"
     assert create_exclusively(target, b"first") is True
     assert create_exclusively(target, b"second") is False
     assert target.read_bytes() == b"first"
-    assert [path.name for path in tmp_path.iterdir()] == ["a"]       # no leftovers
+    assert [path.name for path in tmp_path.iterdir()] == ["a"]  # no leftovers
 
 
 def test_a_full_disk_leaves_nothing_half_written(tmp_path, monkeypatch):
-    monkeypatch.setattr(os, "fsync", lambda number: (_ for _ in ()).throw(OSError(28, "No space left on device")))
+    monkeypatch.setattr(
+        os,
+        "fsync",
+        lambda number: (_ for _ in ()).throw(OSError(28, "No space left on device")),
+    )
     with pytest.raises(OSError, match="No space"):
         create_exclusively(tmp_path / "a", b"first")
     assert list(tmp_path.iterdir()) == []
@@ -191,7 +214,9 @@ def test_a_copy_may_be_written_as_any_file_of_the_student(root):
 
 
 def test_git_ignores_the_place_to_work():
-    if subprocess.run(["git", "rev-parse"], cwd=ROOT, capture_output=True, check=False).returncode:
+    if subprocess.run(
+        ["git", "rev-parse"], cwd=ROOT, capture_output=True, check=False
+    ).returncode:
         pytest.skip("no git checkout")
     ignored = subprocess.run(["git", "check-ignore", "work/10-impulse.ipynb", f"work/{RECORD}"], cwd=ROOT,
                              capture_output=True, text=True, check=False)  # fmt: skip

@@ -35,7 +35,12 @@ class Settled:
 
 
 def settle(
-    system: UnitSystem, force: Array, pushing: BoolArray, *, tolerance: float, sets: int = SETS
+    system: UnitSystem,
+    force: Array,
+    pushing: BoolArray,
+    *,
+    tolerance: float,
+    sets: int = SETS,
 ) -> Settled:
     """Forces on the set S, and on the sets that follow from it while they get better.
 
@@ -59,7 +64,10 @@ def settle(
         if kept.residual < best.residual:
             best = Settled(kept.unit_force, kept.residual, count)
         push, motion = system.tried(force).rows
-        pulls, approaches = pushing & (push < -0.1 * tolerance), ~pushing & (motion < -0.1 * tolerance)
+        pulls, approaches = (
+            pushing & (push < -0.1 * tolerance),
+            ~pushing & (motion < -0.1 * tolerance),
+        )
         wrong = int(np.count_nonzero(pulls | approaches))
         solved = kept.residual <= tolerance and kept.approach == 0
         if solved or not wrong or wrong > 0.7 * wrong_before:

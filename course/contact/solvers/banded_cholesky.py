@@ -28,7 +28,10 @@ class BandedCholesky:
     def __init__(self, pattern: Any) -> None:
         row, column = pattern.nonzero()
         ranked = [(order, np.argsort(order)) for order in _orders(pattern)]
-        widths = [int(np.max(np.abs(rank[row] - rank[column]), initial=0)) for _, rank in ranked]
+        widths = [
+            int(np.max(np.abs(rank[row] - rank[column]), initial=0))
+            for _, rank in ranked
+        ]
         self.width = min(widths)
         self.order, self.rank = ranked[widths.index(self.width)]
         self.seconds = A_PRODUCT * self.order.size * (self.width + WIDER) ** 2
@@ -55,7 +58,9 @@ class BandedCholesky:
         storage[:, 0] += 1.0
         self._cholesky, info = dpbtrf(storage.T, lower=1, overwrite_ab=1)
         if info:
-            raise np.linalg.LinAlgError(f"not positive definite to rounding at pivot {info}")
+            raise np.linalg.LinAlgError(
+                f"not positive definite to rounding at pivot {info}"
+            )
 
     def solve(self, q: Array) -> Array:
         """L L' x = q, in this order."""

@@ -55,7 +55,9 @@ class Pivoted:
     iterations: Any
 
 
-def block_pivot(matrix: Array, bias: Array, *, max_iterations: int | None = None) -> Pivoted:
+def block_pivot(
+    matrix: Array, bias: Array, *, max_iterations: int | None = None
+) -> Pivoted:
     """Contact forces of s systems of c contacts.
 
     Args:
@@ -69,8 +71,14 @@ def block_pivot(matrix: Array, bias: Array, *, max_iterations: int | None = None
     systems, count = bias.shape
     limit = 2 * count + 20 if max_iterations is None else max_iterations
     force, product, size = np.zeros((3, count, systems))
-    found = Pivoted(force.T, product.T, size.T, np.zeros(systems), np.zeros(systems, dtype=np.intp))
-    state = _State(np.einsum("sii->is", matrix) > 0, np.full(systems, count + 1), np.full(systems, PATIENCE))
+    found = Pivoted(
+        force.T, product.T, size.T, np.zeros(systems), np.zeros(systems, dtype=np.intp)
+    )
+    state = _State(
+        np.einsum("sii->is", matrix) > 0,
+        np.full(systems, count + 1),
+        np.full(systems, PATIENCE),
+    )
     block, round_ = max(256, BLOCK // max(count * count, 1)), 0
     todo = np.arange(systems)
     while round_ < limit and todo.size >= max(8, count**3 // 100):
@@ -82,8 +90,14 @@ def block_pivot(matrix: Array, bias: Array, *, max_iterations: int | None = None
     again = ~(found.residual <= EXACT)
     again[todo] = True
     for k in again.nonzero()[0]:
-        one = block_pivot_one(matrix[k], bias[k], pushing=state.pushing[:, k], max_iterations=limit)
-        found.force[k], found.product[k], found.size[k] = one.force, one.product, one.size
+        one = block_pivot_one(
+            matrix[k], bias[k], pushing=state.pushing[:, k], max_iterations=limit
+        )
+        found.force[k], found.product[k], found.size[k] = (
+            one.force,
+            one.product,
+            one.size,
+        )
         found.residual[k], found.iterations[k] = one.residual, round_ + one.iterations
     return found
 
@@ -98,13 +112,24 @@ class _State:
 
 
 def _round(
-    matrix: Array, bias: Array, index: IntArray, state: _State, found: Pivoted, round_: int
+    matrix: Array,
+    bias: Array,
+    index: IntArray,
+    state: _State,
+    found: Pivoted,
+    round_: int,
 ) -> IntArray:
     """One round of the systems of the index; which of them go on, with what is found for the others."""
     # Indices without a gap, as in the first round, are read and written as a slice: that is faster.
-    where = slice(index[0], index[-1] + 1) if index[-1] - index[0] == index.size - 1 else index
+    where = (
+        slice(index[0], index[-1] + 1)
+        if index[-1] - index[0] == index.size - 1
+        else index
+    )
     a, b = matrix[where].transpose(1, 2, 0).copy(), bias[where].T.copy()
-    scale = 1.0 / np.sqrt(np.where((diagonal := np.einsum("iis->is", a)) > 0, diagonal, np.inf))
+    scale = 1.0 / np.sqrt(
+        np.where((diagonal := np.einsum("iis->is", a)) > 0, diagonal, np.inf)
+    )
     if round_ == 2:
         state.pushing[:, where] = _swept(a, b, scale)
     s = state.pushing[:, where]
@@ -115,7 +140,9 @@ def _round(
         unit -= solve(on * (_times(a, scale * unit) + b))
     force = scale * unit
     product = _times(a, force)
-    least = -WRONG * (np.abs(unit).sum(axis=0) + np.abs(unit_b).max(axis=0, initial=0.0))
+    least = -WRONG * (
+        np.abs(unit).sum(axis=0) + np.abs(unit_b).max(axis=0, initial=0.0)
+    )
     wrong = np.where(s, unit, scale * product + unit_b) < least
     going = wrong.any(axis=0)
     if np.any(clipped := (force < 0).any(axis=0) & ~going):
@@ -123,11 +150,17 @@ def _round(
         product[:, clipped] = _times(a[:, :, clipped], force[:, clipped])
     size = _times(np.abs(a, out=a), force)
     # What goes on is found anew, in a later round.
-    found.force.T[:, where], found.product.T[:, where], found.size.T[:, where] = force, product, size
+    found.force.T[:, where], found.product.T[:, where], found.size.T[:, where] = (
+        force,
+        product,
+        size,
+    )
     rows = scaled_rows(diagonal, product, size, force, b, axis=0)
     found.residual[where] = np.abs(np.minimum(*rows)).max(axis=0, initial=0.0)
     found.iterations[where] = round_
-    return _exchange(state, index[going], wrong[:, going]) if np.any(going) else index[:0]
+    return (
+        _exchange(state, index[going], wrong[:, going]) if np.any(going) else index[:0]
+    )
 
 
 def _times(a: Array, x: Array) -> Array:
@@ -148,7 +181,9 @@ def _exchange(state: _State, index: IntArray, wrong: BoolArray) -> IntArray:
     """The next guess of these systems, where these contacts are wrong; returns the index."""
     number = np.count_nonzero(wrong, axis=0)
     fewer = number < state.fewest[index]
-    state.patience[index] = patience = np.where(fewer, PATIENCE, state.patience[index] - 1)
+    state.patience[index] = patience = np.where(
+        fewer, PATIENCE, state.patience[index] - 1
+    )
     state.fewest[index] = np.where(fewer, number, state.fewest[index])
     stuck = np.flatnonzero(patience < 0)
     last = wrong.shape[0] - 1 - np.argmax(wrong[::-1, stuck], axis=0)
@@ -186,7 +221,11 @@ def _elimination(a: Array, on: Array, pushing: BoolArray) -> Callable[[Array], A
 
 
 def block_pivot_one(
-    matrix: Array, bias: Array, *, pushing: BoolArray | None = None, max_iterations: int | None = None
+    matrix: Array,
+    bias: Array,
+    *,
+    pushing: BoolArray | None = None,
+    max_iterations: int | None = None,
 ) -> Pivoted:
     """Contact forces of one system of c contacts, by LAPACK.
 
@@ -215,7 +254,9 @@ def block_pivot_one(
         number = int(np.count_nonzero(wrong))
         if not number:
             break
-        fewest, patience = (number, PATIENCE) if number < fewest else (fewest, patience - 1)
+        fewest, patience = (
+            (number, PATIENCE) if number < fewest else (fewest, patience - 1)
+        )
         if patience < 0:
             wrong[: wrong.nonzero()[0][-1]] = False
         pushing ^= wrong
@@ -240,7 +281,9 @@ def _on_set(a: Array, b: Array, pushing: BoolArray) -> tuple[Array, Array, float
     for left in range(REFINEMENTS[1], -1, -1):
         motion, total = columns @ on + b, float(np.abs(on).sum())
         missing = motion[s]
-        if not left or float(np.abs(missing).max()) <= min(REFINED[0] * (total + 1.0), REFINED[1]):
+        if not left or float(np.abs(missing).max()) <= min(
+            REFINED[0] * (total + 1.0), REFINED[1]
+        ):
             break
         on -= dpotrs(factor, missing, lower=1)[0]
     force = np.zeros(b.size)

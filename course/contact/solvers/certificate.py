@@ -21,7 +21,12 @@ DROPS = 4
 
 
 def certificate(
-    matrix: Any, bias: Array, guess: Array | None = None, *, search: bool = True, factor: Any = None
+    matrix: Any,
+    bias: Array,
+    guess: Array | None = None,
+    *,
+    search: bool = True,
+    factor: Any = None,
 ) -> Array | None:
     """y >= 0 with A y = 0 and b.y < 0, if there is one: then no f >= 0 has A f + b >= 0.
 
@@ -99,7 +104,9 @@ def _null_part(rows: Any, y: Array) -> Array:
 
     if y.size > DENSE:
         for _ in range(2):
-            change = lsmr(rows, rows @ y, atol=1e-15, btol=1e-15, conlim=0, maxiter=4000)[0]
+            change = lsmr(
+                rows, rows @ y, atol=1e-15, btol=1e-15, conlim=0, maxiter=4000
+            )[0]
             y = y - change
         return y
     if not rows.nnz:
@@ -112,7 +119,9 @@ def _null_part(rows: Any, y: Array) -> Array:
 def _proves(rows: Any, b: Array, y: Array) -> bool:
     if not np.all(y >= 0) or not np.any(y):
         return False
-    still = np.all(np.abs(rows @ y) <= ZERO * len(b) ** 0.5 * (abs(rows) @ y) + ZERO * y.max())
+    still = np.all(
+        np.abs(rows @ y) <= ZERO * len(b) ** 0.5 * (abs(rows) @ y) + ZERO * y.max()
+    )
     return bool(still and b @ y < -BELOW * (np.abs(b) @ y))
 
 
@@ -125,8 +134,13 @@ def _vertex(rows: Any, b: Array) -> Array | None:
         return None
     every = vstack([rows, csr_array(b[None] / size)])
     target = np.append(np.zeros(rows.shape[0]), -1.0)
-    options = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
-    found = linprog(np.ones(b.size), A_eq=every, b_eq=target, method="highs", options=options)
+    options = {
+        "primal_feasibility_tolerance": 1e-10,
+        "dual_feasibility_tolerance": 1e-10,
+    }
+    found = linprog(
+        np.ones(b.size), A_eq=every, b_eq=target, method="highs", options=options
+    )
     if found.x is None:
         return None
     y = np.maximum(found.x, 0.0)

@@ -66,7 +66,11 @@ class _Iterate:
 
 
 def solve_gauss(
-    system: UnitSystem, *, tolerance: float = 1e-10, max_iterations: int = 100, largest: float = np.inf
+    system: UnitSystem,
+    *,
+    tolerance: float = 1e-10,
+    max_iterations: int = 100,
+    largest: float = np.inf,
 ) -> InteriorPoint:
     """Contact forces of a system whose A has a positive diagonal.
 
@@ -98,7 +102,9 @@ def solve_gauss(
             if approach == 0 or patience < 0:
                 break
         undecided = _undecided(at)
-        clear = undecided <= UNDECIDED * len(system) and undecided <= 0.5 * undecided_then
+        clear = (
+            undecided <= UNDECIDED * len(system) and undecided <= 0.5 * undecided_then
+        )
         if clear or count - tried >= PATIENCE:
             undecided_then, tried = min(undecided, undecided_then), count
             found = settle(system, at.f, at.f > at.w, tolerance=tolerance)
@@ -124,7 +130,9 @@ def _start(system: UnitSystem) -> _Iterate:
     f = f + max(-1.5 * float(f.min()), 0.0)
     w = w + max(-1.5 * float(w.min()), 0.0)
     product = float(f @ w)
-    return _Iterate(f + 0.5 * product / float(w.sum()), w + 0.5 * product / float(f.sum()))
+    return _Iterate(
+        f + 0.5 * product / float(w.sum()), w + 0.5 * product / float(f.sum())
+    )
 
 
 def _step(now: Trial, at: _Iterate) -> _Iterate:
@@ -152,7 +160,9 @@ def _step(now: Trial, at: _Iterate) -> _Iterate:
     if length < 1.0 - LONGER:
         aim = min(1.0, max(1.5 * length, length + 0.3))
         ahead = (f + aim * df) * (w + aim * dw)
-        more = np.maximum(np.clip(ahead, 0.1 * target, 10 * target) - ahead, -10 * target)
+        more = np.maximum(
+            np.clip(ahead, 0.1 * target, 10 * target) - ahead, -10 * target
+        )
         df_2, dw_2 = direction(product + more)
         if (length_2 := _length(at, df_2, dw_2)) > length + LONGER:
             df, dw, length = df_2, dw_2, length_2
@@ -175,5 +185,8 @@ def _undecided(at: _Iterate) -> int:
 def _sane(at: _Iterate) -> bool:
     """False once the forces have run away (no solution) or rounding has spoilt them."""
     return bool(
-        np.all(np.isfinite(at.f)) and np.all(np.isfinite(at.w)) and np.all(at.f > 0) and np.all(at.w > 0)
+        np.all(np.isfinite(at.f))
+        and np.all(np.isfinite(at.w))
+        and np.all(at.f > 0)
+        and np.all(at.w > 0)
     )

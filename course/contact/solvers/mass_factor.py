@@ -28,19 +28,28 @@ def mass_factor(system: Any) -> Any:
     entries = csr_array(system.inverse_mass).tocoo()
     n = system.inverse_mass.shape[0] // 6
     if np.any(entries.row // 6 != entries.col // 6):
-        raise failure("system.inverse_mass", "blocks of 6 x 6, body by body", "entries between two bodies")
+        raise failure(
+            "system.inverse_mass",
+            "blocks of 6 x 6, body by body",
+            "entries between two bodies",
+        )
     blocks = np.zeros((n, 6, 6))
-    np.add.at(blocks, (entries.row // 6, entries.row % 6, entries.col % 6), entries.data)
+    np.add.at(
+        blocks, (entries.row // 6, entries.row % 6, entries.col % 6), entries.data
+    )
     root, free = np.zeros_like(blocks), np.einsum("nii->ni", blocks).any(axis=1)
     try:
         root[free] = np.linalg.cholesky(blocks[free])
     except np.linalg.LinAlgError:
         raise failure(
-            "system.inverse_mass", "positive definite blocks, or zero for a fixed body", "another"
+            "system.inverse_mass",
+            "positive definite blocks, or zero for a fixed body",
+            "another",
         ) from None
     body, row, column = np.nonzero(root)
     sparse_root = csr_array(
-        (root[body, row, column], (6 * body + row, 6 * body + column)), shape=(6 * n, 6 * n)
+        (root[body, row, column], (6 * body + row, 6 * body + column)),
+        shape=(6 * n, 6 * n),
     )
     factor = csr_array(csr_array(system.jacobian) @ sparse_root)
     largest = (

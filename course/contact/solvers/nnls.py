@@ -83,13 +83,19 @@ def _bounded(factor: Array, target: Array, first: Array | None) -> Array:
     """SciPy's other solver for the same problem, where its nnls has failed; the better of the two."""
     from scipy.optimize import lsq_linear
 
-    other = np.maximum(lsq_linear(factor, target, bounds=(0, np.inf), method="bvls", tol=1e-15).x, 0.0)
-    if first is None or _off_optimum(factor, target, other) < _off_optimum(factor, target, first):
+    other = np.maximum(
+        lsq_linear(factor, target, bounds=(0, np.inf), method="bvls", tol=1e-15).x, 0.0
+    )
+    if first is None or _off_optimum(factor, target, other) < _off_optimum(
+        factor, target, first
+    ):
         return other
     return first
 
 
-def solve_nnls(matrix: ArrayLike, bias: ArrayLike, *, factor: ArrayLike | None = None) -> NonNegativeSolution:
+def solve_nnls(
+    matrix: ArrayLike, bias: ArrayLike, *, factor: ArrayLike | None = None
+) -> NonNegativeSolution:
     """A force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
 
     With A = G'G, and b = -G't for some t, f is the non-negative least squares
@@ -125,7 +131,9 @@ def solve_nnls(matrix: ArrayLike, bias: ArrayLike, *, factor: ArrayLike | None =
         force, certificate = _least_distance(g, b)
         if certificate is not None:
             zero = np.zeros(b.shape)
-            return NonNegativeSolution(zero, float(complementarity_residual(a, zero, b)), certificate)
+            return NonNegativeSolution(
+                zero, float(complementarity_residual(a, zero, b)), certificate
+            )
     force, residual = _polished(a, b, force)
     return NonNegativeSolution(force, residual)
 
@@ -133,16 +141,22 @@ def solve_nnls(matrix: ArrayLike, bias: ArrayLike, *, factor: ArrayLike | None =
 def _factor(a: Array) -> Array:
     """G with G'G = A, from the eigenvectors; rounding noise below the rank is left out."""
     if np.max(np.abs(a - a.T)) > 1e-9 * np.max(np.abs(a)):
-        raise failure("matrix", "a symmetric matrix", f"asymmetry {np.max(np.abs(a - a.T))!r}")
+        raise failure(
+            "matrix", "a symmetric matrix", f"asymmetry {np.max(np.abs(a - a.T))!r}"
+        )
     # With a diagonal of ones first, so that noise is small beside every
     # contact, not only beside the one of the lightest bodies.
     size = np.sqrt(np.maximum(np.diagonal(a), 0.0))
-    unit = np.divide(a, size[:, None] * size, out=np.zeros(a.shape), where=(size[:, None] * size) > 0)
+    unit = np.divide(
+        a, size[:, None] * size, out=np.zeros(a.shape), where=(size[:, None] * size) > 0
+    )
     values, columns = np.linalg.eigh(unit)
     off_diagonal = np.abs(a[size == 0]).max(initial=0.0)
     if values[0] < -1e-9 or off_diagonal > 0:
         raise failure(
-            "matrix", "a positive semidefinite matrix", f"least eigenvalue {np.linalg.eigvalsh(a)[0]!r}"
+            "matrix",
+            "a positive semidefinite matrix",
+            f"least eigenvalue {np.linalg.eigvalsh(a)[0]!r}",
         )
     kept = values > a.shape[0] * np.finfo(float).eps * max(values[-1], 0.0)
     return np.sqrt(values[kept])[:, None] * columns[:, kept].T * size

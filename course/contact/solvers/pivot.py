@@ -30,7 +30,9 @@ class PivotSolution:
     certificate: Array | None = None
 
 
-def solve_pivot(matrix: ArrayLike, bias: ArrayLike, *, max_pivots: int | None = None) -> PivotSolution:
+def solve_pivot(
+    matrix: ArrayLike, bias: ArrayLike, *, max_pivots: int | None = None
+) -> PivotSolution:
     """A force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
 
     D. Baraff, "Fast contact force computation for nonpenetrating rigid
@@ -66,10 +68,16 @@ def solve_pivot(matrix: ArrayLike, bias: ArrayLike, *, max_pivots: int | None = 
     for contact in np.argsort(b * scale, kind="stable"):
         ray = tableau.settle(int(contact), limit)
         if ray is not None:
-            return PivotSolution(np.maximum(tableau.f, 0) * scale, tableau.pivots, False, ray * scale)
+            return PivotSolution(
+                np.maximum(tableau.f, 0) * scale, tableau.pivots, False, ray * scale
+            )
         if tableau.pivots >= limit:
-            return PivotSolution(np.maximum(tableau.f, 0) * scale, tableau.pivots, False)
-    return PivotSolution(np.maximum(tableau.refined(), 0.0) * scale, tableau.pivots, True)
+            return PivotSolution(
+                np.maximum(tableau.f, 0) * scale, tableau.pivots, False
+            )
+    return PivotSolution(
+        np.maximum(tableau.refined(), 0.0) * scale, tableau.pivots, True
+    )
 
 
 class _Tableau:
@@ -90,7 +98,9 @@ class _Tableau:
         """Raise the force at d until w_d is 0; the certificate if nothing stops it."""
         self.dealt_with[d] = True
         size, still = float(np.abs(self.b).max()), 0
-        while not self.pushing[d] and self.w[d] < -ROUNDING * (size + float(self.f.max())):
+        while not self.pushing[d] and self.w[d] < -ROUNDING * (
+            size + float(self.f.max())
+        ):
             if self.pivots >= limit:
                 return None
             change = self.answer[:, d].copy()
@@ -108,16 +118,24 @@ class _Tableau:
             self._exchange(d)
         return None
 
-    def _first_to_stop(self, d: int, change: Array, by_index: bool) -> tuple[float, int | None]:
+    def _first_to_stop(
+        self, d: int, change: Array, by_index: bool
+    ) -> tuple[float, int | None]:
         """How far the force at d may grow, and whose f or w is 0 then."""
         least = ROUNDING * max(1.0, float(np.abs(change).max()))
         room = np.where(self.pushing, self.f, self.w)
-        falls = (change < -least) & self.dealt_with & (self.pushing | (self.answer.diagonal() > ROUNDING))
+        falls = (
+            (change < -least)
+            & self.dealt_with
+            & (self.pushing | (self.answer.diagonal() > ROUNDING))
+        )
         falls[d] = change[d] > least
         who = np.flatnonzero(falls)
         if not who.size:
             return 0.0, None
-        steps = np.maximum(np.where(who == d, -room[who], room[who]) / np.abs(change[who]), 0.0)
+        steps = np.maximum(
+            np.where(who == d, -room[who], room[who]) / np.abs(change[who]), 0.0
+        )
         step = float(steps.min())
         tied = who[steps <= step * (1 + 1e-12)]
         # Of those that stop it together the largest pivot is the safest, the
@@ -147,5 +165,8 @@ class _Tableau:
         w = self.a[s] @ self.f + self.b[s]
         better = self.f.copy()
         better[s] -= np.linalg.lstsq(self.a[np.ix_(s, s)], w, rcond=1e-12)[0]
-        worst = [float(np.abs(np.minimum(f, self.a @ f + self.b)).max()) for f in (self.f, better)]
+        worst = [
+            float(np.abs(np.minimum(f, self.a @ f + self.b)).max())
+            for f in (self.f, better)
+        ]
         return better if worst[1] < worst[0] else self.f

@@ -7,7 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, IntArray, failure, scalar, scalars, shaped, whole_number
+from course.arrays import (
+    Array,
+    ArrayLike,
+    IntArray,
+    failure,
+    scalar,
+    scalars,
+    shaped,
+    whole_number,
+)
 from course.contact.solvers.residual import scaled_rows
 
 #: Up to this many contacts the rows of a colour are kept dense.
@@ -84,7 +93,9 @@ class _Sweeps:
     def __init__(self, matrix: Any, bias: Array) -> None:
         from scipy.sparse import csr_array, issparse
 
-        self.matrix: Any = csr_array(matrix) if issparse(matrix) else scalars("matrix", matrix)
+        self.matrix: Any = (
+            csr_array(matrix) if issparse(matrix) else scalars("matrix", matrix)
+        )
         self.bias, self.diagonal = bias, self.matrix.diagonal()
         self._magnitude = abs(self.matrix)
         self._colours = []
@@ -102,7 +113,9 @@ class _Sweeps:
         return f
 
     def residual(self, f: Array) -> float:
-        rows = scaled_rows(self.diagonal, self.matrix @ f, self._magnitude @ f, f, self.bias)
+        rows = scaled_rows(
+            self.diagonal, self.matrix @ f, self._magnitude @ f, f, self.bias
+        )
         return float(np.abs(np.minimum(*rows)).max(initial=0.0))
 
 

@@ -11,7 +11,11 @@ from course.arrays import Array
 
 
 def solve_qp(
-    matrix: Any, bias: Array, *, tolerance: float = 1e-10, max_iterations: int | None = None
+    matrix: Any,
+    bias: Array,
+    *,
+    tolerance: float = 1e-10,
+    max_iterations: int | None = None,
 ) -> tuple[Array | None, int]:
     """Minimise f'A f/2 + b.f subject to f >= 0, by Clarabel through CVXPY.
 
@@ -39,10 +43,16 @@ def solve_qp(
     limit = 200 if max_iterations is None else max_iterations
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # "may be inaccurate": the residual says how much
+            warnings.simplefilter(
+                "ignore", UserWarning
+            )  # "may be inaccurate": the residual says how much
             problem.solve(solver=cp.CLARABEL, max_iter=limit, max_threads=1, **options)
     except cp.error.SolverError:
         return None, limit
     stats = problem.solver_stats
-    count = int(stats.num_iters) if stats is not None and stats.num_iters is not None else limit
+    count = (
+        int(stats.num_iters)
+        if stats is not None and stats.num_iters is not None
+        else limit
+    )
     return (None if f.value is None else np.asarray(f.value, dtype=float)), count

@@ -51,18 +51,28 @@ def products(matrix: Any, force: Array) -> tuple[Array, Array]:
     magnitude = np.abs(force)
     if matrix.ndim == 2 and force.ndim == 1:
         return matrix @ force, abs(matrix) @ magnitude
-    return np.einsum("...ij,...j->...i", matrix, force), np.einsum("...ij,...j->...i", abs(matrix), magnitude)
+    return np.einsum("...ij,...j->...i", matrix, force), np.einsum(
+        "...ij,...j->...i", abs(matrix), magnitude
+    )
 
 
-def residual_of(diagonal: Array, product: Array, size: Array, force: Array, bias: Array) -> Array:
+def residual_of(
+    diagonal: Array, product: Array, size: Array, force: Array, bias: Array
+) -> Array:
     """``complementarity_residual`` from D, A f, |A| |f|, f and b; nothing is checked."""
-    return np.abs(np.minimum(*scaled_rows(diagonal, product, size, force, bias))).max(axis=-1, initial=0.0)[
-        ()
-    ]
+    return np.abs(np.minimum(*scaled_rows(diagonal, product, size, force, bias))).max(
+        axis=-1, initial=0.0
+    )[()]
 
 
 def scaled_rows(
-    diagonal: Array, product: Array, size: Array, force: Array, bias: Array, *, axis: int = -1
+    diagonal: Array,
+    product: Array,
+    size: Array,
+    force: Array,
+    bias: Array,
+    *,
+    axis: int = -1,
 ) -> tuple[Array, Array]:
     """D f and w, each row divided by its scale (0 where that is 0); the residual is max |min of both|.
 
@@ -73,7 +83,9 @@ def scaled_rows(
     return diagonal * force / scale, (product + bias) / scale
 
 
-def runs_away(product: Array, size: Array, bias: Array, largest: Array | None = None) -> BoolArray:
+def runs_away(
+    product: Array, size: Array, bias: Array, largest: Array | None = None
+) -> BoolArray:
     """Which contacts approach by more than rounding, whatever the residual says.
 
     Where no force exists, forces may grow until the residual, which is

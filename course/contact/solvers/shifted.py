@@ -138,7 +138,10 @@ def _without_empty_columns(rows: Any) -> Any:
     used = np.zeros(rows.shape[1], dtype=bool)
     used[rows.indices] = True
     number = np.cumsum(used) - 1
-    return csr_array((rows.data, number[rows.indices], rows.indptr), shape=(rows.shape[0], int(used.sum())))
+    return csr_array(
+        (rows.data, number[rows.indices], rows.indptr),
+        shape=(rows.shape[0], int(used.sum())),
+    )
 
 
 class ShiftedDense:
@@ -155,7 +158,9 @@ class ShiftedDense:
 
         self._used = np.flatnonzero(theta)
         self._root = np.sqrt(theta[self._used])
-        small = self._matrix[np.ix_(self._used, self._used)] * (self._root[:, None] * self._root)
+        small = self._matrix[np.ix_(self._used, self._used)] * (
+            self._root[:, None] * self._root
+        )
         small[np.diag_indices_from(small)] += 1.0
         self._cholesky, info = dpotrf(small.T, lower=1, overwrite_a=1, clean=0)
         _check(info)
@@ -165,7 +170,10 @@ class ShiftedDense:
 
         x = np.zeros(q.size)
         if self._used.size:
-            x[self._used] = self._root * dpotrs(self._cholesky, self._root * q[self._used], lower=1)[0]
+            x[self._used] = (
+                self._root
+                * dpotrs(self._cholesky, self._root * q[self._used], lower=1)[0]
+            )
         return x
 
 
@@ -179,7 +187,11 @@ class ShiftedByForces:
         entries = self._matrix.tocoo()
         row, column = cholesky.rank[entries.row], cholesky.rank[entries.col]
         lower = row >= column
-        self._row, self._column, self._value = row[lower], column[lower], entries.data[lower]
+        self._row, self._column, self._value = (
+            row[lower],
+            column[lower],
+            entries.data[lower],
+        )
         self._place = cholesky.place(self._row, self._column)
 
     def times(self, x: Array) -> Array:
@@ -192,7 +204,9 @@ class ShiftedByForces:
 
     def solve(self, q: Array) -> Array:
         x = np.empty(q.size)
-        x[self._cholesky.order] = self._root * self._cholesky.solve(self._root * q[self._cholesky.order])
+        x[self._cholesky.order] = self._root * self._cholesky.solve(
+            self._root * q[self._cholesky.order]
+        )
         return x
 
 
@@ -203,7 +217,8 @@ class ShiftedByAccelerations:
         from scipy.sparse import csr_array
 
         self._rows = csr_array(
-            (rows.data.copy(), cholesky.rank[rows.indices], rows.indptr.copy()), shape=rows.shape
+            (rows.data.copy(), cholesky.rank[rows.indices], rows.indptr.copy()),
+            shape=rows.shape,
         )
         self._rows.sort_indices()
         self._columns = csr_array(self._rows.T)
@@ -212,9 +227,15 @@ class ShiftedByAccelerations:
         # they go, are the same for every theta: one sparse matrix times theta.
         begin = self._rows.indptr[:-1]
         contact = np.repeat(np.arange(begin.size), np.diff(self._rows.indptr))
-        pairs = np.arange(1, contact.size + 1) - begin[contact]  # an entry with those before it in its row, and itself
+        pairs = (
+            np.arange(1, contact.size + 1) - begin[contact]
+        )  # an entry with those before it in its row, and itself
         first = np.repeat(np.arange(contact.size), pairs)
-        second = np.arange(first.size) - np.repeat(np.cumsum(pairs) - pairs, pairs) + begin[contact[first]]
+        second = (
+            np.arange(first.size)
+            - np.repeat(np.cumsum(pairs) - pairs, pairs)
+            + begin[contact[first]]
+        )
         place = cholesky.place(self._rows.indices[first], self._rows.indices[second])
         products = self._rows.data[first] * self._rows.data[second]
         used = np.zeros(cholesky.size, dtype=bool)
@@ -223,7 +244,9 @@ class ShiftedByAccelerations:
         number = np.empty(cholesky.size, dtype=np.intp)
         number[self._place] = np.arange(self._place.size)
         shape = (self._place.size, begin.size)
-        self._products = csr_array((products, (number[place], contact[first])), shape=shape)
+        self._products = csr_array(
+            (products, (number[place], contact[first])), shape=shape
+        )
 
     def times(self, x: Array) -> Array:
         return self._rows @ (self._columns @ x)
@@ -234,9 +257,13 @@ class ShiftedByAccelerations:
 
     def solve(self, q: Array) -> Array:
         pushed = self._theta * q
-        return pushed - self._theta * (self._rows @ self._cholesky.solve(self._columns @ pushed))
+        return pushed - self._theta * (
+            self._rows @ self._cholesky.solve(self._columns @ pushed)
+        )
 
 
 def _check(info: int) -> None:
     if info:
-        raise np.linalg.LinAlgError(f"not positive definite to rounding at pivot {info}")
+        raise np.linalg.LinAlgError(
+            f"not positive definite to rounding at pivot {info}"
+        )

@@ -34,7 +34,9 @@ class SparseCholesky:
 
     def __init__(self, pattern: Any) -> None:
         nodes = _supernodes(pattern)
-        self.seconds = sum(_seconds(node.columns.size, node.rows.size) for node in nodes)
+        self.seconds = sum(
+            _seconds(node.columns.size, node.rows.size) for node in nodes
+        )
         self.order: IntArray = np.concatenate([node.columns for node in nodes])
         self.rank = np.empty_like(self.order)
         self.rank[self.order] = np.arange(self.order.size)
@@ -42,7 +44,9 @@ class SparseCholesky:
         self._first = np.cumsum(self._width) - self._width
         self._node = np.repeat(np.arange(len(nodes)), self._width)
         self._rows = [
-            np.concatenate([first + np.arange(node.columns.size), np.sort(self.rank[node.rows])])
+            np.concatenate(
+                [first + np.arange(node.columns.size), np.sort(self.rank[node.rows])]
+            )
             for first, node in zip(self._first, nodes, strict=True)
         ]
         self._height = height = np.array([rows.size for rows in self._rows])
@@ -78,7 +82,9 @@ class SparseCholesky:
 
         if self._panels is None:
             self._panels = [self._panel(k) for k in range(self._width.size)]
-            self._diagonal = self.place(np.arange(self.order.size), np.arange(self.order.size))
+            self._diagonal = self.place(
+                np.arange(self.order.size), np.arange(self.order.size)
+            )
         numbers = self._storage
         numbers[:] = 0
         numbers[place] = values
@@ -86,10 +92,20 @@ class SparseCholesky:
         for panel in self._panels:
             info = dpotrf(panel.square, lower=1, clean=0, overwrite_a=1)[1]
             if info:
-                raise np.linalg.LinAlgError(f"not positive definite to rounding at pivot {panel.first + info}")
+                raise np.linalg.LinAlgError(
+                    f"not positive definite to rounding at pivot {panel.first + info}"
+                )
             if panel.rows.size:
                 # From the right: from the left takes twice as long.
-                dtrsm(1.0, panel.square, panel.below, side=1, lower=1, trans_a=1, overwrite_b=1)
+                dtrsm(
+                    1.0,
+                    panel.square,
+                    panel.below,
+                    side=1,
+                    lower=1,
+                    trans_a=1,
+                    overwrite_b=1,
+                )
                 products = dsyrk(1.0, panel.below, lower=1)
                 numbers[panel.target] -= products.T.ravel()[panel.source]
 
@@ -100,7 +116,9 @@ class SparseCholesky:
         assert self._panels is not None, "factor comes first"
         x = q.copy()
         for panel in self._panels:
-            own = x[panel.first : panel.end] = dtrsv(panel.square, x[panel.first : panel.end], lower=1)
+            own = x[panel.first : panel.end] = dtrsv(
+                panel.square, x[panel.first : panel.end], lower=1
+            )
             if panel.rows.size:
                 x[panel.rows] -= panel.below @ own
         for panel in reversed(self._panels):
@@ -111,7 +129,12 @@ class SparseCholesky:
         return x
 
     def _panel(self, k: int) -> _Panel:
-        first, width, height, start = self._first[k], self._width[k], self._height[k], self._start[k]
+        first, width, height, start = (
+            self._first[k],
+            self._width[k],
+            self._height[k],
+            self._start[k],
+        )
         middle, end = start + width * width, start + height * width
         rows, target, source = self._rows[k][width:], [], []
         node, number = self._node[rows], np.arange(rows.size)
@@ -201,7 +224,10 @@ def _eliminated(pattern: Any) -> tuple[IntArray, Any]:
     matrix.data[:] = -1.0
     matrix = (matrix + diags_array(2.0 + np.diff(matrix.indptr))).tocsc()
     found = splu(
-        matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+        matrix,
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
     )
     lower = tril(found.L, -1, format="csc")
     lower.sort_indices()

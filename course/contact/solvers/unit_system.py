@@ -23,7 +23,9 @@ class UnitSystem:
         factor: None, or what gives a sparse (c, m) with A = factor factor', such as J M^-1/2, if it is needed.
     """
 
-    def __init__(self, matrix: Any, bias: Array, factor: Callable[[], Any] | None = None) -> None:
+    def __init__(
+        self, matrix: Any, bias: Array, factor: Callable[[], Any] | None = None
+    ) -> None:
         self.matrix, self.bias, self._factor = matrix, bias, factor
         self.diagonal: Array = matrix.diagonal()
         self.root = np.sqrt(self.diagonal)
@@ -42,7 +44,9 @@ class UnitSystem:
         a = _scaled(self.matrix, inverse)
         a.data *= inverse[a.indices]
         factor = self._factor
-        return shifted(a, None if factor is None else lambda: _scaled(factor(), inverse))
+        return shifted(
+            a, None if factor is None else lambda: _scaled(factor(), inverse)
+        )
 
     def force(self, unit_force: Array) -> Array:
         """f of the system it came from."""

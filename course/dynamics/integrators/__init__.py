@@ -3,7 +3,12 @@
 from course.dynamics.integrators.advance import advance
 from course.dynamics.integrators.motion import Wrench, uniform_gravity
 from course.dynamics.integrators.reference import dop853, reference_motion
-from course.dynamics.integrators.runge_kutta import explicit_euler, midpoint, rk4, symplectic_euler
+from course.dynamics.integrators.runge_kutta import (
+    explicit_euler,
+    midpoint,
+    rk4,
+    symplectic_euler,
+)
 from course.dynamics.integrators.splitting_method import splitting
 
 __all__ = [

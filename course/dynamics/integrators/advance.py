@@ -37,7 +37,11 @@ def advance(
     """
     h, start = step_and_time(step, time)
     steps = whole_number("count", count)
-    if method is splitting and wrench is None and set(options) <= {"order", "velocity_dependent"}:
+    if (
+        method is splitting
+        and wrench is None
+        and set(options) <= {"order", "velocity_dependent"}
+    ):
         return free_flight(bodies, h, steps, order=options.get("order", 2))
     for k in range(steps):
         bodies = method(bodies, wrench, h, time=start + k * h, **options)

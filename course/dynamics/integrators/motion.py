@@ -41,7 +41,9 @@ class PrincipalFrames:
     axes: Array | None
 
 
-_known_frames: dict[tuple[int, int], tuple[weakref.ref[Any], weakref.ref[Any], PrincipalFrames]] = {}
+_known_frames: dict[
+    tuple[int, int], tuple[weakref.ref[Any], weakref.ref[Any], PrincipalFrames]
+] = {}
 
 
 def principal_frames(bodies: Bodies) -> PrincipalFrames:
@@ -116,7 +118,10 @@ class Motion:
     def angular_velocity(self) -> Array:
         """omega = R I^-1 R' L, worked out in the principal axes, (3, n)."""
         q = self.principal_orientation
-        return rotated(q, self.frames.inverse_moments * rotated(conjugated(q), self.angular_momentum))
+        return rotated(
+            q,
+            self.frames.inverse_moments * rotated(conjugated(q), self.angular_momentum),
+        )
 
     def turned(self, rotation_vector: Array) -> Array:
         """The orientations turned by a rotation vector in world axes, exp(theta/2) q, (4, n)."""
@@ -130,7 +135,9 @@ class Motion:
         answer = wrench(self.to_bodies(), time)
         if not isinstance(answer, tuple) or len(answer) != 2:
             raise failure("wrench", "a pair (force, torque)", f"{answer!r:.60}")
-        return self._checked("wrench force", answer[0]), self._checked("wrench torque", answer[1])
+        return self._checked("wrench force", answer[0]), self._checked(
+            "wrench torque", answer[1]
+        )
 
     def _checked(self, name: str, value: Any) -> Array:
         try:
@@ -138,7 +145,9 @@ class Motion:
         except (TypeError, ValueError):
             raise failure(name, "real numbers", f"{value!r:.60}") from None
         if array.shape != self.bodies.position.shape:
-            raise failure(name, f"shape {self.bodies.position.shape}", f"shape {array.shape}")
+            raise failure(
+                name, f"shape {self.bodies.position.shape}", f"shape {array.shape}"
+            )
         if self.fixed is not None:
             array = np.where(self.fixed[:, None], 0.0, array)
         if not np.isfinite(array).all():

@@ -36,7 +36,9 @@ def dop853(
         RuntimeError: SciPy gave up.
     """
     h, t = step_and_time(step, time)
-    return reference_motion(bodies, wrench, [t + h], time=t, relative_tolerance=relative_tolerance)[0]
+    return reference_motion(
+        bodies, wrench, [t + h], time=t, relative_tolerance=relative_tolerance
+    )[0]
 
 
 def reference_motion(
@@ -60,10 +62,16 @@ def reference_motion(
         raise failure("times", "shape (t,) with at least one", f"shape {at.shape}")
     direction = np.diff(np.concatenate([[start], at]))
     if not (np.all(direction >= 0) or np.all(direction <= 0)):
-        raise failure("times", "times one after the other in one direction from time", f"{at!r:.60}")
+        raise failure(
+            "times",
+            "times one after the other in one direction from time",
+            f"{at!r:.60}",
+        )
     tolerance = scalar("relative_tolerance", relative_tolerance)
     if not 1e-13 <= tolerance < 1:
-        raise failure("relative_tolerance", "a number from 1e-13 to below 1", repr(tolerance))
+        raise failure(
+            "relative_tolerance", "a number from 1e-13 to below 1", repr(tolerance)
+        )
     motion, reached, states = Motion.of(bodies), start, []
     for end in at:
         if end != reached and len(bodies):
@@ -92,7 +100,12 @@ def _scales(motion: Motion) -> tuple[Array, Array]:
 
 def _packed(motion: Motion) -> Array:
     mass, moment = _scales(motion)
-    rows = (motion.position, motion.orientation, motion.momentum / mass, motion.angular_momentum / moment)
+    rows = (
+        motion.position,
+        motion.orientation,
+        motion.momentum / mass,
+        motion.angular_momentum / moment,
+    )
     return np.concatenate(rows).ravel()
 
 
@@ -102,7 +115,10 @@ def _unpacked(motion: Motion, y: Array) -> Motion:
     if motion.fixed is not None:
         q = np.where(motion.fixed, motion.orientation, q)
     return motion.moved(
-        position=y[:3].copy(), orientation=q, momentum=y[7:10] * mass, angular_momentum=y[10:] * moment
+        position=y[:3].copy(),
+        orientation=q,
+        momentum=y[7:10] * mass,
+        angular_momentum=y[10:] * moment,
     )
 
 

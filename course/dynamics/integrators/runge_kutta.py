@@ -22,7 +22,9 @@ from course.dynamics.integrators.components import cross
 from course.dynamics.integrators.motion import Motion, Wrench, step_and_time
 
 
-def explicit_euler(bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0) -> Bodies:
+def explicit_euler(
+    bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0
+) -> Bodies:
     """One step of explicit Euler: everything from the rates at the start, order 1.
 
     x' = x + h v, p' = p + h F, L' = L + h tau, q' = exp(h omega / 2) q
@@ -44,7 +46,9 @@ def explicit_euler(bodies: Bodies, wrench: Wrench | None, step: float, *, time: 
     return _runge_kutta(bodies, wrench, step, time, (), (1.0,))
 
 
-def symplectic_euler(bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0) -> Bodies:
+def symplectic_euler(
+    bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0
+) -> Bodies:
     """One step of symplectic Euler: momenta first, then positions with the new momenta, order 1.
 
     p' = p + h F, L' = L + h tau, x' = x + h v', q' = exp(h omega' / 2) q with
@@ -59,7 +63,8 @@ def symplectic_euler(bodies: Bodies, wrench: Wrench | None, step: float, *, time
     start = Motion.of(bodies)
     force, torque = start.wrench(wrench, t)
     kicked = start.moved(
-        momentum=start.momentum + h * force, angular_momentum=start.angular_momentum + h * torque
+        momentum=start.momentum + h * force,
+        angular_momentum=start.angular_momentum + h * torque,
     )
     return kicked.moved(
         position=start.position + h * kicked.velocity,
@@ -67,7 +72,9 @@ def symplectic_euler(bodies: Bodies, wrench: Wrench | None, step: float, *, time
     ).to_bodies()
 
 
-def midpoint(bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0) -> Bodies:
+def midpoint(
+    bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0
+) -> Bodies:
     """One step of the explicit midpoint method: the rates half a step on, order 2.
 
     On an oscillator its energy grows by the factor 1 + (h w)^4 / 4 a step
@@ -79,7 +86,9 @@ def midpoint(bodies: Bodies, wrench: Wrench | None, step: float, *, time: float 
     return _runge_kutta(bodies, wrench, step, time, (0.5,), (0.0, 1.0))
 
 
-def rk4(bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0) -> Bodies:
+def rk4(
+    bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0
+) -> Bodies:
     """One step of the classical Runge-Kutta method, order 4.
 
     On an oscillator its energy changes by the factor
@@ -89,7 +98,9 @@ def rk4(bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0
 
     Arguments, result and errors as in ``explicit_euler``.
     """
-    return _runge_kutta(bodies, wrench, step, time, (0.5, 0.5, 1.0), (1 / 6, 1 / 3, 1 / 3, 1 / 6))
+    return _runge_kutta(
+        bodies, wrench, step, time, (0.5, 0.5, 1.0), (1 / 6, 1 / 3, 1 / 3, 1 / 6)
+    )
 
 
 def _runge_kutta(
@@ -108,7 +119,10 @@ def _runge_kutta(
         reached, theta = _along(start, slopes[-1], node * h)
         slopes.append(_slopes(start, reached, theta, wrench, t + node * h))
     used = [(w, s) for w, s in zip(weights, slopes, strict=True) if w]
-    mean = tuple(sum((w * s[i] for w, s in used[1:]), used[0][0] * used[0][1][i]) for i in range(4))
+    mean = tuple(
+        sum((w * s[i] for w, s in used[1:]), used[0][0] * used[0][1][i])
+        for i in range(4)
+    )
     return _along(start, mean, h)[0].to_bodies()
 
 
@@ -124,7 +138,9 @@ def _slopes(
     return here.velocity, rate, force, torque
 
 
-def _along(start: Motion, slopes: tuple[Array, ...], span: float) -> tuple[Motion, Array]:
+def _along(
+    start: Motion, slopes: tuple[Array, ...], span: float
+) -> tuple[Motion, Array]:
     velocity, rate, force, torque = slopes
     theta = span * rate
     reached = start.moved(

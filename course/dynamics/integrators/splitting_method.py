@@ -26,8 +26,19 @@ import numpy as np
 
 from course.arrays import Array, failure
 from course.dynamics.bodies import Bodies
-from course.dynamics.integrators.components import conjugated, multiplied, normalized, rotated, turn_about
-from course.dynamics.integrators.motion import Motion, PrincipalFrames, Wrench, step_and_time
+from course.dynamics.integrators.components import (
+    conjugated,
+    multiplied,
+    normalized,
+    rotated,
+    turn_about,
+)
+from course.dynamics.integrators.motion import (
+    Motion,
+    PrincipalFrames,
+    Wrench,
+    step_and_time,
+)
 
 
 def _chain(outer: Sequence[float], inner: Sequence[float]) -> tuple[float, ...]:
@@ -53,8 +64,20 @@ _CHAINS = {
         (0.209515106613362, -0.143851773179818, 0.434336666566456),
     ),
     6: _chain(
-        (0.0502627644003922, 0.413514300428344, 0.0450798897943977, -0.188054853819569, 0.541960678450780),
-        (0.148816447901042, -0.132385865767784, 0.067307604692185, 0.432666402578175, -0.016404589403618),
+        (
+            0.0502627644003922,
+            0.413514300428344,
+            0.0450798897943977,
+            -0.188054853819569,
+            0.541960678450780,
+        ),
+        (
+            0.148816447901042,
+            -0.132385865767784,
+            0.067307604692185,
+            0.432666402578175,
+            -0.016404589403618,
+        ),
     ),
     8: _of_steps(
         (
@@ -116,7 +139,9 @@ def splitting(
     motion, chain, before = Motion.of(bodies), _chain_of(order), 0.0
     for first, second in zip(chain[::2], chain[1::2], strict=True):
         # Free motion since the last kick: the end of one link and the beginning of the next.
-        turns = [turn for turn in ((0, before), (2, before + first), (0, first)) if turn[1]]
+        turns = [
+            turn for turn in ((0, before), (2, before + first), (0, first)) if turn[1]
+        ]
         motion = _free(motion, [(turns, before + first)], h)
         t += (before + first) * h
         motion = _kicked(motion, wrench, (first + second) * h, t, velocity_dependent)
@@ -127,27 +152,38 @@ def splitting(
 def free_flight(bodies: Bodies, step: float, count: int, *, order: int = 2) -> Bodies:
     """``count`` steps of ``splitting`` without a wrench, but for rounding; block after block of bodies."""
     chain, motion = _chain_of(order), Motion.of(bodies)
-    rounds = [(_turns(chain * size), float(size)) for size in (_ROUND, count % _ROUND) if size]
+    rounds = [
+        (_turns(chain * size), float(size)) for size in (_ROUND, count % _ROUND) if size
+    ]
     whole = [rounds[0]] * (count // _ROUND) + rounds[1:]
     return _free(motion, whole, step).to_bodies()
 
 
 def _chain_of(order: int) -> tuple[float, ...]:
     if isinstance(order, bool) or order not in _CHAINS:
-        raise failure("order", "one of " + ", ".join(map(str, _CHAINS)), f"{order!r:.60}")
+        raise failure(
+            "order", "one of " + ", ".join(map(str, _CHAINS)), f"{order!r:.60}"
+        )
     return _CHAINS[order]
 
 
 def _turns(chain: Sequence[float]) -> list[Turn]:
     """The turns of a step without kicks: axis 3 and axis 1 by turns, neighbours joined."""
-    joined = [chain[0], *(a + b for a, b in zip(chain, chain[1:], strict=False)), chain[-1]]
+    joined = [
+        chain[0],
+        *(a + b for a, b in zip(chain, chain[1:], strict=False)),
+        chain[-1],
+    ]
     return [(0 if i % 2 else 2, part) for i, part in enumerate(joined)]
 
 
-def _kicked(motion: Motion, wrench: Wrench, span: float, time: float, velocity_dependent: bool) -> Motion:
+def _kicked(
+    motion: Motion, wrench: Wrench, span: float, time: float, velocity_dependent: bool
+) -> Motion:
     def pushed(by: float) -> Motion:
         return motion.moved(
-            momentum=motion.momentum + by * force, angular_momentum=motion.angular_momentum + by * torque
+            momentum=motion.momentum + by * force,
+            angular_momentum=motion.angular_momentum + by * torque,
         )
 
     force, torque = motion.wrench(wrench, time)
@@ -156,13 +192,17 @@ def _kicked(motion: Motion, wrench: Wrench, span: float, time: float, velocity_d
     return pushed(span)
 
 
-def _free(motion: Motion, rounds: Sequence[tuple[Sequence[Turn], float]], step: float) -> Motion:
+def _free(
+    motion: Motion, rounds: Sequence[tuple[Sequence[Turn], float]], step: float
+) -> Motion:
     """Free motion in rounds of turns; each has its length in steps."""
     q, frames = np.empty(motion.orientation.shape), motion.frames
     for first in range(0, len(motion.bodies), _BLOCK):
         here = slice(first, first + _BLOCK)
         axes = None if frames.axes is None else frames.axes[:, here]
-        block = PrincipalFrames(frames.inverse_moments[:, here], frames.moments[:, here], axes)
+        block = PrincipalFrames(
+            frames.inverse_moments[:, here], frames.moments[:, here], axes
+        )
         block_q, block_l = motion.orientation[:, here], motion.angular_momentum[:, here]
         for turns, length in rounds:
             block_q = _turned(block_q, block_l, block, turns, length * step, step)
@@ -170,7 +210,9 @@ def _free(motion: Motion, rounds: Sequence[tuple[Sequence[Turn], float]], step: 
     if motion.fixed is not None:
         q = np.where(motion.fixed, motion.orientation, q)
     span = step * sum(length for _, length in rounds)
-    return motion.moved(position=motion.position + span * motion.velocity, orientation=q)
+    return motion.moved(
+        position=motion.position + span * motion.velocity, orientation=q
+    )
 
 
 def _turned(
@@ -189,10 +231,14 @@ def _turned(
     for axis, part in turns:
         _turn_evenly(axis, part * half_rates[axis], body, q, work)
     q = multiplied(turn_about(momentum * (span * inverse[1])), q)
-    return normalized(q if frames.axes is None else multiplied(q, conjugated(frames.axes)))
+    return normalized(
+        q if frames.axes is None else multiplied(q, conjugated(frames.axes))
+    )
 
 
-def _turn_evenly(axis: int, half_rate: Array, body: Array, q: Array, work: Array) -> None:
+def _turn_evenly(
+    axis: int, half_rate: Array, body: Array, q: Array, work: Array
+) -> None:
     """Turn bodies about one of their axes by 2 half_rate l_axis, in place; body is l, work is room for (4, n).
 
     The quaternion is multiplied by (tan(angle/2) e, 1): one trigonometric

@@ -7,7 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from course.exercises.definition import Case, Exercise, Lesson, Mistake, Prediction, Value
+from course.exercises.definition import (
+    Case,
+    Exercise,
+    Lesson,
+    Mistake,
+    Prediction,
+    Value,
+)
 
 
 def _vectors(rng: np.random.Generator) -> Sequence[Case]:
@@ -16,15 +23,26 @@ def _vectors(rng: np.random.Generator) -> Sequence[Case]:
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
         return {"velocity": rng.normal(size=(*shape, 3)).round(3), "normal": normal}
 
-    floor = {"velocity": np.array([1.0, 2.0, -3.0]), "normal": np.array([0.0, 0.0, 1.0])}
+    floor = {
+        "velocity": np.array([1.0, 2.0, -3.0]),
+        "normal": np.array([0.0, 0.0, 1.0]),
+    }
     return [
         Case("a box that falls and slides", floor),
         Case("a slanted floor", draw()),
         Case("four boxes", draw(4), "batch"),
         Case("three boxes, as many as a vector has components", draw(3), "batch"),
         Case("a 2 by 5 batch", draw(2, 5), "batch"),
-        Case("four boxes on one floor", {**draw(4), "normal": np.array([0.0, 0.6, 0.8])}, "batch"),
-        Case("sliding along the floor", {**floor, "velocity": np.array([1.0, 2.0, 0.0])}, "edge"),
+        Case(
+            "four boxes on one floor",
+            {**draw(4), "normal": np.array([0.0, 0.6, 0.8])},
+            "batch",
+        ),
+        Case(
+            "sliding along the floor",
+            {**floor, "velocity": np.array([1.0, 2.0, 0.0])},
+            "edge",
+        ),
     ]
 
 
@@ -38,7 +56,9 @@ SPEED_ALONG = Exercise(
         Value("velocity", "(..., 3)", "m/s", "velocities"),
         Value("normal", "(..., 3)", "", "unit vectors out of the floor"),
     ),
-    results=(Value("speed_along", "(...)", "m/s", "v.n: above 0 leaving, below 0 coming"),),
+    results=(
+        Value("speed_along", "(...)", "m/s", "v.n: above 0 leaving, below 0 coming"),
+    ),
     reference=lambda velocity, normal: np.sum(velocity * normal, axis=-1),
     cases=_vectors,
     mistakes=(
@@ -60,7 +80,9 @@ SPEED_ALONG = Exercise(
         ),
         Mistake(
             "length",
-            lambda velocity, normal: np.linalg.norm(velocity, axis=-1) + 0 * np.sum(normal, axis=-1),
+            lambda velocity, normal: (
+                np.linalg.norm(velocity, axis=-1) + 0 * np.sum(normal, axis=-1)
+            ),
             "This is the whole speed |v|. Asked is the part of it along the normal, which has a sign.",
         ),
         Mistake(

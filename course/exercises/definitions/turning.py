@@ -10,7 +10,9 @@ from typing import Any
 
 import numpy as np
 
-_WHOLE = np.array([(1, 2, 2, 4), (2, 1, 4, 2), (4, 2, 1, 2), (2, 4, 2, 1), (2, 2, 4, 1), (4, 1, 2, 2)])
+_WHOLE = np.array(
+    [(1, 2, 2, 4), (2, 1, 4, 2), (4, 2, 1, 2), (2, 4, 2, 1), (2, 2, 4, 1), (4, 1, 2, 2)]
+)
 
 
 def rotation_matrices(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
@@ -32,20 +34,30 @@ def inertias(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
     """Symmetric, two decimals, unlike moments of 1.3 to 3.7 and products that are not zero."""
     upper = np.triu(rng.uniform(0.1, 0.3, (*shape, 3, 3)), 1).round(2)
     second = (np.array([1.8, 0.9, 0.4]) + rng.uniform(0.0, 0.5, (*shape, 3))).round(2)
-    return (upper + np.swapaxes(upper, -1, -2) + _moments(second)[..., None] * np.eye(3)).round(2)
+    return (
+        upper + np.swapaxes(upper, -1, -2) + _moments(second)[..., None] * np.eye(3)
+    ).round(2)
 
 
 def inverse_moments(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
     """1/I about three principal axes, two decimals, from about 0.5 to 2 and all unlike."""
-    return np.asarray(np.round(1 / _moments(rng.uniform([0.1, 0.4, 0.8], [0.2, 0.6, 1.2], (*shape, 3))), 2))
+    return np.asarray(
+        np.round(
+            1 / _moments(rng.uniform([0.1, 0.4, 0.8], [0.2, 0.6, 1.2], (*shape, 3))), 2
+        )
+    )
 
 
 def _moments(second: np.ndarray) -> np.ndarray:
     return np.asarray(second.sum(axis=-1, keepdims=True) - second)
 
 
-def drawn_vectors(rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0) -> np.ndarray:
-    return (size * rng.uniform(0.3, 1.5, (*shape, 3)) * rng.choice([-1, 1], (*shape, 3))).round(2)
+def drawn_vectors(
+    rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0
+) -> np.ndarray:
+    return (
+        size * rng.uniform(0.3, 1.5, (*shape, 3)) * rng.choice([-1, 1], (*shape, 3))
+    ).round(2)
 
 
 def times(matrix: Any, vector: Any) -> np.ndarray:
@@ -70,5 +82,11 @@ def exponential(theta: Any) -> np.ndarray:
     angle = np.linalg.norm(theta, axis=-1)[..., None, None]
     x, y, z = np.moveaxis(theta, -1, 0)
     none = np.zeros(x.shape)
-    cross = np.moveaxis(np.array([[none, -z, y], [z, none, -x], [-y, x, none]]), (0, 1), (-2, -1))
-    return np.eye(3) + np.sinc(angle / np.pi) * cross + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * cross @ cross
+    cross = np.moveaxis(
+        np.array([[none, -z, y], [z, none, -x], [-y, x, none]]), (0, 1), (-2, -1)
+    )
+    return (
+        np.eye(3)
+        + np.sinc(angle / np.pi) * cross
+        + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * cross @ cross
+    )

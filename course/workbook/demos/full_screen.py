@@ -12,14 +12,24 @@ import nbformat
 
 from course.workbook.demos.registry import Demo, find_demo
 
-SHARE = Path(__file__).with_name("share")  # the page template, which fetches nothing from outside
+SHARE = Path(__file__).with_name(
+    "share"
+)  # the page template, which fetches nothing from outside
 
 
 def notebook_of(demo: Demo) -> nbformat.NotebookNode:
     """A notebook that shows the demo and nothing else."""
     heading = nbformat.v4.new_markdown_cell(f"# {demo.title}\n\n{demo.try_this}")
-    code = nbformat.v4.new_code_cell(f"from course.workbook import demos\n\ndemos.{demo.name}()")
-    metadata = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
+    code = nbformat.v4.new_code_cell(
+        f"from course.workbook import demos\n\ndemos.{demo.name}()"
+    )
+    metadata = {
+        "kernelspec": {
+            "display_name": "Python 3",
+            "language": "python",
+            "name": "python3",
+        }
+    }
     return nbformat.v4.new_notebook(cells=[heading, code], metadata=metadata)
 
 
@@ -29,7 +39,14 @@ def serve(name: str, *, browser: bool = True, port: int | None = None) -> int:
     with tempfile.TemporaryDirectory(prefix="course-demo-") as folder:
         path = Path(folder) / f"{demo.name}.ipynb"
         nbformat.write(notebook_of(demo), path)
-        command = [sys.executable, "-m", "voila", str(path), "--theme=light", "--template=course"]
+        command = [
+            sys.executable,
+            "-m",
+            "voila",
+            str(path),
+            "--theme=light",
+            "--template=course",
+        ]
         command += [] if browser else ["--no-browser"]
         command += [f"--port={port}"] if port else []
         shares = [str(SHARE), *filter(None, [os.environ.get("JUPYTER_PATH")])]

@@ -27,7 +27,9 @@ def wall() -> Panel:
         bounces.reflection,
         {
             "wall_angle": slider("angle of the wall", 20.0, -60.0, 60.0, 1.0, "°"),
-            "incoming_angle": slider("direction of the ball", -25.0, -180.0, 180.0, 1.0, "°"),
+            "incoming_angle": slider(
+                "direction of the ball", -25.0, -180.0, 180.0, 1.0, "°"
+            ),
             "restitution": slider("restitution e", 0.8, 0.0, 1.0, 0.05),
         },
         columns=2,

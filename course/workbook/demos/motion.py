@@ -26,17 +26,34 @@ from course.workbook.plots.figure import describe, figure_html
 SECONDS, MOMENTS = 10.0, 251
 
 
-def tumbling_scene(tumble: Tumble, *, arrows: bool = True, camera: str = "corner", caption: str = "") -> viewer.Scene:
+def tumbling_scene(
+    tumble: Tumble, *, arrows: bool = True, camera: str = "corner", caption: str = ""
+) -> viewer.Scene:
     """The handle in three dimensions as it moves, with L and omega as arrows from its centre."""
     center = handle_mass_properties().centre
     bar, stem = (
         viewer.box(size, center=place - center, color=color)
-        for size, place, color in zip(HANDLE_HALF_EXTENTS, HANDLE_CENTERS, ("blue", "orange"), strict=True)
+        for size, place, color in zip(
+            HANDLE_HALF_EXTENTS, HANDLE_CENTERS, ("blue", "orange"), strict=True
+        )
     )
-    at, momentum, omega = tumble.position[:, None], tumble.angular_momentum[None], tumble.angular_velocity[:, None]
+    at, momentum, omega = (
+        tumble.position[:, None],
+        tumble.angular_momentum[None],
+        tumble.angular_velocity[:, None],
+    )
     shown = [
-        viewer.Arrows("L", momentum, "kg m²/s", at=at, scale=_scale(momentum, 0.17), color="green"),
-        viewer.Arrows("ω", omega, "rad/s", at=at, scale=_scale(omega[:1], 0.14), color="vermillion"),
+        viewer.Arrows(
+            "L", momentum, "kg m²/s", at=at, scale=_scale(momentum, 0.17), color="green"
+        ),
+        viewer.Arrows(
+            "ω",
+            omega,
+            "rad/s",
+            at=at,
+            scale=_scale(omega[:1], 0.14),
+            color="vermillion",
+        ),
     ]
     return viewer.make_scene(
         viewer.joined(bar, stem, what="handle"),
@@ -71,7 +88,9 @@ class TumblingDemo(ipywidgets.VBox):
         for control in self._controls.values():
             control.observe(self._start_again, names="value")
         self.viewer.layout.width, self._chart.layout.width = "56%", "43%"
-        controls = ipywidgets.HBox([self.axis, self.tilt, self.spin], layout={"flex_flow": "row wrap"})
+        controls = ipywidgets.HBox(
+            [self.axis, self.tilt, self.spin], layout={"flex_flow": "row wrap"}
+        )
         super().__init__([controls, ipywidgets.HBox([self.viewer, self._chart])])
 
     @property
@@ -101,22 +120,43 @@ class TumblingDemo(ipywidgets.VBox):
 
     def _draw(self) -> None:
         tumble = self.tumble
-        parts = dict(zip((f"about {name}" for name in motion.AXIS_NAMES), tumble.turning_energy.T, strict=True))
+        parts = dict(
+            zip(
+                (f"about {name}" for name in motion.AXIS_NAMES),
+                tumble.turning_energy.T,
+                strict=True,
+            )
+        )
         with motion.style():
             figure, ax = plt.subplots(figsize=(5.4, 4.2))
             motion.energies(tumble.times, parts, title="Energy of turning", ax=ax)
-            over = ", ".join(f"{when:.2f}" for when in turnover_times(tumble, self.axis.value))
-            describe(ax, f"It lies across its axis of spin at {over} s." if over else "It never turns over.")
+            over = ", ".join(
+                f"{when:.2f}" for when in turnover_times(tumble, self.axis.value)
+            )
+            describe(
+                ax,
+                f"It lies across its axis of spin at {over} s."
+                if over
+                else "It never turns over.",
+            )
             ax.set_ylim(0.0, 1.12 * float(tumble.turning_energy[0].sum()))
             ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
         # As wide as its column also where a page's style makes pictures as large as the screen.
         size = "width: 100% !important; height: auto !important; max-width: 100%"
-        self._chart.value = figure_html(figure, dots_per_inch=130).replace("max-width: 100%", size)
+        self._chart.value = figure_html(figure, dots_per_inch=130).replace(
+            "max-width: 100%", size
+        )
         plt.close(figure)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        still = f'{self.viewer.picture}<div style="max-width: 600px">{self.picture}</div>'
-        return {**super()._repr_mimebundle_(**options), "text/html": still, "text/plain": "[widget]"}
+        still = (
+            f'{self.viewer.picture}<div style="max-width: 600px">{self.picture}</div>'
+        )
+        return {
+            **super()._repr_mimebundle_(**options),
+            "text/html": still,
+            "text/plain": "[widget]",
+        }
 
 
 def tumbling() -> TumblingDemo:

@@ -22,10 +22,15 @@ class Panel(ipywidgets.VBox):
     A saved notebook holds it as a still picture of the controls' first values.
     """
 
-    def __init__(self, draw: Draw, controls: Mapping[str, ipywidgets.Widget], *, columns: int = 3) -> None:
+    def __init__(
+        self, draw: Draw, controls: Mapping[str, ipywidgets.Widget], *, columns: int = 3
+    ) -> None:
         self._draw, self._controls = draw, dict(controls)
         self._image = ipywidgets.HTML()
-        rows = [tuple(self._controls.values())[i : i + columns] for i in range(0, len(self._controls), columns)]
+        rows = [
+            tuple(self._controls.values())[i : i + columns]
+            for i in range(0, len(self._controls), columns)
+        ]
         super().__init__([*(ipywidgets.HBox(row) for row in rows), self._image])
         for control in self._controls.values():
             control.observe(self._redraw, names="value")
@@ -49,10 +54,16 @@ class Panel(ipywidgets.VBox):
         plt.close(figure)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        return {**super()._repr_mimebundle_(**options), "text/html": self.picture, "text/plain": "[widget]"}
+        return {
+            **super()._repr_mimebundle_(**options),
+            "text/html": self.picture,
+            "text/plain": "[widget]",
+        }
 
 
-def slider(label: str, value: float, low: float, high: float, step: float, unit: str = "") -> ipywidgets.FloatSlider:
+def slider(
+    label: str, value: float, low: float, high: float, step: float, unit: str = ""
+) -> ipywidgets.FloatSlider:
     """A slider whose label is wide enough to be read."""
     return ipywidgets.FloatSlider(
         value, min=low, max=high, step=step, description=f"{label} [{unit}]" if unit else label,
@@ -60,7 +71,9 @@ def slider(label: str, value: float, low: float, high: float, step: float, unit:
     )  # fmt: skip
 
 
-def log_slider(label: str, value: float, low: float, high: float, unit: str = "") -> ipywidgets.FloatLogSlider:
+def log_slider(
+    label: str, value: float, low: float, high: float, unit: str = ""
+) -> ipywidgets.FloatLogSlider:
     """A slider over powers of ten, from 10^low to 10^high."""
     return ipywidgets.FloatLogSlider(
         value, base=10, min=low, max=high, step=0.1, description=f"{label} [{unit}]" if unit else label,

@@ -7,7 +7,14 @@ from dataclasses import dataclass
 
 import ipywidgets
 
-from course.workbook.demos import contact_forces, contact_matrix, impacts, motion, separation, spin
+from course.workbook.demos import (
+    contact_forces,
+    contact_matrix,
+    impacts,
+    motion,
+    separation,
+    spin,
+)
 from course.workbook.syllabus import read_syllabus
 
 
@@ -96,7 +103,9 @@ def find_demo(name: str) -> Demo:
     for demo in DEMOS:
         if demo.name == name:
             return demo
-    raise ValueError(f"name: expected one of {', '.join(d.name for d in DEMOS)}; got {name!r}")
+    raise ValueError(
+        f"name: expected one of {', '.join(d.name for d in DEMOS)}; got {name!r}"
+    )
 
 
 def table() -> str:

@@ -4,7 +4,12 @@ Every function draws into ``ax`` (a new one in the house's style when none is gi
 what it drew, and returns the Axes, so that a student can go on drawing.
 """
 
-from course.workbook.plots.bounces import bouncing_errors, energy_over_time, heights, reflection
+from course.workbook.plots.bounces import (
+    bouncing_errors,
+    energy_over_time,
+    heights,
+    reflection,
+)
 from course.workbook.plots.charts import stability_sweep, work_precision
 from course.workbook.plots.contact_forces import (
     force_plane,
@@ -13,9 +18,21 @@ from course.workbook.plots.contact_forces import (
     plank_and_forces,
     solver_growth,
 )
-from course.workbook.plots.contact_matrix import matrix_costs, matrix_pattern, pushed_table
+from course.workbook.plots.contact_matrix import (
+    matrix_costs,
+    matrix_pattern,
+    pushed_table,
+)
 from course.workbook.plots.course_map import course_map, falling_boxes
-from course.workbook.plots.figure import PALETTE, axes, describe, figure_html, show, side_by_side, style
+from course.workbook.plots.figure import (
+    PALETTE,
+    axes,
+    describe,
+    figure_html,
+    show,
+    side_by_side,
+    style,
+)
 from course.workbook.plots.impacts import (
     ball_row,
     billiard_break,
@@ -33,7 +50,12 @@ from course.workbook.plots.separation import (
     passing_a_corner,
     turning_pair,
 )
-from course.workbook.plots.separation_acceleration import bias_terms, dome, dome_bias, old_point
+from course.workbook.plots.separation_acceleration import (
+    bias_terms,
+    dome,
+    dome_bias,
+    old_point,
+)
 from course.workbook.plots.spin import (
     box_outcomes,
     mass_over_face,

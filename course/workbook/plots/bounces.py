@@ -13,7 +13,11 @@ from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 
 def reflection(
-    wall_angle: float, incoming_angle: float, restitution: float, *, ax: Axes | None = None
+    wall_angle: float,
+    incoming_angle: float,
+    restitution: float,
+    *,
+    ax: Axes | None = None,
 ) -> Axes:
     """A ball meeting a wall in the plane: velocity before and after, each split along and across the normal.
 
@@ -26,19 +30,41 @@ def reflection(
     after = wall_bounce(before, normal, restitution)
     with style():
         ax = axes(ax, size=(5.6, 4.6))
-        ends = np.outer([-3.0, 3.0], along)     # beyond the frame at every angle
+        ends = np.outer([-3.0, 3.0], along)  # beyond the frame at every angle
         ax.plot(ends[:, 0], ends[:, 1], color="0.25", lw=3, ls="-", marker="")
-        ax.fill(*np.vstack([ends, ends[::-1] - 0.25 * normal])[:, :2].T, color="0.88", lw=0, zorder=0)
+        ax.fill(
+            *np.vstack([ends, ends[::-1] - 0.25 * normal])[:, :2].T,
+            color="0.88",
+            lw=0,
+            zorder=0,
+        )
         _arrow(ax, -before, np.zeros(3), "blue", "v before", at_start=True)
         _arrow(ax, np.zeros(3), after, "vermillion", "v after")
         _arrow(ax, np.zeros(3), 0.55 * normal, "black", "n", lw=1.4)
-        for tail, tip, colour in ((-before, np.zeros(3), "blue"), (np.zeros(3), after, "vermillion")):
-            corner = tail + np.sum((tip - tail) * along) * along     # first along the wall, then along n
+        for tail, tip, colour in (
+            (-before, np.zeros(3), "blue"),
+            (np.zeros(3), after, "vermillion"),
+        ):
+            corner = (
+                tail + np.sum((tip - tail) * along) * along
+            )  # first along the wall, then along n
             path = np.array([tail, corner, tip])[:, :2] + 0.02 * normal[:2]
             ax.plot(*path.T, color=PALETTE[colour], lw=1.8, ls=":", marker="")
-        ax.set(xlim=(-1.57, 1.57), ylim=(-1.3, 1.3), aspect="equal", xlabel="x [m/s]", ylabel="y [m/s]")
-        come, leave = (round(float(np.sum(v * normal)), 2) + 0.0 for v in (before, after))  # no -0.00
-        told = f"{come:+.2f} m/s before, {leave:+.2f} m/s after" if come < 0 else f"{leave:+.2f} m/s, no bounce"
+        ax.set(
+            xlim=(-1.57, 1.57),
+            ylim=(-1.3, 1.3),
+            aspect="equal",
+            xlabel="x [m/s]",
+            ylabel="y [m/s]",
+        )
+        come, leave = (
+            round(float(np.sum(v * normal)), 2) + 0.0 for v in (before, after)
+        )  # no -0.00
+        told = (
+            f"{come:+.2f} m/s before, {leave:+.2f} m/s after"
+            if come < 0
+            else f"{leave:+.2f} m/s, no bounce"
+        )
         ax.set_title(f"Along n: {told}")
     describe(
         ax,
@@ -50,13 +76,26 @@ def reflection(
 
 
 def _arrow(
-    ax: Axes, start: np.ndarray, tip: np.ndarray, colour: str, label: str, *, at_start: bool = False, lw: float = 2.4
+    ax: Axes,
+    start: np.ndarray,
+    tip: np.ndarray,
+    colour: str,
+    label: str,
+    *,
+    at_start: bool = False,
+    lw: float = 2.4,
 ) -> None:
     """An arrow labelled just beyond its tip, or before its start."""
     length = float(np.linalg.norm(tip - start))
     if length < 1e-6:
         return
-    look = {"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0}
+    look = {
+        "arrowstyle": "-|>",
+        "lw": lw,
+        "color": PALETTE[colour],
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
     ax.annotate("", (tip[0], tip[1]), (start[0], start[1]), arrowprops=look)
     end, sign = (start, -1.0) if at_start else (tip, 1.0)
     x, y, _ = end + sign * 0.2 * (tip - start) / length
@@ -64,14 +103,31 @@ def _arrow(
     ax.text(x, y, label, color=PALETTE[colour], ha="center", va="center", bbox=ground)
 
 
-def heights(motions: Mapping[str, BallMotion], *, rest: float | None = None, ax: Axes | None = None) -> Axes:
+def heights(
+    motions: Mapping[str, BallMotion],
+    *,
+    rest: float | None = None,
+    ax: Axes | None = None,
+) -> Axes:
     """Height over time of one ball computed in several ways; ``rest`` marks the time it comes to rest."""
     with style():
         ax = axes(ax)
         for i, (name, motion) in enumerate(motions.items()):
-            ax.plot(motion.time, motion.height, label=name, marker="", ls=("-", "--", "-.", ":")[i % 4])
+            ax.plot(
+                motion.time,
+                motion.height,
+                label=name,
+                marker="",
+                ls=("-", "--", "-.", ":")[i % 4],
+            )
         if rest is not None:
-            ax.axvline(rest, color=PALETTE["blue"], ls=":", lw=1.2, label=f"at rest: {rest:.4f} s")
+            ax.axvline(
+                rest,
+                color=PALETTE["blue"],
+                ls=":",
+                lw=1.2,
+                label=f"at rest: {rest:.4f} s",
+            )
         ax.set(xlabel="time [s]", ylabel="height [m]")
         ax.legend(loc="upper right")
     end = f" The ball is at rest from {rest:.4f} s on." if rest is not None else ""
@@ -88,20 +144,41 @@ def bouncing_errors(errors: BouncingErrors, *, ax: Axes | None = None) -> Axes:
             (errors.bullet, "-", "vermillion", "gravity, then reflect"),
             (errors.ode, "--", "blue", "reflect, or else gravity"),
         ):
-            ax.loglog(errors.step, ours, line, color=PALETTE[colour], marker="", label=name)
+            ax.loglog(
+                errors.step, ours, line, color=PALETTE[colour], marker="", label=name
+            )
         for values, marker, colour, name in (
             (published.bullet_error, "s", "vermillion", "Bullet, published"),
             (published.dart_error, "D", "purple", "DART, published"),
             (published.ode_error, "o", "blue", "ODE, published"),
-            (published.raisim_error, "^", "green", "RaiSim (error reduction on), published"),
+            (
+                published.raisim_error,
+                "^",
+                "green",
+                "RaiSim (error reduction on), published",
+            ),
         ):
-            ax.loglog(published.step, values, ls="none", marker=marker, mfc="none", color=PALETTE[colour], label=name)
-        low = 1e-3 * float(min(errors.ode))     # the event-driven ball, 20 powers of ten lower, would squeeze the rest
+            ax.loglog(
+                published.step,
+                values,
+                ls="none",
+                marker=marker,
+                mfc="none",
+                color=PALETTE[colour],
+                label=name,
+            )
+        low = 1e-3 * float(
+            min(errors.ode)
+        )  # the event-driven ball, 20 powers of ten lower, would squeeze the rest
         told = f"event-driven, {errors.events} events:\nat {errors.event_driven.max():.0e}, below the picture"
         ax.plot(errors.step, np.full(errors.step.shape, 2 * low), ls="none", marker="v", ms=5, color=PALETTE["black"],
                 label=told)  # fmt: skip
         ax.set_ylim(low, None)
-        ax.set(xlabel="step [s]", ylabel="mean squared energy error [J²]", title="49 balls, 20 s, nothing lost")
+        ax.set(
+            xlabel="step [s]",
+            ylabel="mean squared energy error [J²]",
+            title="49 balls, 20 s, nothing lost",
+        )
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     describe(
         ax,
@@ -113,15 +190,20 @@ def bouncing_errors(errors: BouncingErrors, *, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def energy_over_time(series: Mapping[str, tuple[np.ndarray, np.ndarray]], *, ax: Axes | None = None) -> Axes:
+def energy_over_time(
+    series: Mapping[str, tuple[np.ndarray, np.ndarray]], *, ax: Axes | None = None
+) -> Axes:
     """Energy relative to the start [-] over time [s], a line for each name."""
     with style():
         ax = axes(ax)
         for i, (name, (time, energy)) in enumerate(series.items()):
-            ax.plot(time, energy, label=name, marker="", ls=("-", "--", "-.", ":")[i % 4])
+            ax.plot(
+                time, energy, label=name, marker="", ls=("-", "--", "-.", ":")[i % 4]
+            )
         ax.set(xlabel="time [s]", ylabel="energy / energy at the start")
         ax.legend()
-    ends = "; ".join(f"{name} ends at {energy[-1]:.3f}" for name, (_, energy) in series.items())
+    ends = "; ".join(
+        f"{name} ends at {energy[-1]:.3f}" for name, (_, energy) in series.items()
+    )
     describe(ax, f"Energy of a bouncing ball over time, relative to its start. {ends}.")
     return ax
-

@@ -23,7 +23,11 @@ SWEEP_LOOKS: dict[str, dict[str, Any]] = {
 
 
 def work_precision(
-    result: WorkPrecision, *, by: Cost = "seconds", tolerance: float | None = None, ax: Axes | None = None
+    result: WorkPrecision,
+    *,
+    by: Cost = "seconds",
+    tolerance: float | None = None,
+    ax: Axes | None = None,
 ) -> Axes:
     """Error against cost, both logarithmic, the whole curve of each method, the front ringed.
 
@@ -38,18 +42,48 @@ def work_precision(
         for i, name in enumerate(names):
             own = np.array([m == name for m in result.method])
             order = np.argsort(cost[own])
-            ax.loglog(cost[own][order], error[own][order], marker=MARKERS[i % 8], ls=LINES[i % 4], label=name)
+            ax.loglog(
+                cost[own][order],
+                error[own][order],
+                marker=MARKERS[i % 8],
+                ls=LINES[i % 4],
+                label=name,
+            )
         front = result.front(by)
-        ax.loglog(cost[front], error[front], "o", ms=13, mfc="none", mec="0.25", mew=1, ls="none", label="on the front")
+        ax.loglog(
+            cost[front],
+            error[front],
+            "o",
+            ms=13,
+            mfc="none",
+            mec="0.25",
+            mew=1,
+            ls="none",
+            label="on the front",
+        )
         if (result.error < floor).any():
             ax.axhline(floor, color="0.6", lw=0.8, ls=":")
-            ax.text(cost.max(), floor, "exact to rounding", va="bottom", ha="right", fontsize=8.5, color="0.35")
-        picked = _mark_pick(ax, result, by, tolerance, floor) if tolerance is not None else ""
+            ax.text(
+                cost.max(),
+                floor,
+                "exact to rounding",
+                va="bottom",
+                ha="right",
+                fontsize=8.5,
+                color="0.35",
+            )
+        picked = (
+            _mark_pick(ax, result, by, tolerance, floor)
+            if tolerance is not None
+            else ""
+        )
         unit = f" [{result.problem.unit}]" if result.problem.unit else ""
         ax.set_xlabel("time [s]" if by == "seconds" else f"work [{result.count_unit}]")
         ax.set_ylabel(f"error{unit}")
         ax.set_title(result.problem.name)
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), labelspacing=1.1)  # room for the ring and the star
+        ax.legend(
+            loc="upper left", bbox_to_anchor=(1.0, 1.0), labelspacing=1.1
+        )  # room for the ring and the star
     describe(
         ax,
         f"{result.problem.name}: error against {'time' if by == 'seconds' else 'counted work'} for "
@@ -78,40 +112,61 @@ def stability_sweep(
     """
     given = {"measured": measured, "predicted": predicted, "cure": cure, "also": also}
     named = dict(zip(given, (*names, names[2]), strict=True))
-    series = {what: np.asarray(values, dtype=float) for what, values in given.items() if values is not None}
+    series = {
+        what: np.asarray(values, dtype=float)
+        for what, values in given.items()
+        if values is not None
+    }
     with style():
         ax = axes(ax)
         for what, values in series.items():
             ax.plot(knob, values, label=named[what], **SWEEP_LOOKS[what])
         if threshold is not None:
-            ax.axvline(threshold, color=PALETTE["blue"], ls=":", label=f"predicted threshold {threshold:.4g}")
+            ax.axvline(
+                threshold,
+                color=PALETTE["blue"],
+                ls=":",
+                label=f"predicted threshold {threshold:.4g}",
+            )
         if "x" in log:
             ax.set_xscale("log")
         if "y" in log:
             ax.set_yscale("log")
         ax.set(xlabel=labels[0], ylabel=labels[1], title=labels[2])
         ax.legend()
-    told = _sweep_in_words(np.asarray(knob, dtype=float), [(named[what], y) for what, y in series.items()], threshold)
+    told = _sweep_in_words(
+        np.asarray(knob, dtype=float),
+        [(named[what], y) for what, y in series.items()],
+        threshold,
+    )
     describe(ax, f"{labels[2] or labels[1]}: {labels[1]} over {labels[0]}.{told}")
     return ax
 
 
-def _sweep_in_words(knob: np.ndarray, series: Sequence[tuple[str, np.ndarray]], threshold: float | None) -> str:
+def _sweep_in_words(
+    knob: np.ndarray, series: Sequence[tuple[str, np.ndarray]], threshold: float | None
+) -> str:
     """The threshold between its neighbours, and each series at both ends, beside the threshold and at its extremes.
 
     The first series chooses the places; one that reads the same there is not read out twice.
     """
     order = np.argsort(knob)
     x, ordered = knob[order], [(name, y[order]) for name, y in series]
-    beside, text = _beside(x, threshold) if threshold is not None else ([len(x) // 2], "")
+    beside, text = (
+        _beside(x, threshold) if threshold is not None else ([len(x) // 2], "")
+    )
     places = _with_extremes(ordered[0][1], sorted({0, *beside, len(x) - 1}))
     known: dict[str, str] = {}
     for name, y in ordered:
         values = [_value(y[i]) for i in places]
-        read = ", ".join(f"{value} at {_knob(x[i])}" for value, i in zip(values, places, strict=True))
+        read = ", ".join(
+            f"{value} at {_knob(x[i])}" for value, i in zip(values, places, strict=True)
+        )
         if known and len(set(values)) == 1:
             read = f"{values[0]} at each of these"
-        text += f" {name}: {f'the same there as {known[read]}' if read in known else read}."
+        text += (
+            f" {name}: {f'the same there as {known[read]}' if read in known else read}."
+        )
         known.setdefault(read, name)
     return text
 
@@ -119,12 +174,17 @@ def _sweep_in_words(knob: np.ndarray, series: Sequence[tuple[str, np.ndarray]], 
 def _beside(x: np.ndarray, threshold: float) -> tuple[list[int], str]:
     """The last place below the threshold and the first above it (one that lies on it is neither), and that in words."""
     near = 1e-9 * (abs(threshold) or float(np.ptp(x)))
-    below, above = np.flatnonzero(x < threshold - near)[-1:], np.flatnonzero(x > threshold + near)[:1]
+    below, above = (
+        np.flatnonzero(x < threshold - near)[-1:],
+        np.flatnonzero(x > threshold + near)[:1],
+    )
     if below.size and above.size:
         where = f", between {_knob(x[below[0]])} and {_knob(x[above[0]])}"
     else:
         where = ", past the last point" if below.size else ", before the first point"
-    return [int(i) for i in (*below, *above)], f" The predicted threshold is {threshold:.4g}{where}."
+    return [
+        int(i) for i in (*below, *above)
+    ], f" The predicted threshold is {threshold:.4g}{where}."
 
 
 def _with_extremes(y: np.ndarray, places: list[int]) -> list[int]:
@@ -135,7 +195,11 @@ def _with_extremes(y: np.ndarray, places: list[int]) -> list[int]:
         return sorted({*places, *finite[:1].tolist(), *finite[-1:].tolist()})
     clearly = 0.05 * float(np.ptp(told))
     least, most = (int(finite[i]) for i in (y[finite].argmin(), y[finite].argmax()))
-    more = {i for i, out in ((least, told.min() - y[least]), (most, y[most] - told.max())) if out > clearly}
+    more = {
+        i
+        for i, out in ((least, told.min() - y[least]), (most, y[most] - told.max()))
+        if out > clearly
+    }
     return sorted({*places, *more})
 
 
@@ -149,16 +213,38 @@ def _knob(x: float) -> str:
 
 def _floor(error: np.ndarray) -> float:
     positive = error[error > 0]
-    return float(max(1e-16, positive.min() / 10)) if (error <= 0).any() and positive.size else 1e-17
+    return (
+        float(max(1e-16, positive.min() / 10))
+        if (error <= 0).any() and positive.size
+        else 1e-17
+    )
 
 
-def _mark_pick(ax: Axes, result: WorkPrecision, by: Cost, tolerance: float, floor: float) -> str:
+def _mark_pick(
+    ax: Axes, result: WorkPrecision, by: Cost, tolerance: float, floor: float
+) -> str:
     ax.axhline(tolerance, color=PALETTE["blue"], lw=1, ls=":")
     index = result.pick(tolerance, by)
     if index is None:
-        ax.text(0.99, tolerance, " none within this tolerance ", transform=ax.get_yaxis_transform(), ha="right")
+        ax.text(
+            0.99,
+            tolerance,
+            " none within this tolerance ",
+            transform=ax.get_yaxis_transform(),
+            ha="right",
+        )
         return " No method is within the tolerance."
     cost, error = result.cost(by)[index], max(result.error[index], floor)
     label = f"pick for error ≤ {tolerance:g}"
-    ax.plot(cost, error, marker="*", ms=26, mfc="none", mec=PALETTE["blue"], mew=1.4, ls="none", label=label)
+    ax.plot(
+        cost,
+        error,
+        marker="*",
+        ms=26,
+        mfc="none",
+        mec=PALETTE["blue"],
+        mew=1.4,
+        ls="none",
+        label=label,
+    )
     return f" For an error of at most {tolerance:g} the cheapest is {result.method[index]}."

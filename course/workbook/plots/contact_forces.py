@@ -28,20 +28,40 @@ def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Ax
     with style():
         ax = axes(ax, size=(8.4, 3.4))
         width = 0.8 / len(values)
-        for k, ((name, f), colour, hatch) in enumerate(zip(values.items(), COLOURS, HATCHES, strict=False)):
+        for k, ((name, f), colour, hatch) in enumerate(
+            zip(values.items(), COLOURS, HATCHES, strict=False)
+        ):
             place = np.arange(count) + (k - 0.5 * (len(values) - 1)) * width
-            ax.bar(place, f, width, color=PALETTE[colour], hatch=hatch, ec="white", label=name)
+            ax.bar(
+                place,
+                f,
+                width,
+                color=PALETTE[colour],
+                hatch=hatch,
+                ec="white",
+                label=name,
+            )
         ax.set_xticks(range(count), [f"leg {i + 1}" for i in range(count)])
         ax.set(ylabel="force [N]")
         ax.grid(axis="x", visible=False)
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    spoken = [f"{name}: {', '.join(f'{x:.2f}' for x in f + 0.0)}" for name, f in values.items()]
-    describe(ax, f"Forces at {count} legs in newtons, one bar a solver and leg. {'; '.join(spoken)}.")
+    spoken = [
+        f"{name}: {', '.join(f'{x:.2f}' for x in f + 0.0)}"
+        for name, f in values.items()
+    ]
+    describe(
+        ax,
+        f"Forces at {count} legs in newtons, one bar a solver and leg. {'; '.join(spoken)}.",
+    )
     return ax
 
 
 def force_plane(
-    a: ArrayLike, b: ArrayLike, *, names: tuple[str, str] = ("1", "2"), ax: Axes | None = None
+    a: ArrayLike,
+    b: ArrayLike,
+    *,
+    names: tuple[str, str] = ("1", "2"),
+    ax: Axes | None = None,
 ) -> Axes:
     """Two contacts: level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0, sweeps, the solution."""
     matrix, bias = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
@@ -52,8 +72,15 @@ def force_plane(
     with style():
         ax = axes(ax, size=(5.6, 4.6))
         _level_sets(ax, matrix, forced, f, (low, high))
-        for corner, wide, tall in (((low, low), -low, high - low), ((0.0, low), high, -low)):
-            ax.add_patch(Rectangle(corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2))
+        for corner, wide, tall in (
+            ((low, low), -low, high - low),
+            ((0.0, low), high, -low),
+        ):
+            ax.add_patch(
+                Rectangle(
+                    corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2
+                )
+            )
         for i, (colour, line) in enumerate((("blue", "-"), ("green", "--"))):
             ends = _zero_line(matrix[i], bias[i], (low, high))
             ax.plot(*ends, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
@@ -93,7 +120,11 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
     system = scene.system()
     matrix, bias = system.A.toarray(), system.b
     f = _solved(matrix, bias)
-    w, feet, centre = matrix @ f + bias, scene.contacts.point[:, 1], scene.bodies.position[0, 1]
+    w, feet, centre = (
+        matrix @ f + bias,
+        scene.contacts.point[:, 1],
+        scene.bodies.position[0, 1],
+    )
     lifted = [name for name, x in zip(("left", "right"), w, strict=True) if x > 1e-9]
     word = f"the {lifted[0]} foot lifts" if lifted else "both feet stay"
     if ax is None:
@@ -101,10 +132,25 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
         force_plane(matrix, bias, names=("left foot", "right foot"), ax=plane)
     with style():
         ax.add_patch(Rectangle((-1.5, 0), 3.0, 0.08, fc="0.8", ec="0.3"))
-        ax.add_patch(Rectangle((load_at - 0.15, 0.08), 0.3, 0.3, fc=PALETTE["orange"], ec="0.3", hatch="//"))
+        ax.add_patch(
+            Rectangle(
+                (load_at - 0.15, 0.08),
+                0.3,
+                0.3,
+                fc=PALETTE["orange"],
+                ec="0.3",
+                hatch="//",
+            )
+        )
         ax.axhline(-0.12, color="0.3", lw=1.0)
         ax.plot(
-            [centre], [0.04], ls="none", marker="P", ms=10, color=PALETTE["black"], label="centre of mass"
+            [centre],
+            [0.04],
+            ls="none",
+            marker="P",
+            ms=10,
+            color=PALETTE["black"],
+            label="centre of mass",
         )
         for y, force, colour in zip(feet, f, ("blue", "green"), strict=True):
             _foot(ax, y, force, PALETTE[colour])
@@ -126,7 +172,12 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
 
 
 def ladder_forces(
-    angles: ArrayLike, forces: ArrayLike, closed: ArrayLike, *, leaving: float, ax: Axes | None = None
+    angles: ArrayLike,
+    forces: ArrayLike,
+    closed: ArrayLike,
+    *,
+    leaving: float,
+    ax: Axes | None = None,
 ) -> Axes:
     """Forces of floor and wall over a ladder's angle: the closed form as lines, what was solved for as marks.
 
@@ -142,11 +193,26 @@ def ladder_forces(
             (("floor", "blue", "o", "-"), ("wall", "vermillion", "s", "--"))
         ):
             ax.plot(
-                degrees, line[:, k], color=PALETTE[colour], ls=dash, marker="", label=f"{name}, closed form"
+                degrees,
+                line[:, k],
+                color=PALETTE[colour],
+                ls=dash,
+                marker="",
+                label=f"{name}, closed form",
             )
-            ax.plot(degrees, f[:, k], color=PALETTE[colour], ls="none", marker=mark, label=f"{name}, solved")
+            ax.plot(
+                degrees,
+                f[:, k],
+                color=PALETTE[colour],
+                ls="none",
+                marker=mark,
+                label=f"{name}, solved",
+            )
         ax.axvline(
-            np.degrees(leaving), color="0.3", ls=":", label=f"leaves the wall: {np.degrees(leaving):.1f}°"
+            np.degrees(leaving),
+            color="0.3",
+            ls=":",
+            label=f"leaves the wall: {np.degrees(leaving):.1f}°",
         )
         ax.axhline(0, color="0.3", lw=0.8)
         ax.invert_xaxis()
@@ -194,7 +260,11 @@ def _cost_told(result: SolverGrowth, k: int) -> str:
 
 
 def _level_sets(
-    ax: Axes, matrix: np.ndarray, least: np.ndarray, through: np.ndarray, ends: tuple[float, float]
+    ax: Axes,
+    matrix: np.ndarray,
+    least: np.ndarray,
+    through: np.ndarray,
+    ends: tuple[float, float],
 ) -> None:
     """Ellipses of f'A f/2 + b.f around its least value, the one through a point in black."""
     grid = np.linspace(*ends, 160)
@@ -204,7 +274,9 @@ def _level_sets(
     ax.contour(f_1, f_2, level, levels=12, colors="0.65", linewidths=0.8)
     touching = float(np.sqrt((through - least) @ matrix @ (through - least)))
     if touching > 1e-6:
-        ax.contour(f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6, zorder=4)
+        ax.contour(
+            f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6, zorder=4
+        )
 
 
 def _sweep_path(matrix: np.ndarray, bias: np.ndarray, sweeps: int) -> np.ndarray:
@@ -217,7 +289,9 @@ def _sweep_path(matrix: np.ndarray, bias: np.ndarray, sweeps: int) -> np.ndarray
     return np.array(path)
 
 
-def _zero_line(row: np.ndarray, bias: float, ends: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
+def _zero_line(
+    row: np.ndarray, bias: float, ends: tuple[float, float]
+) -> tuple[np.ndarray, np.ndarray]:
     """Where row.f + bias = 0 crosses the picture: solved for the force that the row weighs more."""
     along = np.array(ends)
     if abs(row[1]) > abs(row[0]):
@@ -229,7 +303,13 @@ def _foot(ax: Axes, y: float, force: float, colour: str) -> None:
     """A foot of the plank, and the force that pushes it up as an arrow with its number."""
     ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
     if force > 1e-9:
-        look = {"arrowstyle": "-|>", "lw": 2.4, "color": colour, "shrinkA": 0, "shrinkB": 0}
+        look = {
+            "arrowstyle": "-|>",
+            "lw": 2.4,
+            "color": colour,
+            "shrinkA": 0,
+            "shrinkB": 0,
+        }
         ax.annotate("", (y, -0.15), (y, -0.15 - force / 400), arrowprops=look)
     below = -0.15 - max(force, 0) / 400 - 0.03
     ax.text(y, below, f"{force + 0:.0f} N", ha="center", va="top", color=colour)

@@ -36,7 +36,10 @@ def pushed_table(
     lengths in m. Without ``answer`` only the push is shown; with ``ax`` only the picture from above.
     """
     scene = table(offset=(offset_x, offset_y), half_widths=HALF_WIDTHS)
-    response, (bodies, feet) = _lift(scene, np.array([x, y])), (scene.bodies, scene.contacts.point)
+    response, (bodies, feet) = (
+        _lift(scene, np.array([x, y])),
+        (scene.bodies, scene.contacts.point),
+    )
     with style():
         bars = None
         if ax is None and answer:
@@ -47,10 +50,25 @@ def pushed_table(
             _still_line(ax, scene, np.array([x, y]))
             _moving_feet(ax, feet, response)
         ax.plot(
-            x, y, ls="none", marker="*", ms=15, mfc=PALETTE["orange"], mec="black", label="pushed up with 1 N"
+            x,
+            y,
+            ls="none",
+            marker="*",
+            ms=15,
+            mfc=PALETTE["orange"],
+            mec="black",
+            label="pushed up with 1 N",
         )
-        ax.set(xlim=(-0.85, 0.85), ylim=(-0.52, 0.52), aspect="equal", xlabel="x [m]", ylabel="y [m]")
-        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, fontsize=8.5)
+        ax.set(
+            xlim=(-0.85, 0.85),
+            ylim=(-0.52, 0.52),
+            aspect="equal",
+            xlabel="x [m]",
+            ylabel="y [m]",
+        )
+        ax.legend(
+            loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, fontsize=8.5
+        )
         if bars is not None:
             _response_bars(bars, response)
     spoken = ""
@@ -93,11 +111,19 @@ def matrix_costs(
     with style():
         _, panels = side_by_side(2, size=(10.4, 4.0))
         spoken = []
-        for ax, values, label in zip(panels, (seconds, counts), ("time [s]", "multiplications"), strict=True):
+        for ax, values, label in zip(
+            panels, (seconds, counts), ("time [s]", "multiplications"), strict=True
+        ):
             for k, (name, y) in enumerate(values.items()):
                 x = np.asarray(contacts[name], dtype=float)
                 power = np.polyfit(np.log(x[-3:]), np.log(np.asarray(y)[-3:]), 1)[0]
-                ax.loglog(x, y, marker=MARKERS[k], ls=LINES[k % 4], label=f"{name}: c^{power:.1f}")
+                ax.loglog(
+                    x,
+                    y,
+                    marker=MARKERS[k],
+                    ls=LINES[k % 4],
+                    label=f"{name}: c^{power:.1f}",
+                )
                 spoken.append(f"{name} {label} c^{power:.1f}")
             ax.set(xlabel="contacts c", ylabel=label)
             ax.legend(loc="upper left", fontsize=8.5)
@@ -116,7 +142,9 @@ def _lift(scene: RestingScene, place: Array) -> Array:
     push_arm = np.array([*place, 0.0]) - bodies.position[0]
     inverse = bodies.world_inverse_inertia[0]
     arms = scene.contacts.point - bodies.position[0]
-    return np.array([point_response(bodies.mass[0], inverse, arm, push_arm, up)[2] for arm in arms])
+    return np.array(
+        [point_response(bodies.mass[0], inverse, arm, push_arm, up)[2] for arm in arms]
+    )
 
 
 def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
@@ -126,8 +154,23 @@ def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
     ax.plot(*feet[:, :2].T, ls="none", marker="o", ms=6, mfc="white", mec="0.3")
     for k, foot in enumerate(feet):
         inward = (-16 * np.sign(foot[0]), 0)
-        ax.annotate(str(k + 1), foot[:2], inward, textcoords="offset points", ha="center", va="center")
-    ax.plot(*centre, ls="none", marker="P", ms=10, mfc="white", mec="black", label="centre of mass")
+        ax.annotate(
+            str(k + 1),
+            foot[:2],
+            inward,
+            textcoords="offset points",
+            ha="center",
+            va="center",
+        )
+    ax.plot(
+        *centre,
+        ls="none",
+        marker="P",
+        ms=10,
+        mfc="white",
+        mec="black",
+        label="centre of mass",
+    )
     ax.grid(False)
 
 
@@ -139,9 +182,14 @@ def _still_line(ax: Axes, scene: RestingScene, place: Array) -> None:
     size = float(slope @ slope)
     if size < 1e-9:
         return
-    nearest, along = centre - slope / (bodies.mass[0] * size), np.array([-slope[1], slope[0]]) / np.sqrt(size)
+    nearest, along = (
+        centre - slope / (bodies.mass[0] * size),
+        np.array([-slope[1], slope[0]]) / np.sqrt(size),
+    )
     ends = nearest + np.array([[-3.0], [3.0]]) * along
-    ax.plot(*ends.T, color="black", lw=1.4, ls="--", marker="", label="not moved at first")
+    ax.plot(
+        *ends.T, color="black", lw=1.4, ls="--", marker="", label="not moved at first"
+    )
 
 
 def _moving_feet(ax: Axes, feet: Array, response: Array) -> None:
@@ -152,13 +200,26 @@ def _moving_feet(ax: Axes, feet: Array, response: Array) -> None:
     ):
         if chosen.any():
             place = feet[chosen, :2].T
-            ax.plot(*place, ls="none", marker=mark, ms=13, color=PALETTE[colour], label=f"foot {word}")
+            ax.plot(
+                *place,
+                ls="none",
+                marker=mark,
+                ms=13,
+                color=PALETTE[colour],
+                label=f"foot {word}",
+            )
 
 
 def _response_bars(ax: Axes, response: Array) -> None:
     for k, value in enumerate(response):
         up = value > 0
-        ax.bar(k, value, color=PALETTE["blue" if up else "vermillion"], hatch="" if up else "//", ec="white")
+        ax.bar(
+            k,
+            value,
+            color=PALETTE["blue" if up else "vermillion"],
+            hatch="" if up else "//",
+            ec="white",
+        )
         ax.annotate(f"{value + 0.0:+.2f}", (k, value), (0, 3 if up else -3), textcoords="offset points", ha="center",
                     va="bottom" if up else "top")  # fmt: skip
     ax.axhline(0, color="0.3", lw=0.8)

@@ -24,15 +24,41 @@ def falling_boxes(boxes: FallingBoxes, *, asked: bool = True, frames: int = 5) -
             ax.axhline(0.0, color="0.3", lw=1.5, ls="-", marker="")
             for i, z in enumerate(heights[k]):
                 colour = PALETTE[COLOURS[i % 6]]
-                ax.add_patch(Rectangle((0.25, z), boxes.side, boxes.side, fc=colour, ec="black", alpha=0.85))
-                ax.text(0.25 + boxes.side / 2, z + boxes.side / 2, str(i + 1), color="white", ha="center", va="center")
-            ax.set(xlim=(0, 1), ylim=(-2.2, top), aspect="equal", xticks=[], title=f"{boxes.time[k]:.2f} s")
+                ax.add_patch(
+                    Rectangle(
+                        (0.25, z),
+                        boxes.side,
+                        boxes.side,
+                        fc=colour,
+                        ec="black",
+                        alpha=0.85,
+                    )
+                )
+                ax.text(
+                    0.25 + boxes.side / 2,
+                    z + boxes.side / 2,
+                    str(i + 1),
+                    color="white",
+                    ha="center",
+                    va="center",
+                )
+            ax.set(
+                xlim=(0, 1),
+                ylim=(-2.2, top),
+                aspect="equal",
+                xticks=[],
+                title=f"{boxes.time[k]:.2f} s",
+            )
             ax.grid(False)
             if ax is not several[0]:
                 ax.set_yticks([])
         several[0].set_ylabel("height [m]")
     end = ", ".join(f"{z:.2f}" for z in heights[-1])
-    how = "land on the floor and on each other and stay" if asked else "fall through the floor"
+    how = (
+        "land on the floor and on each other and stay"
+        if asked
+        else "fall through the floor"
+    )
     describe(
         several[-1],
         f"{heights.shape[1]} boxes at {frames} times from {boxes.time[0]:.2f} to {boxes.time[-1]:.2f} s: they {how}. "
@@ -57,21 +83,58 @@ def course_map(*, ax: Axes | None = None) -> Axes:
     with style():
         ax = axes(ax, size=(8.8, 3.9))
         places = [(0, 1), (1, 1), (2, 1), (2, 0), (1, 0), (0, 0)]
-        for i, ((question, lessons, colour), (column, row)) in enumerate(zip(STAGES, places, strict=True)):
+        for i, ((question, lessons, colour), (column, row)) in enumerate(
+            zip(STAGES, places, strict=True)
+        ):
             x, y = 3.0 * column, 1.9 * row
             ax.add_patch(FancyBboxPatch((x, y), 2.3, 1.15, boxstyle="round,pad=0.08", fc=PALETTE[colour], alpha=0.22,
                                         ec=PALETTE[colour], lw=1.6))  # fmt: skip
-            ax.text(x + 1.15, y + 0.7, f"{i + 1}. {question}", ha="center", va="center", fontsize=10)
-            ax.text(x + 1.15, y + 0.1, f"lessons {lessons}", ha="center", va="center", fontsize=8.5, color="0.25")
+            ax.text(
+                x + 1.15,
+                y + 0.7,
+                f"{i + 1}. {question}",
+                ha="center",
+                va="center",
+                fontsize=10,
+            )
+            ax.text(
+                x + 1.15,
+                y + 0.1,
+                f"lessons {lessons}",
+                ha="center",
+                va="center",
+                fontsize=8.5,
+                color="0.25",
+            )
         for (a, b), (c, d) in zip(places, places[1:] + places[:1], strict=True):
-            start = (3.0 * a + 1.15 + 1.27 * np.sign(c - a), 1.9 * b + 0.57 + 0.68 * np.sign(d - b))
-            end = (3.0 * c + 1.15 - 1.27 * np.sign(c - a), 1.9 * d + 0.57 - 0.68 * np.sign(d - b))
-            ax.add_patch(FancyArrowPatch(start, end, arrowstyle="-|>", mutation_scale=16, color="0.3", lw=1.6))
-        ax.set(xlim=(-0.2, 8.5), ylim=(-0.2, 3.25), xticks=[], yticks=[], aspect="equal")
+            start = (
+                3.0 * a + 1.15 + 1.27 * np.sign(c - a),
+                1.9 * b + 0.57 + 0.68 * np.sign(d - b),
+            )
+            end = (
+                3.0 * c + 1.15 - 1.27 * np.sign(c - a),
+                1.9 * d + 0.57 - 0.68 * np.sign(d - b),
+            )
+            ax.add_patch(
+                FancyArrowPatch(
+                    start, end, arrowstyle="-|>", mutation_scale=16, color="0.3", lw=1.6
+                )
+            )
+        ax.set(
+            xlim=(-0.2, 8.5), ylim=(-0.2, 3.25), xticks=[], yticks=[], aspect="equal"
+        )
         ax.grid(False)
         for side in ax.spines.values():
             side.set_visible(False)
-    stages = ((i, q.replace("\n", " "), lessons) for i, (q, lessons, _) in enumerate(STAGES, 1))
-    spoken = " ".join(f"{i}. {question} Lessons {lessons}." for i, question, lessons in stages)
-    describe(ax, f"The loop of a program that moves bodies, in six stages. {spoken} Then it begins again.")
+    stages = (
+        (i, q.replace("\n", " "), lessons)
+        for i, (q, lessons, _) in enumerate(STAGES, 1)
+    )
+    spoken = " ".join(
+        f"{i}. {question} Lessons {lessons}." for i, question, lessons in stages
+    )
+    describe(
+        ax,
+        f"The loop of a program that moves bodies, in six stages. {spoken} Then it begins again.",
+    )
     return ax

@@ -38,7 +38,9 @@ def style() -> AbstractContextManager[None]:
     return mpl.rc_context(fname=str(STYLE))
 
 
-def axes(ax: Axes | None = None, *, size: tuple[float, float] | None = None, **options: Any) -> Axes:
+def axes(
+    ax: Axes | None = None, *, size: tuple[float, float] | None = None, **options: Any
+) -> Axes:
     """``ax`` itself, or the Axes of a new figure (``size`` in inches; options as for ``plt.subplots``)."""
     if ax is not None:
         return ax
@@ -71,9 +73,17 @@ def figure_html(figure: Figure, *, dots_per_inch: int = 160) -> str:
     """A figure as one ``<img>`` with its alternative text. Raises ``ValueError`` for a figure that has none."""
     text = alternative_text(figure)
     if not text:
-        raise ValueError("figure: expected alternative text, plots.describe(ax, '...'); got none")
+        raise ValueError(
+            "figure: expected alternative text, plots.describe(ax, '...'); got none"
+        )
     buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=dots_per_inch, facecolor="white", metadata={"Software": None})
+    figure.savefig(
+        buffer,
+        format="png",
+        dpi=dots_per_inch,
+        facecolor="white",
+        metadata={"Software": None},
+    )
     data = base64.b64encode(buffer.getvalue()).decode()
     width = round(figure.get_figwidth() * 100)
     return (

@@ -17,7 +17,13 @@ RUNS = r"where $\mathbf{l}$ runs"
 _LINES = (("blue", "-"), ("orange", "--"), ("green", "-."), ("purple", ":"))
 
 
-def energies(times: ArrayLike, parts: Mapping[str, ArrayLike], *, title: str = "", ax: Axes | None = None) -> Axes:
+def energies(
+    times: ArrayLike,
+    parts: Mapping[str, ArrayLike],
+    *,
+    title: str = "",
+    ax: Axes | None = None,
+) -> Axes:
     """Parts of an energy [J] over time [s], a line each, and their sum."""
     t = np.asarray(times)
     with style():
@@ -25,13 +31,28 @@ def energies(times: ArrayLike, parts: Mapping[str, ArrayLike], *, title: str = "
         for (name, values), (color, line) in zip(parts.items(), _LINES, strict=False):
             ax.plot(t, values, color=PALETTE[color], ls=line, marker="", label=name)
         total = np.sum([np.broadcast_to(v, t.shape) for v in parts.values()], axis=0)
-        ax.plot(t, total, color="black", lw=5, alpha=0.3, ls="-", marker="", zorder=1, label="their sum")
+        ax.plot(
+            t,
+            total,
+            color="black",
+            lw=5,
+            alpha=0.3,
+            ls="-",
+            marker="",
+            zorder=1,
+            label="their sum",
+        )
         ax.set(xlabel="time [s]", ylabel="energy [J]", title=title)
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     # What is nothing beside the largest is told as 0.
     least = 1e-6 * max(float(np.max(np.abs(v))) for v in parts.values())
-    runs = {n: [0.0 if abs(e) < least else e for e in (np.min(v), np.max(v))] for n, v in parts.items()}
-    told = "; ".join(f"{n} runs from {low:.3g} to {high:.3g} J" for n, (low, high) in runs.items())
+    runs = {
+        n: [0.0 if abs(e) < least else e for e in (np.min(v), np.max(v))]
+        for n, v in parts.items()
+    }
+    told = "; ".join(
+        f"{n} runs from {low:.3g} to {high:.3g} J" for n, (low, high) in runs.items()
+    )
     what = f"{title or 'Energy'} over {t[0]:g} to {t[-1]:g} s"
     describe(ax, f"{what}: {told}. Their sum changes by {np.ptp(total):.2g} J.")
     return ax
@@ -42,14 +63,25 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
     with style():
         ax = axes(ax, size=(7.6, 3.6))
         share = tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum)
-        for values, name, (color, line) in zip(share.T, AXIS_NAMES, _LINES, strict=False):
-            ax.plot(tumble.times, values, color=PALETTE[color], ls=line, marker="", label=name)
+        for values, name, (color, line) in zip(
+            share.T, AXIS_NAMES, _LINES, strict=False
+        ):
+            ax.plot(
+                tumble.times,
+                values,
+                color=PALETTE[color],
+                ls=line,
+                marker="",
+                label=name,
+            )
         moments = turnover_times(tumble)
         label = "on its side"
         for when in moments:
             ax.axvline(when, color="0.5", lw=1, ls=":", label=label)
             label = "_"
-        ax.set(xlabel="time [s]", ylabel="part of L along the axis / |L|", ylim=(-1.1, 1.1))
+        ax.set(
+            xlabel="time [s]", ylabel="part of L along the axis / |L|", ylim=(-1.1, 1.1)
+        )
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     when = ", ".join(f"{m:.2f}" for m in moments)
     crosses = f"crosses zero at {when} s" if when else "does not cross zero"
@@ -66,7 +98,10 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
 
     ``l = R'L`` is L as the body sees it. Returns the last of three Axes.
     """
-    moments, path = tumble.moments, tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum)
+    moments, path = (
+        tumble.moments,
+        tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum),
+    )
     grid = np.linspace(-1, 1, 241)
     with style():
         figure, three = plt.subplots(1, 3, figsize=(9.6, 3.7))
@@ -75,17 +110,53 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
             right, up = (toward + 1) % 3, (toward + 2) % 3
             x, y = np.meshgrid(grid, grid)
             inside = x**2 + y**2 <= 1
-            energy = x**2 / moments[right] + y**2 / moments[up] + (1 - x**2 - y**2) / moments[toward]
+            energy = (
+                x**2 / moments[right]
+                + y**2 / moments[up]
+                + (1 - x**2 - y**2) / moments[toward]
+            )
             levels = np.linspace(1 / moments[2], 1 / moments[0], 17)[1:-1]
             energy = np.where(inside, energy, np.nan)
-            panel.contour(x, y, energy, levels=levels, colors="0.62", linewidths=0.9, linestyles="-")
+            panel.contour(
+                x,
+                y,
+                energy,
+                levels=levels,
+                colors="0.62",
+                linewidths=0.9,
+                linestyles="-",
+            )
             turn = np.linspace(0, 2 * np.pi, 200)
-            panel.plot(np.cos(turn), np.sin(turn), color="0.3", lw=1.2, ls="-", marker="")
+            panel.plot(
+                np.cos(turn), np.sin(turn), color="0.3", lw=1.2, ls="-", marker=""
+            )
             # Near and far side in one line: the orbit is symmetric, and its two sides cover each other.
-            panel.plot(path[:, right], path[:, up], color=PALETTE["vermillion"], ls="-", lw=2, marker="", label=RUNS)
+            panel.plot(
+                path[:, right],
+                path[:, up],
+                color=PALETTE["vermillion"],
+                ls="-",
+                lw=2,
+                marker="",
+                label=RUNS,
+            )
             if path[0, toward] >= 0:
-                panel.plot(path[0, right], path[0, up], "o", color="black", ms=5, ls="none", label="start")
-            panel.set(aspect="equal", xticks=[-1, 0, 1], yticks=[-1, 0, 1], xlim=(-1.08, 1.08), ylim=(-1.08, 1.08))
+                panel.plot(
+                    path[0, right],
+                    path[0, up],
+                    "o",
+                    color="black",
+                    ms=5,
+                    ls="none",
+                    label="start",
+                )
+            panel.set(
+                aspect="equal",
+                xticks=[-1, 0, 1],
+                yticks=[-1, 0, 1],
+                xlim=(-1.08, 1.08),
+                ylim=(-1.08, 1.08),
+            )
             panel.set_xlabel(f"along {AXIS_NAMES[right]}")
             panel.set_ylabel(f"along {AXIS_NAMES[up]}")
             panel.set_title(f"seen along: {AXIS_NAMES[toward]}", fontsize=10.5)
@@ -105,4 +176,6 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
 def _ranges(parts: np.ndarray) -> str:
     """From where to where each part of l/|l| runs, in words."""
     told = zip(AXIS_NAMES, parts.min(axis=0), parts.max(axis=0), strict=True)
-    return ", ".join(f"{name} {low + 0.0:.2f} to {high + 0.0:.2f}" for name, low, high in told)
+    return ", ".join(
+        f"{name} {low + 0.0:.2f} to {high + 0.0:.2f}" for name, low, high in told
+    )

@@ -20,13 +20,22 @@ MARKERS = "os^DvP"
 LINES = ("-", "--", "-.", ":", "-", "--")
 
 
-def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes | None = None) -> Axes:
+def turning_pair(
+    pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes | None = None
+) -> Axes:
     """Bar and plank at the first time, and in outline at later ones; crosses mark the axles, which never move."""
     with style():
         ax = axes(ax, size=(7.4, 3.4))
         for i, time in enumerate(times):
-            for outline, colour in zip(pair.outlines(time), ("blue", "orange"), strict=True):
-                filled: dict[str, Any] = {"fc": PALETTE[colour], "ec": "black", "lw": 0.8, "alpha": 0.75}
+            for outline, colour in zip(
+                pair.outlines(time), ("blue", "orange"), strict=True
+            ):
+                filled: dict[str, Any] = {
+                    "fc": PALETTE[colour],
+                    "ec": "black",
+                    "lw": 0.8,
+                    "alpha": 0.75,
+                }
                 empty: dict[str, Any] = {
                     "fc": "none",
                     "ec": PALETTE[colour],
@@ -34,16 +43,28 @@ def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes
                     "ls": LINES[min(i, 3)],
                 }
                 ax.add_patch(Polygon(outline, **(empty if i else filled)))
-        for place, name in zip(pair.bodies().position[:, 1:], ("A, the bar", "B, the plank"), strict=True):
-            ax.plot(*place, marker="P", ms=11, mfc="white", mec="black", ls="none", zorder=5)
+        for place, name in zip(
+            pair.bodies().position[:, 1:], ("A, the bar", "B, the plank"), strict=True
+        ):
+            ax.plot(
+                *place, marker="P", ms=11, mfc="white", mec="black", ls="none", zorder=5
+            )
             ax.text(place[0], place[1] - 0.17, name, ha="center", va="top")
         _written_gaps(ax, pair, times)
         _turn(ax, pair.reach + 0.25, 0.75, f"{pair.rate_a:g} rad/s", pair.rate_a)
         _turn(ax, -0.65, 0.42, f"{pair.rate_b:g} rad/s", pair.rate_b)
-        ax.set(xlim=(-1.6, 2.8), ylim=(-0.5, 1.15), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+        ax.set(
+            xlim=(-1.6, 2.8),
+            ylim=(-0.5, 1.15),
+            aspect="equal",
+            xlabel="y [m]",
+            ylabel="z [m]",
+        )
         if len(times) > 1:
             ax.set_title(
-                f"filled: at {times[0]:g} s; in outline: at " + ", ".join(f"{t:g}" for t in times[1:]) + " s"
+                f"filled: at {times[0]:g} s; in outline: at "
+                + ", ".join(f"{t:g}" for t in times[1:])
+                + " s"
             )
     gaps = ", ".join(f"{pair.gap(t):.3f} m at {t:g} s" for t in times)
     describe(
@@ -55,7 +76,9 @@ def turning_pair(pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes
     return ax
 
 
-def marked_point(pair: TurningPair, place: float = -0.4, *, ax: Axes | None = None) -> Axes:
+def marked_point(
+    pair: TurningPair, place: float = -0.4, *, ax: Axes | None = None
+) -> Axes:
     """Bar over plank, level: the plank's point opposite the corner, and another point marked on the same face.
 
     Args:
@@ -68,8 +91,17 @@ def marked_point(pair: TurningPair, place: float = -0.4, *, ax: Axes | None = No
     with style():
         ax = axes(ax, size=(7.4, 2.7))
         for outline, colour in zip(pair.outlines(0.0), ("blue", "orange"), strict=True):
-            ax.add_patch(Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5))
-        ax.plot(*np.transpose(pair.bodies().position[:, 1:]), marker="P", ms=10, mfc="white", mec="black", ls="none")
+            ax.add_patch(
+                Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5)
+            )
+        ax.plot(
+            *np.transpose(pair.bodies().position[:, 1:]),
+            marker="P",
+            ms=10,
+            mfc="white",
+            mec="black",
+            ls="none",
+        )
         _arrow(ax, opposite, corner - opposite, "black", "")
         _arrow(ax, marked, corner - marked, "vermillion", "")
         for point, name, shift, side in (
@@ -78,12 +110,20 @@ def marked_point(pair: TurningPair, place: float = -0.4, *, ax: Axes | None = No
             (marked, "$p_B$, marked", (0.0, -0.2), "center"),
         ):
             ax.plot(*point, marker="o", ms=5, color="black", ls="none")
-            ax.text(point[0] + shift[0], point[1] + shift[1], name, ha=side, va="center")
+            ax.text(
+                point[0] + shift[0], point[1] + shift[1], name, ha=side, va="center"
+            )
         foot = np.array([-1.1, opposite[1]])
         _arrow(ax, foot, (0.0, 0.45), "blue", "$N$")
         _arrow(ax, foot + [0.0, 0.45], (-0.3, 0.0), "blue", r"$\dot N$")
         _turn(ax, 0.0, 0.3, "B turns", pair.rate_b)
-        ax.set(xlim=(-1.7, 2.8), ylim=(-0.35, 0.85), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+        ax.set(
+            xlim=(-1.7, 2.8),
+            ylim=(-0.35, 0.85),
+            aspect="equal",
+            xlabel="y [m]",
+            ylabel="z [m]",
+        )
     describe(
         ax,
         "A bar A over a plank B, level. Two arrows run to the lower corner of A, p_A: one straight up along N from the "
@@ -93,7 +133,9 @@ def marked_point(pair: TurningPair, place: float = -0.4, *, ax: Axes | None = No
     return ax
 
 
-def ladder_picture(y: float, z: float, angle: float, *, length: float = 4.0, ax: Axes | None = None) -> Axes:
+def ladder_picture(
+    y: float, z: float, angle: float, *, length: float = 4.0, ax: Axes | None = None
+) -> Axes:
     """A ladder before a wall, wherever it is: its gaps to floor and wall, and the two normals."""
     foot_gap, top_gap = ladder_gaps(y, z, angle, length=length)
     half = 0.5 * length * np.array([np.cos(angle), np.sin(angle)])
@@ -106,18 +148,47 @@ def ladder_picture(y: float, z: float, angle: float, *, length: float = 4.0, ax:
         ax.add_patch(Rectangle((0, -0.3), 0.3, high + 0.3, fc="0.85", ec="none"))
         ax.plot([left, 0, 0], [0, 0, high], color="0.3", lw=1.5, ls="-", marker="")
         ax.plot(
-            *np.stack([foot, top]).T, color=PALETTE["blue"], lw=6, ls="-", marker="", solid_capstyle="butt"
+            *np.stack([foot, top]).T,
+            color=PALETTE["blue"],
+            lw=6,
+            ls="-",
+            marker="",
+            solid_capstyle="butt",
         )
         ax.plot(*centre, marker="P", ms=10, mfc="white", mec="black", ls="none")
-        ax.text(centre[0] - 0.12, centre[1] + 0.12, "centre (y, z)", ha="right", va="bottom")
-        _measure(ax, foot, (foot[0], 0.0), f"$d_1$ = {foot_gap:.2f} m", (0.08, 0.0), "left")
-        _measure(ax, top, (0.0, top[1]), f"$d_2$ = {top_gap:.2f} m", (0.5 * top_gap - 0.04, 0.16), "right")
+        ax.text(
+            centre[0] - 0.12, centre[1] + 0.12, "centre (y, z)", ha="right", va="bottom"
+        )
+        _measure(
+            ax, foot, (foot[0], 0.0), f"$d_1$ = {foot_gap:.2f} m", (0.08, 0.0), "left"
+        )
+        _measure(
+            ax,
+            top,
+            (0.0, top[1]),
+            f"$d_2$ = {top_gap:.2f} m",
+            (0.5 * top_gap - 0.04, 0.16),
+            "right",
+        )
         _arrow(ax, (foot[0] - 0.45, 0.0), (0, 0.55), "black", "$N_1$")
         _arrow(ax, (0.0, 0.55 * high), (-0.55, 0), "black", "$N_2$")
         ax.add_patch(Arc(tuple(foot), 1.3, 1.3, theta2=np.degrees(angle), lw=1.2))
-        ax.plot([foot[0], foot[0] + 0.9], [foot[1]] * 2, color="0.5", lw=0.8, ls=":", marker="")
+        ax.plot(
+            [foot[0], foot[0] + 0.9],
+            [foot[1]] * 2,
+            color="0.5",
+            lw=0.8,
+            ls=":",
+            marker="",
+        )
         ax.text(foot[0] + 0.75, foot[1] + 0.25, r"$\theta$")
-        ax.set(xlim=(left, 0.35), ylim=(-0.35, high), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+        ax.set(
+            xlim=(left, 0.35),
+            ylim=(-0.35, high),
+            aspect="equal",
+            xlabel="y [m]",
+            ylabel="z [m]",
+        )
         ax.grid(False)
     describe(
         ax,
@@ -145,8 +216,15 @@ def contact_velocities(
     pair = TurningPair(rate_a=rate_a, rate_b=rate_b, reach=reach, clear=0.7)
     contact, bodies = pair.contacts(), pair.bodies()
     points = np.stack([contact.point_a[0], contact.point_b[0]])
-    moves = point_velocity(np.zeros((2, 3)), bodies.angular_velocity, points - bodies.position)
-    parts = {"A rises": velocity_a, "A turns": moves[0][2], "B rises": -velocity_b, "B turns": -moves[1][2]}
+    moves = point_velocity(
+        np.zeros((2, 3)), bodies.angular_velocity, points - bodies.position
+    )
+    parts = {
+        "A rises": velocity_a,
+        "A turns": moves[0][2],
+        "B rises": -velocity_b,
+        "B turns": -moves[1][2],
+    }
     speeds = moves + np.array([[0, 0, velocity_a], [0, 0, velocity_b]])
     total = sum(parts.values())
     with style():
@@ -154,11 +232,32 @@ def contact_velocities(
         if ax is None:
             _, (ax, bars) = plt.subplots(1, 2, figsize=(9.6, 3.6), width_ratios=(3, 2))
         for outline, colour in zip(pair.outlines(0.0), ("blue", "orange"), strict=True):
-            ax.add_patch(Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5))
-        ax.plot(*bodies.position[:, 1:].T, marker="P", ms=10, mfc="white", mec="black", ls="none")
+            ax.add_patch(
+                Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5)
+            )
+        ax.plot(
+            *bodies.position[:, 1:].T,
+            marker="P",
+            ms=10,
+            mfc="white",
+            mec="black",
+            ls="none",
+        )
         _point_velocities(ax, points, speeds)
-        ax.set(xlim=(-1.6, 3.0), ylim=(-1.0, 1.4), aspect="equal", xlabel="y [m]", ylabel="z [m]")
-        word = "neither" if abs(total) < 1e-9 else "the gap closes" if total < 0 else "the gap opens"
+        ax.set(
+            xlim=(-1.6, 3.0),
+            ylim=(-1.0, 1.4),
+            aspect="equal",
+            xlabel="y [m]",
+            ylabel="z [m]",
+        )
+        word = (
+            "neither"
+            if abs(total) < 1e-9
+            else "the gap closes"
+            if total < 0
+            else "the gap opens"
+        )
         ax.set_title(f"$\\dot d$ = {total + 0.0:+.2f} m/s: {word}")
         ax.legend(loc="lower right")
         if bars is not None:
@@ -189,7 +288,14 @@ def difference_errors(
         ax = axes(ax, size=(7.6, 4.4))
         for i, (name, error) in enumerate(result.error.items()):
             options = {"marker": MARKERS[i % 6], "color": colours[i % 6]}
-            ax.loglog(result.step, np.maximum(error, 1e-17), ls="none", ms=5, label=name, **options)
+            ax.loglog(
+                result.step,
+                np.maximum(error, 1e-17),
+                ls="none",
+                ms=5,
+                label=name,
+                **options,
+            )
             if expected is not None:
                 ax.loglog(
                     result.step,
@@ -201,7 +307,13 @@ def difference_errors(
                     label=f"{name}, predicted",
                 )
         if formula is not None:
-            ax.axhline(max(formula, 1e-17), color="black", lw=1.6, ls=(0, (5, 1)), label="the formula")
+            ax.axhline(
+                max(formula, 1e-17),
+                color="black",
+                lw=1.6,
+                ls=(0, (5, 1)),
+                label="the formula",
+            )
         ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
         ax.set_title("Errors of difference quotients")
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
@@ -209,13 +321,21 @@ def difference_errors(
         ax,
         f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
         "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
-        + (" The error of the formula is a level line below them all." if formula is not None else ""),
+        + (
+            " The error of the formula is a level line below them all."
+            if formula is not None
+            else ""
+        ),
     )
     return ax
 
 
 def passing_a_corner(
-    heights: Sequence[float] = (0.3, 0.03), *, speed: float = 1.0, step: float = 0.1, ax: Axes | None = None
+    heights: Sequence[float] = (0.3, 0.03),
+    *,
+    speed: float = 1.0,
+    step: float = 0.1,
+    ax: Axes | None = None,
 ) -> Axes:
     """A point passes over the corner of a box at two heights: the nearest-point normal at equal times."""
     with style():
@@ -238,8 +358,21 @@ def passing_a_corner(
             for place in y:
                 nearest = np.minimum(np.array([place, height]), 0.0)
                 normal = np.array([place, height]) - nearest
-                _arrow(ax, (place, height), 0.25 * normal / np.linalg.norm(normal), colour, "", lw=1.3)
-        ax.set(xlim=(-0.75, 1.0), ylim=(-0.25, 0.65), aspect="equal", xlabel="y [m]", ylabel="z [m]")
+                _arrow(
+                    ax,
+                    (place, height),
+                    0.25 * normal / np.linalg.norm(normal),
+                    colour,
+                    "",
+                    lw=1.3,
+                )
+        ax.set(
+            xlim=(-0.75, 1.0),
+            ylim=(-0.25, 0.65),
+            aspect="equal",
+            xlabel="y [m]",
+            ylabel="z [m]",
+        )
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     describe(
         ax,
@@ -258,7 +391,13 @@ def _written_gaps(ax: Axes, pair: TurningPair, times: Sequence[float]) -> None:
     if len(times) == 1:
         look = {"arrowstyle": "<->", "lw": 1.3, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", (y, z_a), (y, z_b), arrowprops=look)
-        ax.text(y - 0.05, 0.5 * (z_a + z_b), f"d = {contact.separation[0]:.2f} m", ha="right", va="center")
+        ax.text(
+            y - 0.05,
+            0.5 * (z_a + z_b),
+            f"d = {contact.separation[0]:.2f} m",
+            ha="right",
+            va="center",
+        )
         return
     said = "\n".join(f"d = {pair.gap(t):.3f} m at {t:g} s" for t in times)
     ax.annotate(said, (y, 0.5 * (z_a + z_b)), (y - 0.6, z_a + 0.62), ha="center", va="center",
@@ -280,31 +419,60 @@ def _contributions(ax: Axes, parts: Mapping[str, float], total: float) -> None:
     names, values = [*parts, "d_dot"], [*parts.values(), total]
     hatches = ("", "//", "", "//", "..")
     colours = ("blue", "blue", "vermillion", "vermillion", "grey")
-    for i, (value, colour, hatch) in enumerate(zip(values, colours, hatches, strict=True)):
+    for i, (value, colour, hatch) in enumerate(
+        zip(values, colours, hatches, strict=True)
+    ):
         ax.bar(i, value, color=PALETTE[colour], hatch=hatch, ec="white")
     ax.axhline(0, color="0.3", lw=0.8)
-    ax.set_xticks(range(len(names)), ["A\nrises", "A\nturns", "B\nrises", "B\nturns", "sum,\n$\\dot d$"])
+    ax.set_xticks(
+        range(len(names)),
+        ["A\nrises", "A\nturns", "B\nrises", "B\nturns", "sum,\n$\\dot d$"],
+    )
     reach = max(1.0, float(np.abs(values).max()))
-    ax.set(ylabel="adds to the rate of the gap [m/s]", ylim=(-1.15 * reach, 1.15 * reach))
+    ax.set(
+        ylabel="adds to the rate of the gap [m/s]", ylim=(-1.15 * reach, 1.15 * reach)
+    )
     ax.grid(axis="x", visible=False)
 
 
-def _arrow(ax: Axes, start: ArrayLike, along: ArrayLike, colour: str, label: str, *, lw: float = 1.8) -> None:
+def _arrow(
+    ax: Axes,
+    start: ArrayLike,
+    along: ArrayLike,
+    colour: str,
+    label: str,
+    *,
+    lw: float = 1.8,
+) -> None:
     tail, way = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
     length = float(np.linalg.norm(way))
     if length < 1e-9:
         return
-    look = {"arrowstyle": "-|>", "lw": lw, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0}
+    look = {
+        "arrowstyle": "-|>",
+        "lw": lw,
+        "color": PALETTE[colour],
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
     ax.annotate("", tuple(tail + way), tuple(tail), arrowprops=look)
     if label:
         y, z = tail + way * (1 + 0.16 / length)
         ax.text(y, z, label, color=PALETTE[colour], ha="center", va="center")
 
 
-def _measure(ax: Axes, start: ArrayLike, end: ArrayLike, label: str, shift: ArrayLike, side: str) -> None:
+def _measure(
+    ax: Axes, start: ArrayLike, end: ArrayLike, label: str, shift: ArrayLike, side: str
+) -> None:
     """A double arrow with its length beside it."""
     first, last = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-    look = {"arrowstyle": "<->", "lw": 1.2, "color": PALETTE["vermillion"], "shrinkA": 0, "shrinkB": 0}
+    look = {
+        "arrowstyle": "<->",
+        "lw": 1.2,
+        "color": PALETTE["vermillion"],
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
     ax.annotate("", tuple(last), tuple(first), arrowprops=look)
     y, z = 0.5 * (first + last) + np.asarray(shift)
     ax.text(y, z, label, color=PALETTE["vermillion"], ha=side, va="center")
@@ -315,5 +483,10 @@ def _turn(ax: Axes, y: float, z: float, label: str, rate: float) -> None:
     ends = ((y + 0.18, z - 0.1), (y - 0.18, z - 0.1))
     start, end = ends if rate >= 0 else ends[::-1]
     bend = "arc3,rad=0.7" if rate >= 0 else "arc3,rad=-0.7"
-    ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "lw": 1.6, "connectionstyle": bend})
+    ax.annotate(
+        "",
+        end,
+        start,
+        arrowprops={"arrowstyle": "-|>", "lw": 1.6, "connectionstyle": bend},
+    )
     ax.text(y, z + 0.13, label, ha="center", va="bottom")

@@ -35,7 +35,11 @@ def dome(scene: Dome, *, ax: Axes | None = None) -> Axes:
         near = ax.inset_axes((1.13, 0.0, 0.5, 0.74))
         for part in (ax, near):
             _dome_paths(part, scene)
-        ax.set(xlim=(-0.35 * scene.radius, 1.25 * scene.radius), ylim=(0, 1.1 * scene.radius), aspect="equal")
+        ax.set(
+            xlim=(-0.35 * scene.radius, 1.25 * scene.radius),
+            ylim=(0, 1.1 * scene.radius),
+            aspect="equal",
+        )
         (y, z), half = there, 0.11 * scene.radius
         near.set(xlim=(y - half, y + half), ylim=(z - half, z + half), aspect="equal")
         near.tick_params(labelsize=8)
@@ -68,7 +72,9 @@ def _dome_paths(ax: Axes, scene: Dome) -> None:
         foot = scene.radius * _out(angle)
         label = f"{name}: leaves at {np.degrees(angle):.1f}°"
         ax.plot(*foot, color=PALETTE[colour], ls=line, marker=mark, ms=8, label=label)
-        ax.plot([0, foot[0]], [0, foot[1]], color=PALETTE[colour], lw=1.0, ls=":", marker="")
+        ax.plot(
+            [0, foot[0]], [0, foot[1]], color=PALETTE[colour], lw=1.0, ls=":", marker=""
+        )
     ax.plot([0, 0], [0, scene.radius], color="0.5", lw=1.0, ls=":", marker="")
 
 
@@ -82,7 +88,11 @@ def _inside(scene: Dome, angle: float) -> tuple[float, np.ndarray, np.ndarray]:
 
 
 def dome_bias(
-    scene: Dome, angles: ArrayLike, measured: Mapping[str, ArrayLike], *, ax: Axes | None = None
+    scene: Dome,
+    angles: ArrayLike,
+    measured: Mapping[str, ArrayLike],
+    *,
+    ax: Axes | None = None,
 ) -> Axes:
     """The second rate of the gap without a force over the angle: measured points, and up to three formulas as lines.
 
@@ -103,16 +113,38 @@ def dome_bias(
         ):
             there = np.degrees(angles), np.asarray(values)
             ax.plot(*there, ls="none", marker=mark, color=PALETTE[colour], label=name)
-            ax.plot(np.degrees(theta), height, color=PALETTE[colour], ls=line, marker="", lw=1.4, label=word)
+            ax.plot(
+                np.degrees(theta),
+                height,
+                color=PALETTE[colour],
+                ls=line,
+                marker="",
+                lw=1.4,
+                label=word,
+            )
         ax.axhline(0, color="0.3", lw=1.0)
-        for angle, colour in ((scene.leaving_angle, "blue"), (scene.leaving_angle_as_printed, "vermillion")):
+        for angle, colour in (
+            (scene.leaving_angle, "blue"),
+            (scene.leaving_angle_as_printed, "vermillion"),
+        ):
             ax.axvline(np.degrees(angle), color=PALETTE[colour], lw=1.0, ls=":")
             ax.text(
-                np.degrees(angle) + 0.7, 14.0, f"{np.degrees(angle):.2f}°", color=PALETTE[colour], va="center"
+                np.degrees(angle) + 0.7,
+                14.0,
+                f"{np.degrees(angle):.2f}°",
+                color=PALETTE[colour],
+                va="center",
             )
-        ax.set(xlabel="angle from the top [degrees]", ylabel="second rate of the gap [m/s²]", ylim=(-11, 16))
+        ax.set(
+            xlabel="angle from the top [degrees]",
+            ylabel="second rate of the gap [m/s²]",
+            ylim=(-11, 16),
+        )
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    true, printed = np.degrees(scene.leaving_angle), np.degrees(scene.leaving_angle_as_printed)
+    true, printed = (
+        np.degrees(scene.leaving_angle),
+        np.degrees(scene.leaving_angle_as_printed),
+    )
     describe(
         ax,
         "Second rate of the gap of a particle let go on a dome, over its angle, as measured by "
@@ -130,24 +162,55 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
     scene, theta = Dome(), np.radians(angle)
     p, p_b = scene.flight(theta, ahead), _out(theta)
     n = p / np.linalg.norm(p)
-    true, old = float(scene.gap(theta, ahead)), float(scene.gap_from_the_old_point(theta, ahead))
-    bias, half = float(scene.bias(theta)), max(0.08, 0.75 * float(np.linalg.norm(p - p_b)))
+    true, old = (
+        float(scene.gap(theta, ahead)),
+        float(scene.gap_from_the_old_point(theta, ahead)),
+    )
+    bias, half = (
+        float(scene.bias(theta)),
+        max(0.08, 0.75 * float(np.linalg.norm(p - p_b))),
+    )
     with style():
         ax = axes(ax, size=(7.8, 4.2))
         ax.add_patch(Circle((0, 0), 1.0, fc="0.9", ec="0.3"))
         path = scene.flight(theta, np.linspace(0, ahead, 40))
-        ax.plot(*path.T, color="0.4", lw=1.2, ls=":", marker="", label="flight without a contact force")
+        ax.plot(
+            *path.T,
+            color="0.4",
+            lw=1.2,
+            ls=":",
+            marker="",
+            label="flight without a contact force",
+        )
         _both_gaps(ax, p, p_b, n, (true, old), half)
         touched = "point of the dome touched at 0 s"
-        ax.plot(*p_b, marker="s", ms=8, color=PALETTE["vermillion"], ls="none", label=touched)
+        ax.plot(
+            *p_b,
+            marker="s",
+            ms=8,
+            color=PALETTE["vermillion"],
+            ls="none",
+            label=touched,
+        )
         place = f"particle after {ahead:.2f} s"
         ax.plot(*p, marker="o", ms=5, color="black", ls="none", zorder=5, label=place)
         look = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
         tip = p + 0.5 * half * n
         ax.annotate("", tuple(tip), tuple(p + 0.08 * half * n), arrowprops=look)
-        ax.text(tip[0] + 0.1 * half * n[0], tip[1] + 0.1 * half * n[1], "N", ha="center", va="center")
+        ax.text(
+            tip[0] + 0.1 * half * n[0],
+            tip[1] + 0.1 * half * n[1],
+            "N",
+            ha="center",
+            va="center",
+        )
         y, z = 0.5 * (p + p_b)
-        ax.set(xlim=(y - half, y + half), ylim=(z - half, z + half), aspect="equal", anchor="W")
+        ax.set(
+            xlim=(y - half, y + half),
+            ylim=(z - half, z + half),
+            aspect="equal",
+            anchor="W",
+        )
         ax.set(xlabel="y [m]", ylabel="z [m]")
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
         word = "the dome lets it go" if bias > 0 else "without a force it sinks in"
@@ -162,41 +225,82 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
 
 
 def _both_gaps(
-    ax: Axes, p: np.ndarray, p_b: np.ndarray, n: np.ndarray, gaps: tuple[float, float], half: float
+    ax: Axes,
+    p: np.ndarray,
+    p_b: np.ndarray,
+    n: np.ndarray,
+    gaps: tuple[float, float],
+    half: float,
 ) -> None:
     """The gap of a particle at p to a dome of 1 m, and beside it that from the level of the old point p_b."""
     across, (true, old) = np.array([n[1], -n[0]]), gaps
     reach, aside = 0.34 * half * across, 0.26 * half * across
-    look: dict[str, Any] = {"color": PALETTE["vermillion"], "lw": 1.0, "ls": ":", "marker": ""}
+    look: dict[str, Any] = {
+        "color": PALETTE["vermillion"],
+        "lw": 1.0,
+        "ls": ":",
+        "marker": "",
+    }
     level = np.stack([p_b - 0.1 * half * across, p - old * n + reach])
     ax.plot(*level.T, label="through the old point, at right angles to N", **look)
-    ax.plot(*np.stack([p, p + reach]).T, label="through the particle, at right angles to N", **look | {"ls": "-."})
+    ax.plot(
+        *np.stack([p, p + reach]).T,
+        label="through the particle, at right angles to N",
+        **look | {"ls": "-."},
+    )
     label = f"gap to the dome: {1000 * true:.1f} mm"
-    ax.plot(*np.stack([n, p]).T, color=PALETTE["blue"], lw=3, ls="-", marker="", zorder=4, label=label)
+    ax.plot(
+        *np.stack([n, p]).T,
+        color=PALETTE["blue"],
+        lw=3,
+        ls="-",
+        marker="",
+        zorder=4,
+        label=label,
+    )
     label = f"gap from the old point: {1000 * old:.1f} mm"
     beside = np.stack([p - old * n, p]) + aside
-    ax.plot(*beside.T, color=PALETTE["vermillion"], lw=2.4, ls="--", marker="", label=label)
+    ax.plot(
+        *beside.T, color=PALETTE["vermillion"], lw=2.4, ls="--", marker="", label=label
+    )
 
 
 def bias_terms(
-    terms: Mapping[str, ArrayLike], labels: Sequence[str], *, unit: str = "m/s²", ax: Axes | None = None
+    terms: Mapping[str, ArrayLike],
+    labels: Sequence[str],
+    *,
+    unit: str = "m/s²",
+    ax: Axes | None = None,
 ) -> Axes:
     """The terms of b of up to four contacts side by side, and their sum.
 
     ``terms`` are those of ``course.contact.separation_acceleration_terms``, (c,) each; ``labels`` name the contacts.
     """
-    values = {word: np.asarray(terms[name], dtype=float) for name, word in TERMS.items()}
+    values = {
+        word: np.asarray(terms[name], dtype=float) for name, word in TERMS.items()
+    }
     total = np.sum([np.asarray(v, dtype=float) for v in terms.values()], axis=0)
     with style():
         ax = axes(ax, size=(8.4, 3.6))
         places, width = np.arange(len(values) + 1), 0.8 / len(labels)
         for row, (name, colour, hatch) in enumerate(
-            zip(labels, ("blue", "vermillion", "green", "purple"), ("", "//", "..", "xx"), strict=False)
+            zip(
+                labels,
+                ("blue", "vermillion", "green", "purple"),
+                ("", "//", "..", "xx"),
+                strict=False,
+            )
         ):
             heights = [*(v[row] for v in values.values()), total[row]]
             shift = (row - 0.5 * (len(labels) - 1)) * width
             bars = ax.bar(
-                places + shift, heights, width, color=PALETTE[colour], hatch=hatch, ec="white", label=name
+                places + shift,
+                heights,
+                width,
+                color=PALETTE[colour],
+                hatch=hatch,
+                ec="white",
+                label=name,
             )
             ax.bar_label(bars, fmt="%.2f", fontsize=7, padding=1)
         ax.axhline(0, color="0.3", lw=0.8)
@@ -207,7 +311,10 @@ def bias_terms(
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     spoken = []
     for row, name in enumerate(labels):
-        parts = ", ".join(f"{word.replace(chr(10), ' ')} {v[row] + 0.0:.2f}" for word, v in values.items())
+        parts = ", ".join(
+            f"{word.replace(chr(10), ' ')} {v[row] + 0.0:.2f}"
+            for word, v in values.items()
+        )
         spoken.append(f"{name}: {parts}, in all {total[row] + 0.0:.2f}")
     describe(ax, f"The terms of b in {unit}. {'; '.join(spoken)}.")
     return ax

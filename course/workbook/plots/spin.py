@@ -29,14 +29,25 @@ def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
     """The scene of the question: a rod that falls flat on a peg under its middle, and on one under its end."""
     with style():
         ax = axes(ax, size=(8.4, 2.9))
-        for middle, peg, impulse, words in ((-0.85, 0.0, "2", "middle"), (0.85, 0.5, "0.5", "end")):
+        for middle, peg, impulse, words in (
+            (-0.85, 0.0, "2", "middle"),
+            (0.85, 0.5, "0.5", "end"),
+        ):
             ax.plot([middle - 0.5, middle + 0.5], [0.04, 0.04], color=PALETTE["blue"], lw=7, ls="-", marker="",
                     solid_capstyle="butt")  # fmt: skip
             for x in (-0.4, 0.0, 0.4):
                 _arrow(ax, (middle + x, 0.42), (middle + x, 0.42 - ARROW), "blue")
             x = middle + peg
-            ax.add_patch(Polygon([(x - 0.07, -0.34), (x + 0.07, -0.34), (x, 0.0)], fc="0.75", ec="0.3"))
-            ax.text(x, -0.4, f"peg under its {words}: {impulse} N s", ha="center", va="top")
+            ax.add_patch(
+                Polygon(
+                    [(x - 0.07, -0.34), (x + 0.07, -0.34), (x, 0.0)],
+                    fc="0.75",
+                    ec="0.3",
+                )
+            )
+            ax.text(
+                x, -0.4, f"peg under its {words}: {impulse} N s", ha="center", va="top"
+            )
         ax.text(-0.05, 0.28, "1 m/s", ha="center", va="center")
         ax.plot([-1.6, 1.95], [-0.34, -0.34], color="0.3", lw=1.2, marker="", ls="-")
         ax.set(xlim=(-1.65, 2.0), ylim=(-0.6, 0.5), aspect="equal")
@@ -49,7 +60,9 @@ def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | None = None) -> Axes:
+def rod_impact(
+    angle: float, restitution: float, place: float, *, ax: Axes | None = None
+) -> Axes:
     """A rod of 1 kg and 1 m that falls at 1 m/s, before and after the floor hits it at one point.
 
     Args:
@@ -61,17 +74,26 @@ def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | Non
     after = resolve_collisions(before, contact, restitution)
     axis = before.rotation[0, :, 0]
     push = float(after.momentum[0, 2] - before.momentum[0, 2])
-    felt, kept = float(effective_mass(before, contact)[0]), total_energy(after) / total_energy(before)
+    felt, kept = (
+        float(effective_mass(before, contact)[0]),
+        total_energy(after) / total_energy(before),
+    )
     floor = 0.5 * axis[2] - PIN
     with style():
         ax = axes(ax, size=(8.8, 4.5))
-        ax.add_patch(Rectangle((-2.2, floor - 0.08), 4.5, 0.08, fc="0.88", ec="none", hatch="///"))
+        ax.add_patch(
+            Rectangle(
+                (-2.2, floor - 0.08), 4.5, 0.08, fc="0.88", ec="none", hatch="///"
+            )
+        )
         ax.plot([-2.2, 2.3], [floor, floor], color="0.3", lw=1.2, marker="", ls="-")
         for middle, state, words in ((-1.1, before, "before"), (1.1, after, "after")):
             _rod(ax, middle, axis, place, floor, state)
             ax.text(middle, 1.12, words, ha="center", va="top", fontweight="bold")
         spin = float(after.angular_velocity[0, 1])
-        way = "" if abs(spin) < 5e-3 else ", anticlockwise" if spin < 0 else ", clockwise"
+        way = (
+            "" if abs(spin) < 5e-3 else ", anticlockwise" if spin < 0 else ", clockwise"
+        )
         ax.text(1.1, 0.98, f"spin {abs(spin):.2f} rad/s{way}\nenergy kept: {100 * kept:.0f} %", ha="center", va="top",
                 fontsize=9.5)  # fmt: skip
         ax.text(-1.1, 0.98, f"m = 1 kg\nmass felt at the point: {felt:.3f} kg", ha="center", va="top",
@@ -90,22 +112,38 @@ def rod_impact(angle: float, restitution: float, place: float, *, ax: Axes | Non
     return ax
 
 
-def _rod(ax: Axes, middle: float, axis: np.ndarray, place: float, floor: float, state: Bodies) -> None:
+def _rod(
+    ax: Axes, middle: float, axis: np.ndarray, place: float, floor: float, state: Bodies
+) -> None:
     """The rod in the x-z plane with the velocities of its ends and its middle, and the pin that meets the floor."""
     x, z = middle + 0.5 * axis[0] * np.array([-1, 1]), 0.5 * axis[2] * np.array([-1, 1])
     ax.plot(x, z, color=PALETTE["sky"], lw=7, ls="-", marker="", solid_capstyle="butt")
     hit = 0.5 * place * axis
-    ax.plot([middle + hit[0]] * 2, [hit[2], floor], color="0.3", lw=1.6, ls="-", marker="")
+    ax.plot(
+        [middle + hit[0]] * 2, [hit[2], floor], color="0.3", lw=1.6, ls="-", marker=""
+    )
     ax.plot(middle + hit[0], floor, marker="^", ms=8, color="black", ls="none")
     for s in (-1.0, 0.0, 1.0):
         arm = 0.5 * s * axis
         v = point_velocity(state.velocity[0], state.angular_velocity[0], arm)
         start = (middle + arm[0], arm[2])
         if np.hypot(v[0], v[2]) > 5e-3:
-            _arrow(ax, start, (start[0] + ARROW * v[0], start[1] + ARROW * v[2]), "vermillion")
+            _arrow(
+                ax,
+                start,
+                (start[0] + ARROW * v[0], start[1] + ARROW * v[2]),
+                "vermillion",
+            )
         ax.plot(*start, marker="o" if s else "s", ms=5, color="black", ls="none")
         right, up, across, along = LABELS[s]
-        ax.text(start[0] + right, start[1] + up, _speed(v[2]), ha=across, va=along, fontsize=9.5)
+        ax.text(
+            start[0] + right,
+            start[1] + up,
+            _speed(v[2]),
+            ha=across,
+            va=along,
+            fontsize=9.5,
+        )
 
 
 def rod_impulses(
@@ -126,15 +164,37 @@ def rod_impulses(
     """
     with style():
         ax = axes(ax, size=(7.6, 4.1))
-        ax.axhline(without_spin, color="0.45", ls="--", lw=1.2, label="a body that cannot turn")
-        ax.axhline(without_spin / 4, color=PALETTE["blue"], ls=":", lw=1.2, label="a quarter of it")
-        ax.plot(angle, closed_form, color="0.2", ls="-", marker="", lw=1.5, label="your closed form")
+        ax.axhline(
+            without_spin, color="0.45", ls="--", lw=1.2, label="a body that cannot turn"
+        )
+        ax.axhline(
+            without_spin / 4,
+            color=PALETTE["blue"],
+            ls=":",
+            lw=1.2,
+            label="a quarter of it",
+        )
+        ax.plot(
+            angle,
+            closed_form,
+            color="0.2",
+            ls="-",
+            marker="",
+            lw=1.5,
+            label="your closed form",
+        )
         looks = zip(("vermillion", "green", "purple"), "osD", (8, 4.5, 5), strict=True)
-        for (name, (x, y)), (colour, mark, size) in zip(measured.items(), looks, strict=False):
+        for (name, (x, y)), (colour, mark, size) in zip(
+            measured.items(), looks, strict=False
+        ):
             filled = PALETTE[colour] if mark != "o" else "none"
             ax.plot(x, y, ls="none", marker=mark, ms=size, mfc=filled, mec=PALETTE[colour], mew=1.5,
                     label=name)  # fmt: skip
-        ax.set(xlabel="angle from the horizontal [°]", ylabel="impulse [N s]", xticks=range(0, 91, 15))
+        ax.set(
+            xlabel="angle from the horizontal [°]",
+            ylabel="impulse [N s]",
+            xticks=range(0, 91, 15),
+        )
         ax.set_ylim(0, 1.12 * without_spin)
         ax.set_title("A rod dropped on its end")
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -150,7 +210,9 @@ def rod_impulses(
     return ax
 
 
-def box_outcomes(box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies]) -> Axes:
+def box_outcomes(
+    box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies]
+) -> Axes:
     """A box on its four corners in oblique view, before an impact and after it by several laws.
 
     Args:
@@ -171,7 +233,8 @@ def box_outcomes(box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies
             spoken.append(_box(ax, corners, 2 * box.position[0, 2], state, name))
     describe(
         several[0],
-        "A box just above the floor and the upward speeds of its corners 1 to 4. " + " ".join(spoken),
+        "A box just above the floor and the upward speeds of its corners 1 to 4. "
+        + " ".join(spoken),
     )
     first: Axes = several[0]
     return first
@@ -185,12 +248,21 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
         ax.add_patch(Polygon(face[[0, 2, 3, 1]], fc="0.9", ec="0.45", alpha=0.6))
     for a, b in zip(low, high, strict=True):
         ax.plot(*np.stack([a, b]).T, color="0.45", lw=1.0, ls="-", marker="")
-    speeds = point_velocity(state.velocity[0], state.angular_velocity[0], corners - state.position[0])[:, 2]
+    speeds = point_velocity(
+        state.velocity[0], state.angular_velocity[0], corners - state.position[0]
+    )[:, 2]
     for i, (start, speed) in enumerate(zip(low, speeds, strict=True)):
         if abs(speed) > 5e-3:
-            _arrow(ax, (start[0], start[1]), (start[0], start[1] + ARROW * speed), "vermillion")
+            _arrow(
+                ax,
+                (start[0], start[1]),
+                (start[0], start[1] + ARROW * speed),
+                "vermillion",
+            )
         ax.plot(*start, marker="o", ms=4, color="black", ls="none")
-        side = (0.05, "left") if i % 2 else (-0.05, "right")  # out of the way of the arrows beside it
+        side = (
+            (0.05, "left") if i % 2 else (-0.05, "right")
+        )  # out of the way of the arrows beside it
         back = {"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85}
         ax.text(
             start[0] + side[0],
@@ -205,13 +277,15 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
     ax.set(xlim=(-0.95, 0.95), ylim=(-0.62, 0.7), aspect="equal")
     ax.set_title(f"{name}\nspin {np.linalg.norm(spin):.2f} rad/s", fontsize=10)
     _bare(ax)
-    return (
-        f"{name}: {', '.join(f'{round(s, 2) + 0.0:.2f}' for s in speeds)} m/s, spin {np.linalg.norm(spin):.2f} rad/s."
-    )
+    listed = ", ".join(f"{round(s, 2) + 0.0:.2f}" for s in speeds)
+    return f"{name}: {listed} m/s, spin {np.linalg.norm(spin):.2f} rad/s."
 
 
 def spins_by_order(
-    outcomes: OrderOutcomes, others: Mapping[str, Sequence[float]], *, ax: Axes | None = None
+    outcomes: OrderOutcomes,
+    others: Mapping[str, Sequence[float]],
+    *,
+    ax: Axes | None = None,
 ) -> Axes:
     """The spin that each order of the same contacts gives the same box, as one point an outcome.
 
@@ -223,18 +297,41 @@ def spins_by_order(
         ax = axes(ax, size=(8.2, 4.0))
         ax.plot(*outcomes.spin[:, :2].T, ls="none", marker="o", ms=6, mfc="none", mec=PALETTE["vermillion"], mew=1.5,
                 label=f"one after the other,\n{len(outcomes.order)} orders")  # fmt: skip
-        different, times = np.unique(np.round(outcomes.spin, 6), axis=0, return_counts=True)
+        different, times = np.unique(
+            np.round(outcomes.spin, 6), axis=0, return_counts=True
+        )
         for spin, count in zip(different, times, strict=True):
             if count > 1:
-                ax.annotate(f"{count} orders", spin[:2], (7, 0), textcoords="offset points", va="center", fontsize=9)
+                ax.annotate(
+                    f"{count} orders",
+                    spin[:2],
+                    (7, 0),
+                    textcoords="offset points",
+                    va="center",
+                    fontsize=9,
+                )
         for (name, spin), mark in zip(others.items(), "*D^", strict=False):
-            ax.plot(spin[0], spin[1], ls="none", marker=mark, ms=13, color=PALETTE["blue"], label=name)
-        ax.set(xlabel=r"spin about x, $\omega_x$ [rad/s]", ylabel=r"spin about y, $\omega_y$ [rad/s]", aspect="equal")
+            ax.plot(
+                spin[0],
+                spin[1],
+                ls="none",
+                marker=mark,
+                ms=13,
+                color=PALETTE["blue"],
+                label=name,
+            )
+        ax.set(
+            xlabel=r"spin about x, $\omega_x$ [rad/s]",
+            ylabel=r"spin about y, $\omega_y$ [rad/s]",
+            aspect="equal",
+        )
         ax.margins(x=0.12)
         ax.set_title("One box, one impact")
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     fastest = float(np.linalg.norm(outcomes.spin, axis=1).max())
-    named = "; ".join(f"{name}: {np.linalg.norm(s):.2f} rad/s" for name, s in others.items())
+    named = "; ".join(
+        f"{name}: {np.linalg.norm(s):.2f} rad/s" for name, s in others.items()
+    )
     describe(
         ax,
         f"Spins of a box after the same flat landing with its four contacts listed in {len(outcomes.order)} orders: "
@@ -261,12 +358,29 @@ def spin_by_pegs(
     """
     with style():
         ax = axes(ax, size=(8.6, 4.0))
-        for (name, spin), colour, mark in zip(by_order.items(), ("vermillion", "purple"), "os", strict=False):
+        for (name, spin), colour, mark in zip(
+            by_order.items(), ("vermillion", "purple"), "os", strict=False
+        ):
             ax.plot(place, spin, ls="none", marker=mark, ms=5, mfc="none", mec=PALETTE[colour], mew=1.4,
                     label=name)  # fmt: skip
-        ax.plot(place, both, ls="--", marker="", color=PALETTE["green"], label="both at once")
-        ax.axvline(threshold, color=PALETTE["blue"], ls=":", label=f"radius of gyration\n{threshold:.3g} m")
-        ax.set(xlabel="pegs left and right of the middle at [m]", ylabel=r"spin about y, $\omega_y$ [rad/s]")
+        ax.plot(
+            place,
+            both,
+            ls="--",
+            marker="",
+            color=PALETTE["green"],
+            label="both at once",
+        )
+        ax.axvline(
+            threshold,
+            color=PALETTE["blue"],
+            ls=":",
+            label=f"radius of gyration\n{threshold:.3g} m",
+        )
+        ax.set(
+            xlabel="pegs left and right of the middle at [m]",
+            ylabel=r"spin about y, $\omega_y$ [rad/s]",
+        )
         ax.set_title("A level rod on two pegs, e = 1")
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     most = max(float(np.abs(spin).max()) for spin in by_order.values())
@@ -279,7 +393,9 @@ def spin_by_pegs(
     return ax
 
 
-def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes | None = None) -> Axes:
+def mass_over_face(
+    x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes | None = None
+) -> Axes:
     """Effective mass over mass where a box is hit on its upper face, and where leaving out spin errs by how much.
 
     Args:
@@ -288,14 +404,30 @@ def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes 
     """
     with style():
         ax = axes(ax, size=(7.4, 4.2))
-        filled = ax.contourf(x, y, ratio, levels=np.linspace(0.0, 1.0, 11), cmap="viridis")
+        filled = ax.contourf(
+            x, y, ratio, levels=np.linspace(0.0, 1.0, 11), cmap="viridis"
+        )
         bar = ax.get_figure(root=True).colorbar(filled, ax=ax)  # type: ignore[union-attr]
         bar.set_label(r"mass felt / mass, $\mu/m$")
         for error, line in ((1, "-"), (10, "--"), (50, ":")):
             ax.contour(
-                x, y, ratio, levels=[1 / (1 + error / 100)], colors="black", linewidths=1.6, linestyles=line
+                x,
+                y,
+                ratio,
+                levels=[1 / (1 + error / 100)],
+                colors="black",
+                linewidths=1.6,
+                linestyles=line,
             )
-            ax.plot([], [], color="black", lw=1.6, ls=line, marker="", label=f"{error} % too large")
+            ax.plot(
+                [],
+                [],
+                color="black",
+                lw=1.6,
+                ls=line,
+                marker="",
+                label=f"{error} % too large",
+            )
         ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
         ax.set_title("Mass felt where the top face is hit")
         said = "on this line the impulse without spin is"
@@ -309,7 +441,9 @@ def mass_over_face(x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes 
     return ax
 
 
-def _arrow(ax: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str) -> None:
+def _arrow(
+    ax: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str
+) -> None:
     ax.add_patch(FancyArrowPatch(start, tip, arrowstyle="-|>", mutation_scale=11, lw=1.8, color=PALETTE[colour],
                                  shrinkA=0, shrinkB=0, zorder=4))  # fmt: skip
 

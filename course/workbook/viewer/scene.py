@@ -113,10 +113,19 @@ class Scene:
     @property
     def reach(self) -> float:
         """How far from its centre anything is ever to be seen [m]; less than ``radius`` where a body turns."""
-        far = [a.origin + part * a.length - self.center for a in self.arrows for part in (0.0, 1.0)]
-        farthest = max((float(np.linalg.norm(p, axis=-1).max(initial=0.0)) for p in far), default=0.0)
+        far = [
+            a.origin + part * a.length - self.center
+            for a in self.arrows
+            for part in (0.0, 1.0)
+        ]
+        farthest = max(
+            (float(np.linalg.norm(p, axis=-1).max(initial=0.0)) for p in far),
+            default=0.0,
+        )
         if self.solids:
-            away = np.linalg.norm(self.position - self.center, axis=-1) + [s.reach for s in self.solids]
+            away = np.linalg.norm(self.position - self.center, axis=-1) + [
+                s.reach for s in self.solids
+            ]
             farthest = max(farthest, float(away.max()))
         return farthest
 
@@ -131,7 +140,9 @@ class Scene:
 
     def vertices(self, index: int) -> list[Array]:
         """Each body's vertices in the world at a moment."""
-        placed = zip(self.solids, self.rotation[index], self.position[index], strict=True)
+        placed = zip(
+            self.solids, self.rotation[index], self.position[index], strict=True
+        )
         return [s.vertices @ turn.T + x for s, turn, x in placed]
 
     def legend(self) -> list[tuple[str, str]]:
@@ -142,7 +153,10 @@ class Scene:
         """Alternative text for the picture of a moment; None: of no moment in particular."""
         counted = Counter(s.what for s in self.solids)
         bodies = (
-            " and ".join(f"{n} {_several(what)}" if n > 1 else f"a {what}" for what, n in counted.items())
+            " and ".join(
+                f"{n} {_several(what)}" if n > 1 else f"a {what}"
+                for what, n in counted.items()
+            )
             or "no bodies"
         )
         when = (
@@ -172,7 +186,9 @@ def make_scene(
     known = (solids,) if isinstance(solids, Solid) else tuple(solids)
     for solid in known:
         if not isinstance(solid, Solid):
-            raise failure("solids", "solids, as viewer.box(...) makes them", type(solid).__name__)
+            raise failure(
+                "solids", "solids, as viewer.box(...) makes them", type(solid).__name__
+            )
     t = _times(times)
     x = _over_time("position", vectors("position", position), len(known), t)
     q = (
@@ -187,7 +203,9 @@ def make_scene(
     choice("camera", camera, tuple(CAMERAS))
     bare = Scene(known, t, read_only(x), read_only(turn), (), height, camera, caption)
     placed = tuple(_place(a, i, bare) for i, a in enumerate(arrows))
-    return Scene(known, t, bare.position, bare.rotation, placed, height, camera, caption)
+    return Scene(
+        known, t, bare.position, bare.rotation, placed, height, camera, caption
+    )
 
 
 def _times(times: ArrayLike | None) -> Array:
@@ -206,7 +224,9 @@ def _over_time(name: str, array: Array, count: int, times: Array) -> Array:
         return array[None]
     if array.shape != (len(times), count, *core):
         moving = f" or ({len(times)}, {count}, {core[0]})" if len(times) > 1 else ""
-        raise failure(name, f"shape ({count}, {core[0]}){moving}", f"shape {array.shape}")
+        raise failure(
+            name, f"shape ({count}, {core[0]}){moving}", f"shape {array.shape}"
+        )
     return array
 
 
@@ -214,9 +234,17 @@ def _place(arrows: Arrows, number: int, scene: Scene) -> PlacedArrows:
     if not isinstance(arrows, Arrows):
         raise failure("arrows", "viewer.Arrows(...)", type(arrows).__name__)
     vector = vectors(f"arrows {arrows.name}", arrows.vector)
-    at = scene.position if arrows.at is None else vectors(f"arrows {arrows.name}, at", arrows.at)
+    at = (
+        scene.position
+        if arrows.at is None
+        else vectors(f"arrows {arrows.name}, at", arrows.at)
+    )
     if vector.ndim < 2:
-        raise failure(f"arrows {arrows.name}", "shape (m, 3) or (t, m, 3)", f"shape {vector.shape}")
+        raise failure(
+            f"arrows {arrows.name}",
+            "shape (m, 3) or (t, m, 3)",
+            f"shape {vector.shape}",
+        )
     count = vector.shape[-2]
     vector = _over_time(f"arrows {arrows.name}", vector, count, scene.times)
     at = _over_time(f"arrows {arrows.name}, at", at, count, scene.times)
@@ -232,7 +260,12 @@ def _place(arrows: Arrows, number: int, scene: Scene) -> PlacedArrows:
     length = scale * vector
     shape = np.broadcast_shapes(at.shape, length.shape)
     return PlacedArrows(
-        arrows.name, arrows.unit, scale, color, np.broadcast_to(at, shape), np.broadcast_to(length, shape)
+        arrows.name,
+        arrows.unit,
+        scale,
+        color,
+        np.broadcast_to(at, shape),
+        np.broadcast_to(length, shape),
     )
 
 
@@ -243,7 +276,9 @@ def _nice_scale(vector: Array, scene: Scene) -> float:
         return 1.0
     wanted = 0.9 * max(scene.radius, 1e-9) / longest
     power = 10.0 ** np.floor(np.log10(wanted))
-    return float(power * max(s for s in (1.0, 2.0, 5.0) if s * power <= wanted * (1 + 1e-9)))
+    return float(
+        power * max(s for s in (1.0, 2.0, 5.0) if s * power <= wanted * (1 + 1e-9))
+    )
 
 
 def _several(what: str) -> str:
@@ -255,8 +290,12 @@ def _scale_in_words(arrows: PlacedArrows) -> str:
     if not arrows.unit:
         return f"unit vectors, drawn {arrows.scale:.3g} m long"
     # For one unit, or for a tenth, a hundredth ... where all arrows are far less than one.
-    longest = float(np.linalg.norm(arrows.length, axis=-1).max(initial=0.0)) / arrows.scale
-    amount = 1.0 if longest == 0.0 or longest >= 0.5 else 10.0 ** np.floor(np.log10(longest))
+    longest = (
+        float(np.linalg.norm(arrows.length, axis=-1).max(initial=0.0)) / arrows.scale
+    )
+    amount = (
+        1.0 if longest == 0.0 or longest >= 0.5 else 10.0 ** np.floor(np.log10(longest))
+    )
     return f"{amount * arrows.scale:.3g} m drawn for {amount:g} {arrows.unit}"
 
 

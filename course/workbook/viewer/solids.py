@@ -48,13 +48,19 @@ class Solid:
 
     def __post_init__(self) -> None:
         vertices = vectors("vertices", self.vertices)
-        triangles = indices("triangles", self.triangles, len(vertices) if vertices.ndim == 2 else 0)
+        triangles = indices(
+            "triangles", self.triangles, len(vertices) if vertices.ndim == 2 else 0
+        )
         if vertices.ndim != 2 or not len(vertices):
-            raise failure("vertices", "shape (v, 3) with at least one", f"shape {vertices.shape}")
+            raise failure(
+                "vertices", "shape (v, 3) with at least one", f"shape {vertices.shape}"
+            )
         if triangles.ndim != 2 or triangles.shape[1] != 3:
             raise failure("triangles", "shape (f, 3)", f"shape {triangles.shape}")
         if len(self.colors) != len(vertices):
-            raise failure("colors", f"{len(vertices)} names, one a vertex", f"{len(self.colors)}")
+            raise failure(
+                "colors", f"{len(vertices)} names, one a vertex", f"{len(self.colors)}"
+            )
         for name in set(self.colors):
             choice("colors", name, tuple(PALETTE))
         object.__setattr__(self, "vertices", read_only(vertices))
@@ -88,40 +94,77 @@ def box(
     for axis in range(3):
         for side in (-1.0, 1.0):
             first, second = np.eye(3)[(axis + 1) % 3], np.eye(3)[(axis + 2) % 3]
-            turns = ((-1, -1), (1, -1), (1, 1), (-1, 1)) if side > 0 else ((-1, -1), (-1, 1), (1, 1), (1, -1))
+            turns = (
+                ((-1, -1), (1, -1), (1, 1), (-1, 1))
+                if side > 0
+                else ((-1, -1), (-1, 1), (1, 1), (1, -1))
+            )
             start = len(corners)
-            corners += [side * np.eye(3)[axis] + a * first + b * second for a, b in turns]
+            corners += [
+                side * np.eye(3)[axis] + a * first + b * second for a, b in turns
+            ]
             triangles += [(start, start + 1, start + 2), (start, start + 2, start + 3)]
     names = (color,) * 3 if isinstance(color, str) else tuple(color)
     if len(names) != 3:
         raise failure("color", "one name or three", f"{len(names)}")
     placed = _placed(np.array(corners) * size, center, rotation)
-    return Solid(placed, np.array(triangles), tuple(name for name in names for _ in range(8)), "box")
+    return Solid(
+        placed,
+        np.array(triangles),
+        tuple(name for name in names for _ in range(8)),
+        "box",
+    )
 
 
-def sphere(radius: float, *, center: ArrayLike = (0.0, 0.0, 0.0), color: str = "blue") -> Solid:
+def sphere(
+    radius: float, *, center: ArrayLike = (0.0, 0.0, 0.0), color: str = "blue"
+) -> Solid:
     """A ball of this radius [m]."""
     size = float(positive("radius", radius))
     vertices, triangles = _round(np.zeros(POLE_TO_POLE), size)
-    return Solid(_placed(vertices, center, None), triangles, (color,) * len(vertices), "sphere", smooth=True)
+    return Solid(
+        _placed(vertices, center, None),
+        triangles,
+        (color,) * len(vertices),
+        "sphere",
+        smooth=True,
+    )
 
 
-def capsule(start: ArrayLike, end: ArrayLike, radius: float, *, color: str = "blue") -> Solid:
+def capsule(
+    start: ArrayLike, end: ArrayLike, radius: float, *, color: str = "blue"
+) -> Solid:
     """A capsule: all points within ``radius`` [m] of the segment from ``start`` to ``end``, each (3,) [m]."""
-    a, b, size = vectors("start", start), vectors("end", end), float(positive("radius", radius))
+    a, b, size = (
+        vectors("start", start),
+        vectors("end", end),
+        float(positive("radius", radius)),
+    )
     shaped("start", a, (3,))
     shaped("end", b, (3,))
     half = 0.5 * float(np.linalg.norm(b - a))
     middle = POLE_TO_POLE // 2
-    shift = np.concatenate([np.full(middle, -half), [-half, half], np.full(middle, half)])
+    shift = np.concatenate(
+        [np.full(middle, -half), [-half, half], np.full(middle, half)]
+    )
     vertices, triangles = _round(shift, size)
     turn = _frames((b - a)[None])[0]
     return Solid(
-        vertices @ turn.T + 0.5 * (a + b), triangles, (color,) * len(vertices), "capsule", smooth=True
+        vertices @ turn.T + 0.5 * (a + b),
+        triangles,
+        (color,) * len(vertices),
+        "capsule",
+        smooth=True,
     )
 
 
-def mesh(vertices: ArrayLike, triangles: ArrayLike, *, color: str = "blue", smooth: bool = False) -> Solid:
+def mesh(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    *,
+    color: str = "blue",
+    smooth: bool = False,
+) -> Solid:
     """Any surface of triangles: vertices (v, 3) [m] in body axes, triangles (f, 3), anticlockwise from outside."""
     array = vectors("vertices", vertices)
     return Solid(array, np.asarray(triangles), (color,) * len(array), "mesh", smooth)
@@ -156,7 +199,10 @@ def arrow_vertices(origin: Array, arrow: Array, width: float) -> Array:
     up = np.array([0.0, 0.0, 1.0])
 
     def at(radius: Any, height: Any) -> Array:
-        return np.asarray(radius)[..., None, None] * ring + np.asarray(height)[..., None, None] * up
+        return (
+            np.asarray(radius)[..., None, None] * ring
+            + np.asarray(height)[..., None, None] * up
+        )
 
     local = np.concatenate(
         [
@@ -194,7 +240,9 @@ def _round(shift: Array, radius: float) -> tuple[Array, IntArray]:
     rings = len(shift)
     extra = rings - POLE_TO_POLE  # a capsule has its equator twice
     latitude = np.linspace(-0.5 * np.pi, 0.5 * np.pi, POLE_TO_POLE)
-    latitude = np.concatenate([latitude[: POLE_TO_POLE // 2 + 1], latitude[POLE_TO_POLE // 2 + 1 - extra :]])
+    latitude = np.concatenate(
+        [latitude[: POLE_TO_POLE // 2 + 1], latitude[POLE_TO_POLE // 2 + 1 - extra :]]
+    )
     turn = np.linspace(0, 2 * np.pi, AROUND, endpoint=False)
     x = radius * np.cos(latitude)[:, None] * np.cos(turn)
     y = radius * np.cos(latitude)[:, None] * np.sin(turn)
@@ -213,7 +261,9 @@ def _round(shift: Array, radius: float) -> tuple[Array, IntArray]:
 def _frames(direction: Array) -> Array:
     """Rotations (..., 3, 3) that take axis 3 to each direction (..., 3); the identity for a zero one."""
     length = np.linalg.norm(direction, axis=-1, keepdims=True)
-    along = np.where(length > 0, direction / np.where(length > 0, length, 1.0), [0.0, 0.0, 1.0])
+    along = np.where(
+        length > 0, direction / np.where(length > 0, length, 1.0), [0.0, 0.0, 1.0]
+    )
     aside = np.where(np.abs(along[..., :1]) < 0.7, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     second = np.cross(along, aside)
     second /= np.linalg.norm(second, axis=-1, keepdims=True)

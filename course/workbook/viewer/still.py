@@ -28,7 +28,9 @@ def draw(scene: Scene, *, time: float | None = None, ax: Any = None) -> Any:
         alone = ax is None
         if alone:
             figure = plt.figure(figsize=(6.6, 4.6), layout="none")
-            ax = figure.add_axes((0.0, 0.09, 1.0, 0.88), projection="3d", computed_zorder=False)
+            ax = figure.add_axes(
+                (0.0, 0.09, 1.0, 0.88), projection="3d", computed_zorder=False
+            )
             _legend(figure, scene, index)
         _draw(ax, scene, index)
         if not alone and scene.moves:
@@ -78,19 +80,34 @@ def _triangles(ax: Any, scene: Scene, index: int) -> None:
     corners, colors = [], []
     for solid, vertices in zip(scene.solids, scene.vertices(index), strict=True):
         corners.append(vertices[solid.triangles])
-        colors.append(np.array([mpl.colors.to_rgb(PALETTE[solid.colors[k]]) for k in solid.triangles[:, 0]]))
+        colors.append(
+            np.array(
+                [
+                    mpl.colors.to_rgb(PALETTE[solid.colors[k]])
+                    for k in solid.triangles[:, 0]
+                ]
+            )
+        )
     for arrows in scene.arrows:
         here = min(index, len(arrows.origin) - 1)
-        vertices = arrow_vertices(arrows.origin[here], arrows.length[here], scene.arrow_width).reshape(-1, 3)
+        vertices = arrow_vertices(
+            arrows.origin[here], arrows.length[here], scene.arrow_width
+        ).reshape(-1, 3)
         triangles = vertices[arrow_triangles(arrows.origin.shape[1])]
         corners.append(triangles)
-        colors.append(np.broadcast_to(mpl.colors.to_rgb(PALETTE[arrows.color]), (len(triangles), 3)))
+        colors.append(
+            np.broadcast_to(
+                mpl.colors.to_rgb(PALETTE[arrows.color]), (len(triangles), 3)
+            )
+        )
     faces, paint = np.concatenate(corners), np.concatenate(colors)
     while len(faces) < _FINE:
         faces, paint = _quartered(faces), np.repeat(paint, 4, axis=0)
     shaded = paint * _brightness(faces)[:, None]
     ax.add_collection3d(
-        Poly3DCollection(faces, facecolors=shaded, edgecolors=shaded, linewidths=0.3, zorder=1)
+        Poly3DCollection(
+            faces, facecolors=shaded, edgecolors=shaded, linewidths=0.3, zorder=1
+        )
     )
 
 
@@ -99,7 +116,9 @@ def _quartered(faces: Array) -> Array:
     a, b, c = np.moveaxis(faces, 1, 0)
     ab, bc, ca = 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)
     four = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-    return np.stack([np.stack(corners, axis=1) for corners in four], axis=1).reshape(-1, 3, 3)
+    return np.stack([np.stack(corners, axis=1) for corners in four], axis=1).reshape(
+        -1, 3, 3
+    )
 
 
 def _brightness(faces: Array) -> Array:
@@ -115,8 +134,16 @@ def ground_lines(scene: Scene, *, lines: int = 9) -> Array:
     half = 0.95 * max(scene.reach, 1e-9)
     at = np.linspace(-half, half, lines)
     segments = np.zeros((2 * lines, 2, 3))
-    segments[:lines, :, 0], segments[:lines, 0, 1], segments[:lines, 1, 1] = at[:, None], -half, half
-    segments[lines:, :, 1], segments[lines:, 0, 0], segments[lines:, 1, 0] = at[:, None], -half, half
+    segments[:lines, :, 0], segments[:lines, 0, 1], segments[:lines, 1, 1] = (
+        at[:, None],
+        -half,
+        half,
+    )
+    segments[lines:, :, 1], segments[lines:, 0, 0], segments[lines:, 1, 0] = (
+        at[:, None],
+        -half,
+        half,
+    )
     middle = scene.center
     return segments + np.array([middle[0], middle[1], scene.ground])
 
@@ -124,7 +151,9 @@ def ground_lines(scene: Scene, *, lines: int = 9) -> Array:
 def _ground(ax: Any, scene: Scene) -> None:
     from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
-    ax.add_collection3d(Line3DCollection(ground_lines(scene), colors="0.75", linewidths=0.7, zorder=0.5))
+    ax.add_collection3d(
+        Line3DCollection(ground_lines(scene), colors="0.75", linewidths=0.7, zorder=0.5)
+    )
 
 
 def _frame(ax: Any, scene: Scene) -> None:
@@ -135,14 +164,20 @@ def _frame(ax: Any, scene: Scene) -> None:
     if scene.camera != "corner":
         ax.set_proj_type("ortho")
     half = max(scene.reach, 1e-9)
-    for set_limits, middle in zip((ax.set_xlim, ax.set_ylim, ax.set_zlim), scene.center, strict=True):
+    for set_limits, middle in zip(
+        (ax.set_xlim, ax.set_ylim, ax.set_zlim), scene.center, strict=True
+    ):
         set_limits(middle - half, middle + half)
     ax.set_box_aspect((1, 1, 1), zoom=1.05)
     labels = ("x [m]", "y [m]", "z [m]")
-    for axis, label, along in zip((ax.xaxis, ax.yaxis, ax.zaxis), labels, np.abs(direction), strict=True):
+    for axis, label, along in zip(
+        (ax.xaxis, ax.yaxis, ax.zaxis), labels, np.abs(direction), strict=True
+    ):
         seen = along < 0.99  # an axis that points at the camera has no length
         axis.set_label_text(label if seen else "")
-        axis.set_major_locator(mpl.ticker.MaxNLocator(4) if seen else mpl.ticker.NullLocator())
+        axis.set_major_locator(
+            mpl.ticker.MaxNLocator(4) if seen else mpl.ticker.NullLocator()
+        )
         axis.pane.set_facecolor((1, 1, 1, 0))
         axis.set_tick_params(labelsize=8)
 
@@ -150,10 +185,19 @@ def _frame(ax: Any, scene: Scene) -> None:
 def _legend(figure: Any, scene: Scene, index: int | None) -> None:
     """The arrows' colours and scales in one line at the foot, the time at the top."""
     handles = [
-        mpl.lines.Line2D([], [], color=PALETTE[color], lw=2.5, marker=">", ls="-", label=words)
+        mpl.lines.Line2D(
+            [], [], color=PALETTE[color], lw=2.5, marker=">", ls="-", label=words
+        )
         for color, words in scene.legend()
     ]
     if handles:
-        figure.legend(handles=handles, loc="lower center", ncols=2 if len(handles) > 1 else 1, fontsize=9)
+        figure.legend(
+            handles=handles,
+            loc="lower center",
+            ncols=2 if len(handles) > 1 else 1,
+            fontsize=9,
+        )
     if index is not None and scene.moves:
-        figure.suptitle(f"t = {scene.times[index]:.2f} s", x=0.02, y=0.97, ha="left", fontsize=11)
+        figure.suptitle(
+            f"t = {scene.times[index]:.2f} s", x=0.02, y=0.97, ha="left", fontsize=11
+        )

@@ -29,13 +29,21 @@ class Viewer(ipywidgets.VBox):
     """
 
     def __init__(
-        self, scene: Scene, *, still: float | None = None, speed: float = 1.0, height: int = 420
+        self,
+        scene: Scene,
+        *,
+        still: float | None = None,
+        speed: float = 1.0,
+        height: int = 420,
     ) -> None:
         self.scene, self._still, self._speed = scene, still, speed
         self.frames = _frames(scene, speed)
         self.plot = _plot(scene, self.frames, height)
         self.camera = ipywidgets.Dropdown(
-            options=list(CAMERAS), value=scene.camera, description="view from", layout={"width": "14em"}
+            options=list(CAMERAS),
+            value=scene.camera,
+            description="view from",
+            layout={"width": "14em"},
         )
         self.camera.observe(self._look, names="value")
         controls: list[Any] = [self.camera]
@@ -53,9 +61,15 @@ class Viewer(ipywidgets.VBox):
 
     def update(self, scene: Scene) -> None:
         """Show another motion of the same bodies, with the same kinds of arrows, at the same times."""
-        alike = len(scene.solids) == len(self.scene.solids) and np.array_equal(scene.times, self.scene.times)
-        if not alike or [a.name for a in scene.arrows] != [a.name for a in self.scene.arrows]:
-            raise ValueError("scene: expected the same number of bodies, kinds of arrows and times as before")
+        alike = len(scene.solids) == len(self.scene.solids) and np.array_equal(
+            scene.times, self.scene.times
+        )
+        if not alike or [a.name for a in scene.arrows] != [
+            a.name for a in self.scene.arrows
+        ]:
+            raise ValueError(
+                "scene: expected the same number of bodies, kinds of arrows and times as before"
+            )
         self.scene = scene
         drawn = self.plot.objects
         for number in range(len(scene.solids)):
@@ -79,7 +93,11 @@ class Viewer(ipywidgets.VBox):
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         text = f"[3D scene] {self.scene.description(0)}"
-        return {**super()._repr_mimebundle_(**options), "text/html": self.picture, "text/plain": text}
+        return {
+            **super()._repr_mimebundle_(**options),
+            "text/html": self.picture,
+            "text/plain": text,
+        }
 
 
 def camera_of(scene: Scene, preset: str) -> list[float]:
@@ -96,11 +114,17 @@ def _frames(scene: Scene, speed: float) -> Any:
         return np.zeros(1, dtype=int)
     duration = scene.times[-1] - scene.times[0]
     wanted = int(
-        np.clip(np.ceil(_FRAMES_A_SECOND * duration / speed) + 1, 2, min(MOST_FRAMES, len(scene.times)))
+        np.clip(
+            np.ceil(_FRAMES_A_SECOND * duration / speed) + 1,
+            2,
+            min(MOST_FRAMES, len(scene.times)),
+        )
     )
     even = np.linspace(scene.times[0], scene.times[-1], wanted)
     after = np.clip(np.searchsorted(scene.times, even), 1, len(scene.times) - 1)
-    nearer = np.where(even - scene.times[after - 1] <= scene.times[after] - even, after - 1, after)
+    nearer = np.where(
+        even - scene.times[after - 1] <= scene.times[after] - even, after - 1, after
+    )
     return np.unique(nearer)
 
 
@@ -134,14 +158,19 @@ def _plot(scene: Scene, frames: Any, height: int) -> Any:
 def _matrices(scene: Scene, number: int, frames: Any) -> Any:
     """A body's place as 4x4 matrices: one where nothing moves, else one for each picture by its number."""
     matrix = np.zeros((len(frames), 4, 4), dtype=np.float32)
-    matrix[:, :3, :3], matrix[:, :3, 3] = scene.rotation[frames, number], scene.position[frames, number]
+    matrix[:, :3, :3], matrix[:, :3, 3] = (
+        scene.rotation[frames, number],
+        scene.position[frames, number],
+    )
     matrix[:, 3, 3] = 1.0
     return {str(k): m for k, m in enumerate(matrix)} if scene.moves else matrix[0]
 
 
 def _arrow_film(scene: Scene, arrows: Any, frames: Any) -> Any:
     shape = (len(scene.times), *arrows.origin.shape[1:])
-    origin, length = (np.broadcast_to(a, shape)[frames] for a in (arrows.origin, arrows.length))
+    origin, length = (
+        np.broadcast_to(a, shape)[frames] for a in (arrows.origin, arrows.length)
+    )
     vertices = arrow_vertices(origin, length, scene.arrow_width).astype(np.float32)
     vertices = vertices.reshape(len(frames), -1, 3)
     still = arrows.origin.shape[0] == 1 or not scene.moves
@@ -150,7 +179,9 @@ def _arrow_film(scene: Scene, arrows: Any, frames: Any) -> Any:
 
 def _time_slider(scene: Scene, frames: Any) -> ipywidgets.SelectionSlider:
     digits = max(2, 1 - int(np.floor(np.log10(scene.times[-1] - scene.times[0]))))
-    options = [(f"{scene.times[k]:.{digits}f} s", number) for number, k in enumerate(frames)]
+    options = [
+        (f"{scene.times[k]:.{digits}f} s", number) for number, k in enumerate(frames)
+    ]
     return ipywidgets.SelectionSlider(
         options=options,
         index=0,
@@ -164,7 +195,11 @@ def _play(scene: Scene, frames: Any, speed: float) -> ipywidgets.Play:
     duration = scene.times[frames[-1]] - scene.times[frames[0]]
     interval = 1000 * duration / speed / (len(frames) - 1)
     return ipywidgets.Play(
-        min=0, max=len(frames) - 1, step=1, interval=max(15, round(interval)), show_repeat=True
+        min=0,
+        max=len(frames) - 1,
+        step=1,
+        interval=max(15, round(interval)),
+        show_repeat=True,
     )
 
 

@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_09_energy_and_motion.shared import ANGULAR_MOMENTUM
+from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
+    ANGULAR_MOMENTUM,
+)
 from course.exercises.definitions.turning import (
     drawn_vectors,
     inertias,
@@ -18,9 +20,13 @@ from course.exercises.definitions.turning import (
 )
 
 
-def _spinning(rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any) -> dict[str, Any]:
+def _spinning(
+    rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any
+) -> dict[str, Any]:
     drawn = {
-        "I": turned_inertia(rotation_matrices(rng, shape), inertias(rng, shape)).round(3),
+        "I": turned_inertia(rotation_matrices(rng, shape), inertias(rng, shape)).round(
+            3
+        ),
         "L": drawn_vectors(rng, shape, 2.0),
         "torque": drawn_vectors(rng, shape),
     }
@@ -40,20 +46,39 @@ ANGULAR_ACCELERATION = Exercise(
     arguments=(
         Value("I", "(..., 3, 3)", "kg m²", "inertia, world axes"),
         ANGULAR_MOMENTUM,
-        Value("torque", "(..., 3)", "N m", "torque about the centre of mass, world axes"),
+        Value(
+            "torque", "(..., 3)", "N m", "torque about the centre of mass, world axes"
+        ),
     ),
     results=(Value("omega_dot", "(..., 3)", "rad/s²"),),
     reference=_angular_acceleration,
     cases=lambda rng: [
-        Case("the case by hand, no torque", {"I": np.diag([1.0, 2.0, 3.0]), "L": np.array([1.0, 4.0, 0.0]),
-                                             "torque": np.zeros(3)}),
+        Case(
+            "the case by hand, no torque",
+            {
+                "I": np.diag([1.0, 2.0, 3.0]),
+                "L": np.array([1.0, 4.0, 0.0]),
+                "torque": np.zeros(3),
+            },
+        ),
         Case("turned, with a torque", _spinning(rng, ())),
         Case("turned, no torque", _spinning(rng, (), torque=np.zeros(3))),
-        Case("about a principal axis, no torque", {"I": np.diag([1.0, 2.0, 3.0]), "L": np.array([0.0, 4.0, 0.0]),
-                                                   "torque": np.zeros(3)}, "edge"),
+        Case(
+            "about a principal axis, no torque",
+            {
+                "I": np.diag([1.0, 2.0, 3.0]),
+                "L": np.array([0.0, 4.0, 0.0]),
+                "torque": np.zeros(3),
+            },
+            "edge",
+        ),
         Case("at rest, with a torque", _spinning(rng, (), L=np.zeros(3)), "edge"),
         Case("five bodies", _spinning(rng, (5,)), "batch"),
-        Case("three bodies, as many as a vector has components", _spinning(rng, (3,)), "batch"),
+        Case(
+            "three bodies, as many as a vector has components",
+            _spinning(rng, (3,)),
+            "batch",
+        ),
         Case("a 2 by 4 batch", _spinning(rng, (2, 4)), "batch"),
     ],  # fmt: skip
     mistakes=(
@@ -65,7 +90,9 @@ ANGULAR_ACCELERATION = Exercise(
         ),
         Mistake(
             "omega x L",
-            lambda I, L, torque: solved(I, np.asarray(torque) - np.cross(L, solved(I, L))),  # noqa: E741
+            lambda I, L, torque: solved(  # noqa: E741
+                I, np.asarray(torque) - np.cross(L, solved(I, L))
+            ),
             "The cross product is the wrong way round: torque = I omega_dot + omega x L, and brought to the other "
             "side it is L x omega.",
         ),
@@ -86,7 +113,9 @@ ANGULAR_ACCELERATION = Exercise(
         ),
         Mistake(
             "I in place of its inverse",
-            lambda I, L, torque: times(I, np.asarray(torque) + np.cross(L, solved(I, L))),  # noqa: E741
+            lambda I, L, torque: times(  # noqa: E741
+                I, np.asarray(torque) + np.cross(L, solved(I, L))
+            ),
             "You multiply by I at the end where you must divide: I omega_dot is the bracket, and np.linalg.solve(I, "
             "...) gives omega_dot.",
         ),
@@ -97,14 +126,18 @@ ANGULAR_ACCELERATION = Exercise(
         ),
         Mistake(
             "omega from I L",
-            lambda I, L, torque: solved(I, np.asarray(torque) + np.cross(L, times(I, L))),  # noqa: E741
+            lambda I, L, torque: solved(  # noqa: E741
+                I, np.asarray(torque) + np.cross(L, times(I, L))
+            ),
             "You take omega = I L. It is L = I omega, so omega comes from L by solving, as omega_dot does from the "
             "bracket.",
         ),
         Mistake(
             "omega from the diagonal",
             lambda I, L, torque: solved(  # noqa: E741
-                I, np.asarray(torque) + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1))
+                I,
+                np.asarray(torque)
+                + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1)),
             ),
             "For omega you divide L by the diagonal of I. In world axes I has entries off its diagonal: solve for "
             "omega as you do for omega_dot.",
@@ -112,14 +145,20 @@ ANGULAR_ACCELERATION = Exercise(
         Mistake(
             "diagonal only",
             lambda I, L, torque: (  # noqa: E741
-                np.asarray(torque) + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1))
-            ) / np.diagonal(I, axis1=-2, axis2=-1),
+                (
+                    np.asarray(torque)
+                    + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1))
+                )
+                / np.diagonal(I, axis1=-2, axis2=-1)
+            ),
             "You divide by the diagonal of I. In world axes I has entries off its diagonal, and dividing by a matrix "
             "is np.linalg.solve.",
         ),
         Mistake(
             "solve without a column",
-            lambda I, L, torque: np.linalg.solve(I, np.asarray(torque) + np.cross(L, np.linalg.solve(I, L))),  # noqa: E741
+            lambda I, L, torque: np.linalg.solve(  # noqa: E741
+                I, np.asarray(torque) + np.cross(L, np.linalg.solve(I, L))
+            ),
             "Right for one body, not for a batch: np.linalg.solve takes a batch of vectors for one matrix. Make each "
             "a column and take it back: np.linalg.solve(I, x[..., None])[..., 0].",
         ),

@@ -8,7 +8,10 @@ import numpy as np
 
 from course.dynamics import angular_kinetic_energy
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_09_energy_and_motion.shared import energy_mistakes, half_a_dot
+from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
+    energy_mistakes,
+    half_a_dot,
+)
 from course.exercises.definitions.turning import drawn_vectors, inertias, times
 
 
@@ -30,10 +33,17 @@ ANGULAR_KINETIC_ENERGY = Exercise(
     results=(Value("energy", "(...)", "J"),),
     reference=angular_kinetic_energy,
     cases=lambda rng: [
-        Case("the case by hand", {"L": np.array([1.0, 4.0, 0.0]), "omega": np.array([1.0, 2.0, 0.0])}),
+        Case(
+            "the case by hand",
+            {"L": np.array([1.0, 4.0, 0.0]), "omega": np.array([1.0, 2.0, 0.0])},
+        ),
         Case("off the axes", _of_a_turn(rng, ())),
         Case("not turning", {"L": np.zeros(3), "omega": np.zeros(3)}, "edge"),
-        Case("three bodies, as many as a vector has components", _of_a_turn(rng, (3,)), "batch"),
+        Case(
+            "three bodies, as many as a vector has components",
+            _of_a_turn(rng, (3,)),
+            "batch",
+        ),
         Case("five bodies", _of_a_turn(rng, (5,)), "batch"),
         Case("a 2 by 4 batch", _of_a_turn(rng, (2, 4)), "batch"),
     ],
@@ -41,7 +51,9 @@ ANGULAR_KINETIC_ENERGY = Exercise(
         *energy_mistakes("L", "omega"),
         Mistake(
             "lengths",
-            lambda L, omega: 0.5 * np.linalg.norm(L, axis=-1) * np.linalg.norm(omega, axis=-1),
+            lambda L, omega: (
+                0.5 * np.linalg.norm(L, axis=-1) * np.linalg.norm(omega, axis=-1)
+            ),
             "|L||omega|/2 would be right if L pointed along omega. It does not, for a body that is no ball: the dot "
             "product takes the cosine of the angle between them into account.",
         ),

@@ -8,7 +8,10 @@ import numpy as np
 
 from course.dynamics import linear_kinetic_energy
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_09_energy_and_motion.shared import energy_mistakes, half_a_dot
+from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
+    energy_mistakes,
+    half_a_dot,
+)
 from course.exercises.definitions.turning import drawn_vectors
 
 
@@ -31,10 +34,17 @@ LINEAR_KINETIC_ENERGY = Exercise(
     results=(Value("energy", "(...)", "J"),),
     reference=linear_kinetic_energy,
     cases=lambda rng: [
-        Case("2 kg at 3 m/s along x", {"p": np.array([6.0, 0.0, 0.0]), "v": np.array([3.0, 0.0, 0.0])}),
+        Case(
+            "2 kg at 3 m/s along x",
+            {"p": np.array([6.0, 0.0, 0.0]), "v": np.array([3.0, 0.0, 0.0])},
+        ),
         Case("off the axes", _of_a_point(rng, ())),
         Case("at rest", {"p": np.zeros(3), "v": np.zeros(3)}, "edge"),
-        Case("three bodies, as many as a vector has components", _of_a_point(rng, (3,)), "batch"),
+        Case(
+            "three bodies, as many as a vector has components",
+            _of_a_point(rng, (3,)),
+            "batch",
+        ),
         Case("five bodies", _of_a_point(rng, (5,)), "batch"),
         Case("a 2 by 4 batch", _of_a_point(rng, (2, 4)), "batch"),
     ],

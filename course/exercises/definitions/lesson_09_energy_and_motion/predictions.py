@@ -21,13 +21,21 @@ def _what_L_does() -> str:
     turned = float(free_tumble(start, [2.0]).seen_from_body[0, 1]) < 0
     along = float(np.sum(bodies.angular_momentum * start.angular_momentum))
     size = float(np.sum(start.angular_momentum**2))
-    return "stays" if turned and along > 0.999 * size else "turns" if along < 0 else "shrinks"
+    return (
+        "stays"
+        if turned and along > 0.999 * size
+        else "turns"
+        if along < 0
+        else "shrinks"
+    )
 
 
 def _first_turnover(degrees: float) -> float:
     from course.study.tumbling import free_tumble, spinning_handle, turnover_times
 
-    motion = free_tumble(spinning_handle(tilt=np.radians(degrees)), np.linspace(0.0, 6.0, 1201))
+    motion = free_tumble(
+        spinning_handle(tilt=np.radians(degrees)), np.linspace(0.0, 6.0, 1201)
+    )
     return float(turnover_times(motion)[0])
 
 
@@ -60,7 +68,9 @@ PREDICTIONS = (
     Prediction(
         "half_example",
         "The body by hand, moments 1, 2 and 3 kg m^2, now with omega = (1, 0, 2) rad/s. What is T_angular?",
-        lambda: float(angular_kinetic_energy(np.array([1.0, 0.0, 6.0]), np.array([1.0, 0.0, 2.0]))),
+        lambda: float(
+            angular_kinetic_energy(np.array([1.0, 0.0, 6.0]), np.array([1.0, 0.0, 2.0]))
+        ),
         "L = (1, 0, 6), L.omega = 1 + 12, and half of that is 6.5 J.",
         unit="J",
         tolerance=1e-6,

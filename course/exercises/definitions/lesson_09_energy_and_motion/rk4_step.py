@@ -16,7 +16,9 @@ def rate_of_l(l: Any, I_body: Any, sign: float = 1.0) -> np.ndarray:  # noqa: E7
     return sign * np.cross(l, solved(I_body, l))
 
 
-def runge_kutta(nodes: Sequence[float], weights: Sequence[float], *, sign: float = 1.0) -> Callable[..., Any]:
+def runge_kutta(
+    nodes: Sequence[float], weights: Sequence[float], *, sign: float = 1.0
+) -> Callable[..., Any]:
     """Each stage ``nodes[i]`` h along the one before it; the step along the weighted stages."""
 
     def function(l: Any, I_body: Any, h: float) -> np.ndarray:  # noqa: E741
@@ -69,8 +71,15 @@ def _four_of(rate: Callable[[np.ndarray], np.ndarray], l: Any, h: float) -> np.n
     return start + h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(start + h * k3))
 
 
-def _tops(rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any) -> dict[str, Any]:
-    return {"l": drawn_vectors(rng, shape, 2.0), "I_body": inertias(rng, shape), "h": 0.2, **fixed}
+def _tops(
+    rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any
+) -> dict[str, Any]:
+    return {
+        "l": drawn_vectors(rng, shape, 2.0),
+        "I_body": inertias(rng, shape),
+        "h": 0.2,
+        **fixed,
+    }
 
 
 _FOUR, _WEIGHTS = (0.5, 0.5, 1.0), (1 / 6, 1 / 3, 1 / 3, 1 / 6)
@@ -93,13 +102,29 @@ RK4_STEP = Exercise(
     results=(Value("l", "(..., 3)", "kg m²/s"),),
     reference=runge_kutta(_FOUR, _WEIGHTS),
     cases=lambda rng: [
-        Case("moments 1, 2, 3", {"l": np.array([1.0, 4.0, 0.0]), "I_body": np.diag([1.0, 2.0, 3.0]), "h": 0.1}),
+        Case(
+            "moments 1, 2, 3",
+            {
+                "l": np.array([1.0, 4.0, 0.0]),
+                "I_body": np.diag([1.0, 2.0, 3.0]),
+                "h": 0.1,
+            },
+        ),
         Case("axes that are not principal", _tops(rng, ())),
-        Case("about a principal axis", {"l": np.array([0.0, 4.0, 0.0]), "I_body": np.diag([1.0, 2.0, 3.0]), "h": 0.1},
-             "edge"),
+        Case(
+            "about a principal axis",
+            {
+                "l": np.array([0.0, 4.0, 0.0]),
+                "I_body": np.diag([1.0, 2.0, 3.0]),
+                "h": 0.1,
+            },
+            "edge",
+        ),
         Case("a step back in time", _tops(rng, (), h=-0.2), "edge"),
         Case("five tops", _tops(rng, (5,)), "batch"),
-        Case("three tops, as many as a vector has components", _tops(rng, (3,)), "batch"),
+        Case(
+            "three tops, as many as a vector has components", _tops(rng, (3,)), "batch"
+        ),
         Case("a 2 by 4 batch", _tops(rng, (2, 4)), "batch"),
     ],  # fmt: skip
     mistakes=(

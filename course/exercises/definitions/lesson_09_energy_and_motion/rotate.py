@@ -11,7 +11,9 @@ from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.turning import drawn_vectors, exponential, times
 
 
-def rodrigues(*, sign: float = 1.0, across: float = 1.0, half: float = 1.0, unit: bool = True) -> Callable[..., Any]:
+def rodrigues(
+    *, sign: float = 1.0, across: float = 1.0, half: float = 1.0, unit: bool = True
+) -> Callable[..., Any]:
     """Rodrigues' formula with slips: the turn's sense, the last term, half the angle, an axis not of unit length."""
 
     def function(v: Any, theta: Any) -> np.ndarray:
@@ -20,7 +22,13 @@ def rodrigues(*, sign: float = 1.0, across: float = 1.0, half: float = 1.0, unit
         axis = theta / np.where(angle > 0, angle, 1.0) if unit else theta
         angle = half * angle
         turned = np.cos(angle) * v + sign * np.sin(angle) * np.cross(axis, v)
-        return turned + across * (1 - np.cos(angle)) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+        return (
+            turned
+            + across
+            * (1 - np.cos(angle))
+            * np.sum(axis * v, axis=-1, keepdims=True)
+            * axis
+        )
 
     return function
 
@@ -28,7 +36,10 @@ def rodrigues(*, sign: float = 1.0, across: float = 1.0, half: float = 1.0, unit
 def cosine_on_the_axis(v: Any, theta: Any) -> np.ndarray:
     angle = np.linalg.norm(theta, axis=-1, keepdims=True)
     axis = np.asarray(theta) / np.where(angle > 0, angle, 1.0)
-    return rodrigues(across=0.0)(v, theta) + np.cos(angle) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+    return (
+        rodrigues(across=0.0)(v, theta)
+        + np.cos(angle) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+    )
 
 
 def one_length_for_all(v: Any, theta: Any) -> np.ndarray:
@@ -42,7 +53,9 @@ def divided_by_zero(v: Any, theta: Any) -> np.ndarray:
     angle = np.linalg.norm(theta, axis=-1, keepdims=True)
     axis = np.asarray(theta) / angle
     turned = np.cos(angle) * v + np.sin(angle) * np.cross(axis, v)
-    return turned + (1 - np.cos(angle)) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+    return (
+        turned + (1 - np.cos(angle)) * np.sum(axis * v, axis=-1, keepdims=True) * axis
+    )
 
 
 def stretched(v: Any, theta: Any) -> np.ndarray:
@@ -52,14 +65,20 @@ def stretched(v: Any, theta: Any) -> np.ndarray:
 
 def brought_back(v: Any, theta: Any) -> np.ndarray:
     longer = stretched(v, theta)
-    return longer * np.linalg.norm(v, axis=-1, keepdims=True) / np.linalg.norm(longer, axis=-1, keepdims=True)
+    return (
+        longer
+        * np.linalg.norm(v, axis=-1, keepdims=True)
+        / np.linalg.norm(longer, axis=-1, keepdims=True)
+    )
 
 
 def _rotate(v: Any, theta: Any) -> np.ndarray:
     return times(exponential(theta), v)
 
 
-def _turning(rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any) -> dict[str, Any]:
+def _turning(
+    rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any
+) -> dict[str, Any]:
     return {"v": drawn_vectors(rng, shape), "theta": drawn_vectors(rng, shape), **fixed}
 
 
@@ -77,20 +96,38 @@ ROTATE = Exercise(
     results=(Value("turned", "(..., 3)", ""),),
     reference=_rotate,
     cases=lambda rng: [
-        Case("a quarter turn about z", {"v": np.array([1.0, 0.0, 2.0]), "theta": np.array([0.0, 0.0, np.pi / 2])}),
+        Case(
+            "a quarter turn about z",
+            {"v": np.array([1.0, 0.0, 2.0]), "theta": np.array([0.0, 0.0, np.pi / 2])},
+        ),
         Case("about a slanted axis", _turning(rng, ())),
         Case("no turn", _turning(rng, (), theta=np.zeros(3)), "edge"),
-        Case("a tiny turn", _turning(rng, (), theta=np.array([3e-9, 0.0, 4e-9])), "edge"),
-        Case("more than a whole turn", _turning(rng, (), theta=np.array([0.0, 6.0, 4.0])), "edge"),
+        Case(
+            "a tiny turn", _turning(rng, (), theta=np.array([3e-9, 0.0, 4e-9])), "edge"
+        ),
+        Case(
+            "more than a whole turn",
+            _turning(rng, (), theta=np.array([0.0, 6.0, 4.0])),
+            "edge",
+        ),
         Case("five vectors", _turning(rng, (5,)), "batch"),
-        Case("three vectors, one of them not turned",
-             _turning(rng, (3,), theta=np.array([[0.5, 0.2, -1.0], [0.0, 0.0, 0.0], [2.0, 0.3, 0.4]])), "batch"),
+        Case(
+            "three vectors, one of them not turned",
+            _turning(
+                rng,
+                (3,),
+                theta=np.array([[0.5, 0.2, -1.0], [0.0, 0.0, 0.0], [2.0, 0.3, 0.4]]),
+            ),
+            "batch",
+        ),
         Case("a 2 by 4 batch", _turning(rng, (2, 4)), "batch"),
     ],  # fmt: skip
     properties=(
         Property(
             "length",
-            lambda given, answer: np.linalg.norm(answer, axis=-1) - np.linalg.norm(given["v"], axis=-1),
+            lambda given, answer: (
+                np.linalg.norm(answer, axis=-1) - np.linalg.norm(given["v"], axis=-1)
+            ),
             "The length of v changes. A turn keeps it.",
         ),
     ),

@@ -8,8 +8,12 @@ import numpy as np
 
 from course.exercises.definition import Mistake, Value
 
-I_BODY = Value("I_body", "(..., 3, 3)", "kg m²", "inertia about the centre of mass, body axes")
-ANGULAR_MOMENTUM = Value("L", "(..., 3)", "kg m²/s", "angular momentum about the centre of mass, world axes")
+I_BODY = Value(
+    "I_body", "(..., 3, 3)", "kg m²", "inertia about the centre of mass, body axes"
+)
+ANGULAR_MOMENTUM = Value(
+    "L", "(..., 3)", "kg m²/s", "angular momentum about the centre of mass, world axes"
+)
 
 
 def half_a_dot(one: Any, other: Any) -> np.ndarray:

@@ -26,9 +26,17 @@ def _root(value: Any) -> Any:
 def _moments_drawn(rng: np.random.Generator) -> Sequence[Case]:
     least = rng.uniform(1.0, 1.5, 8)
     middle = least + rng.uniform(0.4, 1.0, 8)
-    draws = {"I_1": least, "I_2": middle, "I_3": middle + rng.uniform(0.3, 0.9, 8), "Omega": rng.uniform(2.0, 5.0, 8)}
+    draws = {
+        "I_1": least,
+        "I_2": middle,
+        "I_3": middle + rng.uniform(0.3, 0.9, 8),
+        "Omega": rng.uniform(2.0, 5.0, 8),
+    }
     by_hand = {"I_1": 1.0, "I_2": 2.0, "I_3": 3.0, "Omega": 6.0}
-    return [Case("moments 1, 2, 3 and 6 rad/s", by_hand), Case("eight drawn points", draws, "batch")]
+    return [
+        Case("moments 1, 2, 3 and 6 rad/s", by_hand),
+        Case("eight drawn points", draws, "batch"),
+    ]
 
 
 SIGMA = Exercise(
@@ -60,7 +68,9 @@ SIGMA = Exercise(
         ),
         Mistake(
             "imaginary",
-            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_3) * (I_2 - I_1) / (I_1 * I_3)),
+            lambda I_1, I_2, I_3, Omega: (
+                Omega * np.sqrt((I_2 - I_3) * (I_2 - I_1) / (I_1 * I_3))
+            ),
             "What stands under your root is negative. The product of the two brackets is (I_2 - I_3)(I_1 - I_2): "
             "turn both round, and it is positive for the middle axis.",
         ),
@@ -82,41 +92,55 @@ SIGMA = Exercise(
         ),
         Mistake(
             "divided by one moment",
-            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2)) / I_2,
+            lambda I_1, I_2, I_3, Omega: (
+                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2)) / I_2
+            ),
             "You divide by I_2. Nothing on the left has I_2: the moments there are I_1 and I_3.",
         ),
         Mistake(
             "divided by the wrong pair",
-            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_2)),
+            lambda I_1, I_2, I_3, Omega: (
+                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_2))
+            ),
             "You divide by I_1 and I_2. The second of the two equations has I_3 on its left, not I_2.",
         ),
         Mistake(
             "multiplied by the last moment",
-            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / I_1 * I_3),
+            lambda I_1, I_2, I_3, Omega: (
+                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / I_1 * I_3)
+            ),
             "a / I_1 * I_3 is (a / I_1) * I_3: Python divides by I_1 only. Put the product below the line in "
             "brackets.",
         ),
         Mistake(
             "square without its second spin",
-            lambda I_1, I_2, I_3, Omega: Omega * (I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3),
+            lambda I_1, I_2, I_3, Omega: (
+                Omega * (I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3)
+            ),
             "The root is missing, and one Omega: both equations have an Omega, so sigma^2 has Omega^2, and sigma is "
             "the root of that.",
         ),
         Mistake(
             "outer difference for the first",
-            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_3 - I_1) * (I_3 - I_2) / (I_1 * I_3)),
+            lambda I_1, I_2, I_3, Omega: (
+                Omega * np.sqrt((I_3 - I_1) * (I_3 - I_2) / (I_1 * I_3))
+            ),
             "One bracket is I_3 - I_1, which belongs to the equation of the middle axis. The equation of omega_3 has "
             "I_1 - I_2.",
         ),
         Mistake(
             "outer difference for the second",
-            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_1) / (I_1 * I_3)),
+            lambda I_1, I_2, I_3, Omega: (
+                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_1) / (I_1 * I_3))
+            ),
             "One bracket is I_3 - I_1, which belongs to the equation of the middle axis. The equation of omega_1 has "
             "I_2 - I_3.",
         ),
         Mistake(
             "spin squared outside the root",
-            lambda I_1, I_2, I_3, Omega: Omega**2 * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3)),
+            lambda I_1, I_2, I_3, Omega: (
+                Omega**2 * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3))
+            ),
             "Omega stands outside the root squared. sigma^2 holds Omega^2; the root of that is Omega.",
         ),
         Mistake(

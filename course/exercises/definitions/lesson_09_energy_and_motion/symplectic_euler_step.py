@@ -8,7 +8,10 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.lesson_09_energy_and_motion.shared import ANGULAR_MOMENTUM, I_BODY
+from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
+    ANGULAR_MOMENTUM,
+    I_BODY,
+)
 from course.exercises.definitions.turning import (
     drawn_vectors,
     exponential,
@@ -30,16 +33,31 @@ def plain_step(
     pushed: bool = True,
     twisted: bool = True,
     timed: bool = True,
-    turned: Callable[[np.ndarray, np.ndarray, float], np.ndarray] = lambda R, omega, h: exponential(h * omega) @ R,
+    turned: Callable[
+        [np.ndarray, np.ndarray, float], np.ndarray
+    ] = lambda R, omega, h: exponential(h * omega) @ R,
 ) -> Callable[..., Any]:
     """A step with the slips that the options say; none of them is symplectic Euler."""
 
-    def function(x: Any, R: Any, p: Any, L: Any, mass: Any, I_body: Any, force: Any, torque: Any, h: float) -> Any:
+    def function(
+        x: Any,
+        R: Any,
+        p: Any,
+        L: Any,
+        mass: Any,
+        I_body: Any,
+        force: Any,
+        torque: Any,
+        h: float,
+    ) -> Any:
         x, R, p, L = (np.asarray(a, dtype=float) for a in (x, R, p, L))
         span = h if timed else 1.0
         p_new = p + (span * np.asarray(force) if pushed else 0.0)
         L_new = L + (span * np.asarray(torque) if twisted else 0.0)
-        moving, spinning = (p_new if x_from == "new" else p), (L_new if turn_from == "new" else L)
+        moving, spinning = (
+            (p_new if x_from == "new" else p),
+            (L_new if turn_from == "new" else L),
+        )
         velocity = moving / np.asarray(mass)[..., None] if divide else moving
         omega = {
             "world": lambda: solved(turned_inertia(R, I_body), spinning),
@@ -56,7 +74,15 @@ def first_order(R: np.ndarray, omega: np.ndarray, h: float) -> np.ndarray:
 
 
 def one_batch_axis_short(
-    x: Any, R: Any, p: Any, L: Any, mass: Any, I_body: Any, force: Any, torque: Any, h: float
+    x: Any,
+    R: Any,
+    p: Any,
+    L: Any,
+    mass: Any,
+    I_body: Any,
+    force: Any,
+    torque: Any,
+    h: float,
 ) -> Any:
     p_new, L_new = p + h * np.asarray(force), L + h * np.asarray(torque)
     omega = solved(turned_inertia(R, I_body), L_new)
@@ -77,7 +103,9 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
 
 
-def _moving(rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any) -> dict[str, Any]:
+def _moving(
+    rng: np.random.Generator, shape: tuple[int, ...], **fixed: Any
+) -> dict[str, Any]:
     drawn = {
         "x": drawn_vectors(rng, shape),
         "R": rotation_matrices(rng, shape),
@@ -118,7 +146,12 @@ SYMPLECTIC_EULER_STEP = Exercise(
         Value("mass", "(...)", "kg"),
         I_BODY,
         Value("force", "(..., 3)", "N", "at the start of the step"),
-        Value("torque", "(..., 3)", "N m", "at the start of the step, about the centre of mass"),
+        Value(
+            "torque",
+            "(..., 3)",
+            "N m",
+            "at the start of the step, about the centre of mass",
+        ),
         Value("h", "scalar", "s", "the step"),
     ),
     results=(
@@ -132,12 +165,30 @@ SYMPLECTIC_EULER_STEP = Exercise(
         Case("a spinning body falls", AT_THE_ORIGIN),
         Case("pushed and twisted", _moving(rng, ())),
         Case("pushed and twisted again", _moving(rng, ())),
-        Case("nothing acts", _moving(rng, (), force=np.zeros(3), torque=np.zeros(3)), "edge"),
-        Case("neither moving nor turning, nothing acts",
-             _moving(rng, (), p=np.zeros(3), L=np.zeros(3), force=np.zeros(3), torque=np.zeros(3)), "edge"),
+        Case(
+            "nothing acts",
+            _moving(rng, (), force=np.zeros(3), torque=np.zeros(3)),
+            "edge",
+        ),
+        Case(
+            "neither moving nor turning, nothing acts",
+            _moving(
+                rng,
+                (),
+                p=np.zeros(3),
+                L=np.zeros(3),
+                force=np.zeros(3),
+                torque=np.zeros(3),
+            ),
+            "edge",
+        ),
         Case("a step back in time", _moving(rng, (), h=-0.2), "edge"),
         Case("five bodies", _moving(rng, (5,)), "batch"),
-        Case("three bodies, as many as a vector has components", _moving(rng, (3,)), "batch"),
+        Case(
+            "three bodies, as many as a vector has components",
+            _moving(rng, (3,)),
+            "batch",
+        ),
         Case("a 2 by 4 batch", _moving(rng, (2, 4)), "batch"),
     ],  # fmt: skip
     properties=(

@@ -8,7 +8,12 @@ import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_09_energy_and_motion.shared import I_BODY
-from course.exercises.definitions.turning import inertias, rotation_matrices, transposed, turned_inertia
+from course.exercises.definitions.turning import (
+    inertias,
+    rotation_matrices,
+    transposed,
+    turned_inertia,
+)
 
 
 def _oriented(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, Any]:
@@ -23,15 +28,25 @@ WORLD_INERTIA = Exercise(
     points=1,
     minutes=6,
     task="Return the inertia in world axes, R I_body R'.",
-    arguments=(Value("R", "(..., 3, 3)", "", "rotation, columns the body's axes in the world"), I_BODY),
+    arguments=(
+        Value("R", "(..., 3, 3)", "", "rotation, columns the body's axes in the world"),
+        I_BODY,
+    ),
     results=(Value("I", "(..., 3, 3)", "kg m²", "inertia in world axes"),),
     reference=turned_inertia,
     cases=lambda rng: [
-        Case("a quarter turn about z", {"R": QUARTER_TURN, "I_body": np.diag([1.0, 2.0, 3.0])}),
+        Case(
+            "a quarter turn about z",
+            {"R": QUARTER_TURN, "I_body": np.diag([1.0, 2.0, 3.0])},
+        ),
         Case("turned about a slanted axis", _oriented(rng, ())),
         Case("not turned", {"R": np.eye(3), "I_body": inertias(rng, ())}, "edge"),
         Case("four bodies", _oriented(rng, (4,)), "batch"),
-        Case("three bodies, as many as a vector has components", _oriented(rng, (3,)), "batch"),
+        Case(
+            "three bodies, as many as a vector has components",
+            _oriented(rng, (3,)),
+            "batch",
+        ),
         Case("a 2 by 3 batch", _oriented(rng, (2, 3)), "batch"),
     ],
     properties=(
@@ -42,7 +57,10 @@ WORLD_INERTIA = Exercise(
         ),
         Property(
             "same moments",
-            lambda given, answer: np.trace(answer, axis1=-2, axis2=-1) - np.trace(given["I_body"], axis1=-2, axis2=-1),
+            lambda given, answer: (
+                np.trace(answer, axis1=-2, axis2=-1)
+                - np.trace(given["I_body"], axis1=-2, axis2=-1)
+            ),
             "The sum of the diagonal changes. Turning a body changes no principal moment, so it keeps their sum.",
         ),
     ),

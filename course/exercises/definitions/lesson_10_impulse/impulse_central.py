@@ -23,16 +23,31 @@ from course.exercises.definitions.lesson_10_impulse.shared import (
 )
 
 
-def _impulse(*, mass: Any = reduced, closing: Any = closing_speed, factor: Any = None, guard: bool = True) -> Any:
+def _impulse(
+    *,
+    mass: Any = reduced,
+    closing: Any = closing_speed,
+    factor: Any = None,
+    guard: bool = True,
+) -> Any:
     """The impulse with one of its parts changed."""
     factor = factor or (lambda e: 1 + np.asarray(e))
 
     def function(
-        mass_1: Any, mass_2: Any, velocity_1: Any, velocity_2: Any, normal: Any, restitution: Any
+        mass_1: Any,
+        mass_2: Any,
+        velocity_1: Any,
+        velocity_2: Any,
+        normal: Any,
+        restitution: Any,
     ) -> Any:
         speed = closing(velocity_1, velocity_2, normal)
         value = factor(restitution) * speed * mass(mass_1, mass_2)
-        return approaching(closing_speed(velocity_1, velocity_2, normal), value) if guard else value
+        return (
+            approaching(closing_speed(velocity_1, velocity_2, normal), value)
+            if guard
+            else value
+        )
 
     return function
 
@@ -85,10 +100,15 @@ IMPULSE_CENTRAL = Exercise(
         ),
         Mistake(
             "guard the wrong way round",
-            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: np.where(
-                closing_speed(velocity_1, velocity_2, normal) < 0,
-                (1 + np.asarray(restitution)) * closing_speed(velocity_1, velocity_2, normal) * reduced(mass_1, mass_2),
-                0.0),
+            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: (
+                np.where(
+                    closing_speed(velocity_1, velocity_2, normal) < 0,
+                    (1 + np.asarray(restitution))
+                    * closing_speed(velocity_1, velocity_2, normal)
+                    * reduced(mass_1, mass_2),
+                    0.0,
+                )
+            ),
             "Your condition picks the bodies that part. They approach where (v1 - v2).n < 0.",
         ),
         Mistake(
@@ -110,10 +130,15 @@ IMPULSE_CENTRAL = Exercise(
         ),
         Mistake(
             "the speed for those that part",
-            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: np.where(
-                closing_speed(velocity_1, velocity_2, normal) > 0,
-                _impulse(guard=False)(mass_1, mass_2, velocity_1, velocity_2, normal, restitution),
-                -closing_speed(velocity_1, velocity_2, normal)),
+            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: (
+                np.where(
+                    closing_speed(velocity_1, velocity_2, normal) > 0,
+                    _impulse(guard=False)(
+                        mass_1, mass_2, velocity_1, velocity_2, normal, restitution
+                    ),
+                    -closing_speed(velocity_1, velocity_2, normal),
+                )
+            ),
             "For bodies that part you return their speed. Asked is an impulse, and there is none: 0.",
         ),
         Mistake(
@@ -129,7 +154,9 @@ IMPULSE_CENTRAL = Exercise(
         ),
         Mistake(
             "whole speed",
-            _impulse(closing=lambda a, b, n: np.linalg.norm(np.asarray(b) - a, axis=-1)),
+            _impulse(
+                closing=lambda a, b, n: np.linalg.norm(np.asarray(b) - a, axis=-1)
+            ),
             "You take the length of the relative velocity. Without friction only its part along n matters: the dot "
             "product with n.",
         ),

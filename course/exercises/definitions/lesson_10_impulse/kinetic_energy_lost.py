@@ -23,17 +23,31 @@ from course.exercises.definitions.lesson_10_impulse.shared import (
 
 
 def _lost(
-    *, mass: Any = reduced, factor: Any = None, closing: Any = closing_speed, half: float = 0.5, guard: bool = True
+    *,
+    mass: Any = reduced,
+    factor: Any = None,
+    closing: Any = closing_speed,
+    half: float = 0.5,
+    guard: bool = True,
 ) -> Any:
     """T_lost with one of its parts changed."""
     factor = factor or (lambda e: 1 - np.asarray(e) ** 2)
 
     def function(
-        mass_1: Any, mass_2: Any, velocity_1: Any, velocity_2: Any, normal: Any, restitution: Any
+        mass_1: Any,
+        mass_2: Any,
+        velocity_1: Any,
+        velocity_2: Any,
+        normal: Any,
+        restitution: Any,
     ) -> Any:
         speed = closing(velocity_1, velocity_2, normal)
         value = half * mass(mass_1, mass_2) * factor(restitution) * speed**2
-        return approaching(closing_speed(velocity_1, velocity_2, normal), value) if guard else value
+        return (
+            approaching(closing_speed(velocity_1, velocity_2, normal), value)
+            if guard
+            else value
+        )
 
     return function
 
@@ -75,10 +89,15 @@ KINETIC_ENERGY_LOST = Exercise(
         ),
         Mistake(
             "speed not squared",
-            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: approaching(
-                closing_speed(velocity_1, velocity_2, normal),
-                0.5 * reduced(mass_1, mass_2) * (1 - np.asarray(restitution) ** 2)
-                * closing_speed(velocity_1, velocity_2, normal)),
+            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: (
+                approaching(
+                    closing_speed(velocity_1, velocity_2, normal),
+                    0.5
+                    * reduced(mass_1, mass_2)
+                    * (1 - np.asarray(restitution) ** 2)
+                    * closing_speed(velocity_1, velocity_2, normal),
+                )
+            ),
             "The speed is not squared: your unit is kg m/s, not J.",
         ),
         Mistake(
@@ -110,7 +129,9 @@ KINETIC_ENERGY_LOST = Exercise(
         ),
         Mistake(
             "guard the wrong way round",
-            lambda *given: np.where(closing_speed(*given[2:5]) < 0, _lost(guard=False)(*given), 0.0),
+            lambda *given: np.where(
+                closing_speed(*given[2:5]) < 0, _lost(guard=False)(*given), 0.0
+            ),
             "Your condition picks the pairs that part. They approach where (v1 - v2).n < 0.",
         ),
         Mistake(

@@ -23,21 +23,37 @@ MOMENTUM_AFTER = Exercise(
         Value("impulse", "(...)", "N s", "p_hat"),
         NORMAL,
     ),
-    results=(Value("momentum_1", "(..., 3)", "kg m/s"), Value("momentum_2", "(..., 3)", "kg m/s")),
+    results=(
+        Value("momentum_1", "(..., 3)", "kg m/s"),
+        Value("momentum_2", "(..., 3)", "kg m/s"),
+    ),
     reference=impulse.momentum_after,
     cases=lambda rng: [
-        Case("one pair along x", dict(momentum_1=np.array([-6.0, 0.0, 0.0]), momentum_2=np.array([1.0, 0.0, 0.0]),
-                                      impulse=4.0, normal=np.array([1.0, 0.0, 0.0]))),
+        Case(
+            "one pair along x",
+            dict(
+                momentum_1=np.array([-6.0, 0.0, 0.0]),
+                momentum_2=np.array([1.0, 0.0, 0.0]),
+                impulse=4.0,
+                normal=np.array([1.0, 0.0, 0.0]),
+            ),
+        ),
         Case("off the axes", _momenta(rng, ())),
         Case("no impulse", {**_momenta(rng, ()), "impulse": 0.0}, "edge"),
-        Case("three pairs, as many as a vector has components", _momenta(rng, (3,)), "batch"),
+        Case(
+            "three pairs, as many as a vector has components",
+            _momenta(rng, (3,)),
+            "batch",
+        ),
         Case("five pairs", _momenta(rng, (5,)), "batch"),
         Case("a 2 by 4 batch", _momenta(rng, (2, 4)), "batch"),
     ],  # fmt: skip
     properties=(
         Property(
             "momentum",
-            lambda given, answer: answer[0] + answer[1] - given["momentum_1"] - given["momentum_2"],
+            lambda given, answer: (
+                answer[0] + answer[1] - given["momentum_1"] - given["momentum_2"]
+            ),
             "The sum of the momenta changes: what one body gains the other must lose.",
         ),
     ),
@@ -45,32 +61,42 @@ MOMENTUM_AFTER = Exercise(
         Mistake(
             "both plus",
             lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 + along(impulse, normal), momentum_2 + along(impulse, normal)),
+                momentum_1 + along(impulse, normal),
+                momentum_2 + along(impulse, normal),
+            ),
             "Both bodies gain. What pushes body 1 along +n pushes body 2 along -n: p2' = p2 - p_hat n.",
         ),
         Mistake(
             "swapped",
             lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 - along(impulse, normal), momentum_2 + along(impulse, normal)),
+                momentum_1 - along(impulse, normal),
+                momentum_2 + along(impulse, normal),
+            ),
             "The signs are swapped: you push the bodies into each other. n points out of body 2 toward body 1, so "
             "body 1 gets +p_hat n.",
         ),
         Mistake(
             "the pair turned round",
             lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_2 - along(impulse, normal), momentum_1 + along(impulse, normal)),
+                momentum_2 - along(impulse, normal),
+                momentum_1 + along(impulse, normal),
+            ),
             "Both momenta are right, but in the wrong order: return that of body 1 first.",
         ),
         Mistake(
             "no direction",
             lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 + np.asarray(impulse)[..., None], momentum_2 - np.asarray(impulse)[..., None]),
+                momentum_1 + np.asarray(impulse)[..., None],
+                momentum_2 - np.asarray(impulse)[..., None],
+            ),
             "You add the number p_hat to every component. It acts along n: add p_hat n.",
         ),
         Mistake(
             "one batch axis short",
             lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 + impulse * normal, momentum_2 - impulse * normal),
+                momentum_1 + impulse * normal,
+                momentum_2 - impulse * normal,
+            ),
             "Right for one pair, not for a batch: impulse has shape (...) and normal (..., 3), so impulse needs one "
             "more axis, impulse[..., None] * normal. (np.asarray(impulse)[..., None] serves plain numbers too.)",
         ),
@@ -86,7 +112,11 @@ MOMENTUM_AFTER = Exercise(
 
 
 def _momenta(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, Any]:
-    number = rng.uniform(0.5, 4.0, shape).round(3) if shape else round(rng.uniform(0.5, 4.0), 3)
+    number = (
+        rng.uniform(0.5, 4.0, shape).round(3)
+        if shape
+        else round(rng.uniform(0.5, 4.0), 3)
+    )
     return {
         "momentum_1": rng.normal(size=(*shape, 3)).round(3),
         "momentum_2": rng.normal(size=(*shape, 3)).round(3),

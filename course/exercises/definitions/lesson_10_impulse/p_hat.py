@@ -26,7 +26,10 @@ def _points(rng: np.random.Generator) -> Sequence[Case]:
         "e": rng.uniform(0.2, 0.9, 8),
     }
     by_hand = {"m_1": 2.0, "m_2": 1.0, "v_1": -3.0, "v_2": 1.0, "e": 0.5}
-    return [Case("the numbers worked by hand", by_hand), Case("eight drawn points", draws, "batch")]
+    return [
+        Case("the numbers worked by hand", by_hand),
+        Case("eight drawn points", draws, "batch"),
+    ]
 
 
 P_HAT = Exercise(

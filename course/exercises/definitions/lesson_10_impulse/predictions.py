@@ -40,7 +40,14 @@ PREDICTIONS = (
         "equal_balls",
         "Two balls of 1 kg, e = 1, v_1 = -2 m/s, v_2 = 0. What is p_hat?",
         lambda: float(
-            impulse.impulse_central(1.0, 1.0, np.array([-2.0, 0.0, 0.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 1.0)
+            impulse.impulse_central(
+                1.0,
+                1.0,
+                np.array([-2.0, 0.0, 0.0]),
+                np.zeros(3),
+                np.array([1.0, 0.0, 0.0]),
+                1.0,
+            )
         ),
         "The bracket is 1/m_1 + 1/m_2 = 2, so -2 + 2 p_hat = 2 and p_hat = 2 N s: body 1 stops, body 2 leaves with "
         "the speed body 1 had.",
@@ -58,8 +65,14 @@ PREDICTIONS = (
         _cradle_choice,
         "Momentum and energy leave room for many outcomes. All at once and one pair after the other are two laws, "
         "and they choose differently; real balls, with springs in between, do a third thing.",
-        choices={"stands": "it stands still", "back": "it goes back", "on": "it goes on slowly"},
-        wrong={"stands": "This is what the toy shows, nearly: it is the answer of one pair after the other."},
+        choices={
+            "stands": "it stands still",
+            "back": "it goes back",
+            "on": "it goes on slowly",
+        },
+        wrong={
+            "stands": "This is what the toy shows, nearly: it is the answer of one pair after the other."
+        },
     ),
     Prediction(
         "parting",
@@ -69,6 +82,9 @@ PREDICTIONS = (
         "The formula sets the speed along n to -e times what it was, whatever its sign: parting bodies are turned "
         "round into each other. It must ask first whether they approach.",
         unit="m/s",
-        wrong={2: "So it should be. The formula does not know it.", 1: "Half the speed, but also the other way round."},
+        wrong={
+            2: "So it should be. The formula does not know it.",
+            1: "Half the speed, but also the other way round.",
+        },
     ),
 )

@@ -20,13 +20,18 @@ from course.exercises.definitions.lesson_10_impulse.shared import (
 
 
 def _only(names: Sequence[str], cases: Sequence[Case]) -> list[Case]:
-    return [Case(c.label, {name: c.arguments[name] for name in names}, c.kind) for c in cases]
+    return [
+        Case(c.label, {name: c.arguments[name] for name in names}, c.kind)
+        for c in cases
+    ]
 
 
 def _speed_mistake(factor: Any) -> Any:
     """A wrong separation speed: factor(e) times the closing speed, and the guard kept."""
 
-    def function(velocity_1: Any, velocity_2: Any, normal: Any, restitution: Any) -> Any:
+    def function(
+        velocity_1: Any, velocity_2: Any, normal: Any, restitution: Any
+    ) -> Any:
         closing = closing_speed(velocity_1, velocity_2, normal)
         return np.where(closing > 0, factor(restitution) * closing, -closing)
 
@@ -46,9 +51,13 @@ SEPARATION_SPEED = Exercise(
     minutes=7,
     task="Return (v1' - v2').n after the impact: e times the closing speed; bodies that part keep their speed.",
     arguments=(VELOCITY_1, VELOCITY_2, NORMAL, RESTITUTION),
-    results=(Value("separation_speed", "(...)", "m/s", "(v1' - v2').n, never below 0"),),
+    results=(
+        Value("separation_speed", "(...)", "m/s", "(v1' - v2').n, never below 0"),
+    ),
     reference=impulse.separation_speed,
-    cases=lambda rng: _only(("velocity_1", "velocity_2", "normal", "restitution"), impacts(rng)),
+    cases=lambda rng: _only(
+        ("velocity_1", "velocity_2", "normal", "restitution"), impacts(rng)
+    ),
     mistakes=(
         Mistake(
             "as printed",
@@ -65,8 +74,10 @@ SEPARATION_SPEED = Exercise(
             "v2 - v1",
             lambda velocity_1, velocity_2, normal, restitution: np.where(
                 closing_speed(velocity_1, velocity_2, normal) < 0,
-                -np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal),
-                closing_speed(velocity_1, velocity_2, normal)),
+                -np.asarray(restitution)
+                * closing_speed(velocity_1, velocity_2, normal),
+                closing_speed(velocity_1, velocity_2, normal),
+            ),
             "Your u is (v2 - v1).n, which is positive while they approach. Then u < 0 picks the pairs that part. Take "
             "(v1 - v2).n.",
         ),
@@ -75,21 +86,25 @@ SEPARATION_SPEED = Exercise(
             lambda velocity_1, velocity_2, normal, restitution: np.where(
                 closing_speed(velocity_1, velocity_2, normal) < 0,
                 np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal),
-                -closing_speed(velocity_1, velocity_2, normal)),
+                -closing_speed(velocity_1, velocity_2, normal),
+            ),
             "Your condition picks the pairs that part and leaves those that approach as they are. They approach where "
             "(v1 - v2).n < 0.",
         ),
         Mistake(
             "0 for those that part",
             lambda velocity_1, velocity_2, normal, restitution: np.maximum(
-                np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal), 0.0),
+                np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal),
+                0.0,
+            ),
             "Right while they approach. Bodies that part have no *impulse*, but they do have a separation speed: the "
             "one they came with.",
         ),
         Mistake(
             "the size for all",
             lambda velocity_1, velocity_2, normal, restitution: np.abs(
-                np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal)),
+                np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal)
+            ),
             "Right while they approach. With the absolute value you slow down bodies that part by themselves: nothing "
             "happens to them, return u.",
         ),
@@ -113,7 +128,8 @@ SEPARATION_SPEED = Exercise(
         Mistake(
             "no guard",
             lambda velocity_1, velocity_2, normal, restitution: (
-                restitution * closing_speed(velocity_1, velocity_2, normal)),
+                restitution * closing_speed(velocity_1, velocity_2, normal)
+            ),
             "Right for bodies that approach; those that part you send into each other. Where (v1 - v2).n >= 0 nothing "
             "happens: return it as it is (np.where).",
         ),

@@ -12,8 +12,12 @@ from course.exercises.definitions.vectors import dot, unit_vector
 
 MASS_1 = Value("mass_1", "(...)", "kg", "mass of body 1")
 MASS_2 = Value("mass_2", "(...)", "kg", "mass of body 2; infinity for a wall")
-VELOCITY_1 = Value("velocity_1", "(..., 3)", "m/s", "velocity of body 1 before the impact")
-VELOCITY_2 = Value("velocity_2", "(..., 3)", "m/s", "velocity of body 2 before the impact")
+VELOCITY_1 = Value(
+    "velocity_1", "(..., 3)", "m/s", "velocity of body 1 before the impact"
+)
+VELOCITY_2 = Value(
+    "velocity_2", "(..., 3)", "m/s", "velocity of body 2 before the impact"
+)
 NORMAL = Value("normal", "(..., 3)", "", "unit vector out of body 2 toward body 1")
 RESTITUTION = Value("restitution", "(...)", "", "e, from 0 to 1")
 
@@ -32,7 +36,11 @@ def _velocities(
 
 
 def _pair(
-    rng: np.random.Generator, shape: tuple[int, ...] = (), *, closing: Any = None, **fixed: Any
+    rng: np.random.Generator,
+    shape: tuple[int, ...] = (),
+    *,
+    closing: Any = None,
+    **fixed: Any,
 ) -> dict[str, Any]:
     normal = unit_vector(rng, shape)
     closing = rng.uniform(0.5, 3.0, shape) if closing is None else closing
@@ -46,7 +54,10 @@ def _pair(
         "restitution": rng.uniform(0.3, 0.8, shape),
     }
     # Three decimals where it does no harm: these numbers are shown to students.
-    pair = {name: value if name == "normal" else np.round(value, 3) for name, value in pair.items()}
+    pair = {
+        name: value if name == "normal" else np.round(value, 3)
+        for name, value in pair.items()
+    }
     pair.update(fixed)
     return {name: value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
             for name, value in pair.items()}  # fmt: skip
@@ -65,7 +76,10 @@ ALONG_X = {
 def impacts(rng: np.random.Generator) -> Sequence[Case]:
     mixed = rng.uniform(-2.0, 2.0, 6)
     mixed[:2] = 1.0, -1.0
-    at_rest = {"velocity_1": np.array([1.0, 2.0, 0.5]), "velocity_2": np.array([1.0, 2.0, 0.5])}
+    at_rest = {
+        "velocity_1": np.array([1.0, 2.0, 0.5]),
+        "velocity_2": np.array([1.0, 2.0, 0.5]),
+    }
     return [
         Case("head-on along x", ALONG_X),
         Case("off the axes", _pair(rng)),
@@ -74,8 +88,14 @@ def impacts(rng: np.random.Generator) -> Sequence[Case]:
         Case("they move together", {**_pair(rng), **at_rest}, "edge"),
         Case("nothing lost, e = 1", _pair(rng, restitution=1.0), "edge"),
         Case("they stay together, e = 0", _pair(rng, restitution=0.0), "edge"),
-        Case("body 2 is a wall", _pair(rng, mass_2=np.inf, velocity_2=np.zeros(3), **_toward_wall(rng)), "edge"),
-        Case("three pairs, as many as a vector has components", _pair(rng, (3,)), "batch"),
+        Case(
+            "body 2 is a wall",
+            _pair(rng, mass_2=np.inf, velocity_2=np.zeros(3), **_toward_wall(rng)),
+            "edge",
+        ),
+        Case(
+            "three pairs, as many as a vector has components", _pair(rng, (3,)), "batch"
+        ),
         Case("six pairs", _pair(rng, (6,)), "batch"),
         Case("a 2 by 4 batch", _pair(rng, (2, 4)), "batch"),
         Case("some approach, some part", _pair(rng, (6,), closing=mixed), "batch"),
@@ -84,7 +104,10 @@ def impacts(rng: np.random.Generator) -> Sequence[Case]:
 
 def _toward_wall(rng: np.random.Generator) -> dict[str, Any]:
     normal = unit_vector(rng, ())
-    return {"normal": normal, "velocity_1": -2.0 * normal + np.cross(normal, rng.normal(size=3))}
+    return {
+        "normal": normal,
+        "velocity_1": -2.0 * normal + np.cross(normal, rng.normal(size=3)),
+    }
 
 
 # The formula as it stands in the derivation: the mass, the closing speed and e are what mistakes change.

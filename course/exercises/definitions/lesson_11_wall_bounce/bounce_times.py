@@ -36,7 +36,14 @@ def _drops(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-def _times(*, double: float = 2.0, first: float = 1.0, power: int = 1, two: float = 2.0, start: int = 1) -> Any:
+def _times(
+    *,
+    double: float = 2.0,
+    first: float = 1.0,
+    power: int = 1,
+    two: float = 2.0,
+    start: int = 1,
+) -> Any:
     """Impact times with one of the sum's parts changed."""
 
     def function(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
@@ -44,7 +51,10 @@ def _times(*, double: float = 2.0, first: float = 1.0, power: int = 1, two: floa
         k = np.arange(start, start + count - 1)
         flights = np.asarray(restitution)[..., None] ** (power * k)
         zero = np.zeros((*flights.shape[:-1], 1))
-        return fall * (first + double * np.concatenate([zero, np.cumsum(flights, axis=-1)], axis=-1))
+        return fall * (
+            first
+            + double * np.concatenate([zero, np.cumsum(flights, axis=-1)], axis=-1)
+        )
 
     return function
 
@@ -55,13 +65,18 @@ def _lengths_only(height: Any, restitution: Any, count: int, gravity: Any) -> An
 
 
 def _closed_sum(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
-    fall, e = np.sqrt(2 * np.asarray(height) / gravity)[..., None], np.asarray(restitution)[..., None]
+    fall, e = (
+        np.sqrt(2 * np.asarray(height) / gravity)[..., None],
+        np.asarray(restitution)[..., None],
+    )
     with np.errstate(invalid="ignore", divide="ignore"):
         return fall * (1 + 2 * e * (1 - e ** np.arange(count)) / (1 - e))
 
 
 def _first_axis(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
-    return np.moveaxis(np.asarray(bounce_times(height, restitution, count, gravity)), -1, 0)
+    return np.moveaxis(
+        np.asarray(bounce_times(height, restitution, count, gravity)), -1, 0
+    )
 
 
 BOUNCE_TIMES = Exercise(
@@ -70,12 +85,21 @@ BOUNCE_TIMES = Exercise(
     points=2,
     minutes=10,
     task="Return the times of the first `count` impacts of a ball dropped from rest, on a new last axis; e may be 1.",
-    arguments=(Value("height", "(...)", "m", "height of the drop"), RESTITUTION, COUNT, GRAVITY),
+    arguments=(
+        Value("height", "(...)", "m", "height of the drop"),
+        RESTITUTION,
+        COUNT,
+        GRAVITY,
+    ),
     results=(Value("times", "(..., count)", "s", "from the drop"),),
     reference=bounce_times,
     cases=_drops,
     properties=(
-        Property("in order", lambda given, t: np.minimum(np.diff(t, axis=-1), 0.0), "The times are not in order."),
+        Property(
+            "in order",
+            lambda given, t: np.minimum(np.diff(t, axis=-1), 0.0),
+            "The times are not in order.",
+        ),
     ),
     mistakes=(
         Mistake(

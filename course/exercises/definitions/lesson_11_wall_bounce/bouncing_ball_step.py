@@ -11,65 +11,111 @@ from course.exercises.definition import Case, Exercise, Mistake, Value
 
 
 def _states(rng: np.random.Generator) -> Sequence[Case]:
-    def state(height: Any, velocity: Any, step: float = 0.01, restitution: float = 0.7) -> dict[str, Any]:
-        return {"height": height, "velocity": velocity, "step": step, "restitution": restitution, "gravity": 9.81}
+    def state(
+        height: Any, velocity: Any, step: float = 0.01, restitution: float = 0.7
+    ) -> dict[str, Any]:
+        return {
+            "height": height,
+            "velocity": velocity,
+            "step": step,
+            "restitution": restitution,
+            "gravity": 9.81,
+        }
 
     drawn = [rng.uniform(-most, most, (2, 3)).round(3) for most in (0.1, 3.0)]
     heights = np.array([0.5, -0.02, -0.01, 0.0, 0.3, -0.03])
     return [
         Case("in the air, falling", state(0.5, -1.0)),
         Case("below the floor, falling", state(-0.02, -3.0)),
-        Case("in the air, rising", state(round(rng.uniform(0.2, 1), 3), round(rng.uniform(1, 2), 3))),
-        Case("below the floor, falling, another step", state(-0.05, round(rng.uniform(-4, -2), 3), 0.04, 0.4)),
+        Case(
+            "in the air, rising",
+            state(round(rng.uniform(0.2, 1), 3), round(rng.uniform(1, 2), 3)),
+        ),
+        Case(
+            "below the floor, falling, another step",
+            state(-0.05, round(rng.uniform(-4, -2), 3), 0.04, 0.4),
+        ),
         Case("below the floor, already rising", state(-0.02, 2.0), "edge"),
         Case("exactly on the floor, falling", state(0.0, -2.0), "edge"),
         Case("nothing lost", state(-0.02, -3.0, 0.01, 1.0), "edge"),
-        Case("six balls", state(heights, np.array([-1.0, -2.0, 1.5, -0.5, 2.0, -4.0])), "batch"),
+        Case(
+            "six balls",
+            state(heights, np.array([-1.0, -2.0, 1.5, -0.5, 2.0, -4.0])),
+            "batch",
+        ),
         Case("a 2 by 3 batch", state(drawn[0], drawn[1]), "batch"),
     ]
 
 
-def _ball_step(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+def _ball_step(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
     """The order of the engine with the small error: reflect, or else fall; then move with the new velocity."""
     hits = (np.asarray(height) < 0) & (np.asarray(velocity) < 0)
-    after = np.where(hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step)
+    after = np.where(
+        hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step
+    )
     return height + step * after, after
 
 
-def _gravity_first(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+def _gravity_first(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
     after = np.asarray(velocity) - gravity * step
-    after = np.where((np.asarray(height) < 0) & (after < 0), -restitution * after, after)
+    after = np.where(
+        (np.asarray(height) < 0) & (after < 0), -restitution * after, after
+    )
     return height + step * after, after
 
 
-def _move_first(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+def _move_first(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
     _, after = _ball_step(height, velocity, step, restitution, gravity)
     return height + step * np.asarray(velocity), after
 
 
-def _no_rising_guard(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
-    after = np.where(np.asarray(height) < 0, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step)
+def _no_rising_guard(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
+    after = np.where(
+        np.asarray(height) < 0,
+        -restitution * np.asarray(velocity),
+        np.asarray(velocity) - gravity * step,
+    )
     return height + step * after, after
 
 
-def _always_gravity(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+def _always_gravity(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
     hits = (np.asarray(height) < 0) & (np.asarray(velocity) < 0)
-    after = np.where(hits, -restitution * np.asarray(velocity), velocity) - gravity * step
+    after = (
+        np.where(hits, -restitution * np.asarray(velocity), velocity) - gravity * step
+    )
     return height + step * after, after
 
 
-def _no_restitution(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+def _no_restitution(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
     return _ball_step(height, velocity, step, 1.0, gravity)
 
 
-def _clamped(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+def _clamped(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
     moved, after = _ball_step(height, velocity, step, restitution, gravity)
     return np.maximum(moved, 0.0), after
 
 
-def _touch_counts(height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any) -> Any:
+def _touch_counts(
+    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
+) -> Any:
     hits = (np.asarray(height) <= 0) & (np.asarray(velocity) < 0)
-    after = np.where(hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step)
+    after = np.where(
+        hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step
+    )
     return height + step * after, after
 
 

@@ -16,7 +16,10 @@ def _long_normal() -> float:
 def _longer_choice() -> str:
     from course.study.bouncing_ball import energy_error
 
-    ratios = [energy_error("bullet", 1e-3, duration=t) / energy_error("ode", 1e-3, duration=t) for t in (20.0, 40.0)]
+    ratios = [
+        energy_error("bullet", 1e-3, duration=t) / energy_error("ode", 1e-3, duration=t)
+        for t in (20.0, 40.0)
+    ]
     return {1: "same", 2: "twice", 4: "four"}[round(ratios[1] / ratios[0])]
 
 

@@ -17,8 +17,15 @@ def _rest(h: Any, e: Any, g: Any) -> Any:
 
 
 def _rest_points(rng: np.random.Generator) -> Sequence[Case]:
-    draws = {"h": rng.uniform(0.5, 3, 8), "e": rng.uniform(0.2, 0.8, 8), "g": rng.uniform(1.5, 20, 8)}
-    return [Case("the ball of the text", {"h": 1.0, "e": 0.5, "g": 9.81}), Case("eight drawn points", draws, "batch")]
+    draws = {
+        "h": rng.uniform(0.5, 3, 8),
+        "e": rng.uniform(0.2, 0.8, 8),
+        "g": rng.uniform(1.5, 20, 8),
+    }
+    return [
+        Case("the ball of the text", {"h": 1.0, "e": 0.5, "g": 9.81}),
+        Case("eight drawn points", draws, "batch"),
+    ]
 
 
 REST_TIME = Exercise(

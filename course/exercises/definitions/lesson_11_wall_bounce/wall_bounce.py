@@ -12,19 +12,36 @@ from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.vectors import unit_vector
 
 
-def _hits(rng: np.random.Generator, shape: tuple[int, ...] = (), speed: Any = None, **fixed: Any) -> dict[str, Any]:
+def _hits(
+    rng: np.random.Generator,
+    shape: tuple[int, ...] = (),
+    speed: Any = None,
+    **fixed: Any,
+) -> dict[str, Any]:
     """Velocities that come in at ``speed`` along the normal and slide across it as well."""
     normal = unit_vector(rng, shape)
     speed = rng.uniform(0.5, 3.0, shape) if speed is None else np.asarray(speed)
-    velocity = np.round(-speed[..., None] * normal + np.cross(normal, rng.normal(size=(*shape, 3))), 3)
+    velocity = np.round(
+        -speed[..., None] * normal + np.cross(normal, rng.normal(size=(*shape, 3))), 3
+    )
     e = np.round(rng.uniform(0.3, 0.8, shape), 3)
-    return {"velocity": velocity, "normal": normal, "restitution": e if shape else float(e), **fixed}
+    return {
+        "velocity": velocity,
+        "normal": normal,
+        "restitution": e if shape else float(e),
+        **fixed,
+    }
+
 
 RESTITUTION = Value("restitution", "(...)", "", "e, from 0 to 1")
 
 
 def _bounces(rng: np.random.Generator) -> Sequence[Case]:
-    floor = {"velocity": np.array([1.0, 0.0, -2.0]), "normal": np.array([0.0, 0.0, 1.0]), "restitution": 0.5}
+    floor = {
+        "velocity": np.array([1.0, 0.0, -2.0]),
+        "normal": np.array([0.0, 0.0, 1.0]),
+        "restitution": 0.5,
+    }
     return [
         Case("a floor", floor),
         Case("a slanted wall", _hits(rng)),
@@ -45,7 +62,10 @@ def _bounce(factor: Any, *, guard: bool = True) -> Any:
 
     def function(velocity: Any, normal: Any, restitution: Any) -> Any:
         along = np.sum(velocity * normal, axis=-1)[..., None]
-        after = velocity - np.asarray(factor(np.asarray(restitution)))[..., None] * along * normal
+        after = (
+            velocity
+            - np.asarray(factor(np.asarray(restitution)))[..., None] * along * normal
+        )
         return np.where(along < 0, after, velocity) if guard else after
 
     return function
@@ -58,12 +78,18 @@ def _whole_velocity(velocity: Any, normal: Any, restitution: Any) -> Any:
 
 def _both_parts(velocity: Any, normal: Any, restitution: Any) -> Any:
     along = np.sum(velocity * normal, axis=-1)[..., None]
-    return np.where(along < 0, np.asarray(restitution)[..., None] * (velocity - 2 * along * normal), velocity)
+    return np.where(
+        along < 0,
+        np.asarray(restitution)[..., None] * (velocity - 2 * along * normal),
+        velocity,
+    )
 
 
 def _only_along(velocity: Any, normal: Any, restitution: Any) -> Any:
     along = np.sum(velocity * normal, axis=-1)[..., None]
-    return np.where(along < 0, -np.asarray(restitution)[..., None] * along * normal, velocity)
+    return np.where(
+        along < 0, -np.asarray(restitution)[..., None] * along * normal, velocity
+    )
 
 
 def _turned_guard(velocity: Any, normal: Any, restitution: Any) -> Any:
@@ -94,7 +120,9 @@ WALL_BOUNCE = Exercise(
     properties=(
         Property(
             "no gain",
-            lambda given, v: np.maximum(np.sum(np.square(v), -1) - np.sum(np.square(given["velocity"]), -1), 0.0),
+            lambda given, v: np.maximum(
+                np.sum(np.square(v), -1) - np.sum(np.square(given["velocity"]), -1), 0.0
+            ),
             "The ball leaves faster than it came: a wall that stands still gives no energy.",
         ),
         Property(
@@ -117,8 +145,12 @@ WALL_BOUNCE = Exercise(
         ),
         Mistake(
             "the size of v.n",
-            lambda velocity, normal, restitution: velocity
-            + (1 + np.asarray(restitution))[..., None] * np.abs(np.sum(velocity * normal, axis=-1))[..., None] * normal,
+            lambda velocity, normal, restitution: (
+                velocity
+                + (1 + np.asarray(restitution))[..., None]
+                * np.abs(np.sum(velocity * normal, axis=-1))[..., None]
+                * normal
+            ),
             "Right for balls that come in. With the absolute value you push a ball that already leaves, and it gains "
             "speed: where v.n >= 0 return v as it is.",
         ),

@@ -20,34 +20,63 @@ from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
 )
 
 
-def _applied(*, torque: Any = None, turn: Any = times, mass: Any = None, sign: float = 1.0, order: int = 1) -> Any:
+def _applied(
+    *,
+    torque: Any = None,
+    turn: Any = times,
+    mass: Any = None,
+    sign: float = 1.0,
+    order: int = 1,
+) -> Any:
     """The velocities after the impulse with one of the parts changed."""
     mass = mass or (lambda inverse: np.asarray(inverse))
-    torque = torque or (lambda arm, normal, impulse: np.cross(arm, scaled(impulse, normal)))
+    torque = torque or (
+        lambda arm, normal, impulse: np.cross(arm, scaled(impulse, normal))
+    )
 
     def function(
         velocity: Any, angular_velocity: Any, inverse_mass: Any, inverse_inertia: Any,
         arm: Any, normal: Any, impulse: Any,
     ) -> Any:  # fmt: skip
-        moved = velocity + sign * scaled(np.asarray(impulse) * mass(inverse_mass), normal)
-        turned = angular_velocity + sign * turn(inverse_inertia, torque(arm, normal, impulse))
+        moved = velocity + sign * scaled(
+            np.asarray(impulse) * mass(inverse_mass), normal
+        )
+        turned = angular_velocity + sign * turn(
+            inverse_inertia, torque(arm, normal, impulse)
+        )
         return (moved, turned)[::order]
 
     return function
 
 
 def _matmul_apply(
-    velocity: Any, angular_velocity: Any, inverse_mass: Any, inverse_inertia: Any, arm: Any, normal: Any, impulse: Any
+    velocity: Any,
+    angular_velocity: Any,
+    inverse_mass: Any,
+    inverse_inertia: Any,
+    arm: Any,
+    normal: Any,
+    impulse: Any,
 ) -> Any:
     push = scaled(impulse, normal)
-    return velocity + scaled(inverse_mass, push), angular_velocity + inverse_inertia @ np.cross(arm, push)
+    return velocity + scaled(
+        inverse_mass, push
+    ), angular_velocity + inverse_inertia @ np.cross(arm, push)
 
 
 def _short_axis(
-    velocity: Any, angular_velocity: Any, inverse_mass: Any, inverse_inertia: Any, arm: Any, normal: Any, impulse: Any
+    velocity: Any,
+    angular_velocity: Any,
+    inverse_mass: Any,
+    inverse_inertia: Any,
+    arm: Any,
+    normal: Any,
+    impulse: Any,
 ) -> Any:
     push = impulse * np.asarray(normal)
-    return velocity + inverse_mass * push, angular_velocity + times(inverse_inertia, np.cross(arm, push))
+    return velocity + inverse_mass * push, angular_velocity + times(
+        inverse_inertia, np.cross(arm, push)
+    )
 
 
 def _pushes(rng: np.random.Generator) -> Sequence[Case]:
@@ -83,7 +112,11 @@ def _pushes(rng: np.random.Generator) -> Sequence[Case]:
         Case("body 2's share: a negative impulse", drawn(impulse=-1.5), "edge"),
         Case("no impulse", drawn(impulse=0.0), "edge"),
         Case("an arm along the normal", central, "edge"),
-        Case("a fixed body", drawn(inverse_mass=0.0, inverse_inertia=np.zeros((3, 3))), "edge"),
+        Case(
+            "a fixed body",
+            drawn(inverse_mass=0.0, inverse_inertia=np.zeros((3, 3))),
+            "edge",
+        ),
         Case("three bodies, as many as a vector has components", drawn((3,)), "batch"),
         Case("five bodies", drawn((5,)), "batch"),
         Case("a 2 by 4 batch", drawn((2, 4)), "batch"),
@@ -101,18 +134,30 @@ APPLY_IMPULSE = Exercise(
         Value("velocity", "(..., 3)", "m/s", "v of the centre of mass before"),
         Value("angular_velocity", "(..., 3)", "rad/s", "omega before"),
         Value("inverse_mass", "(...)", "1/kg", "1/m; 0 for a fixed body"),
-        Value("inverse_inertia", "(..., 3, 3)", "1/(kg m^2)", "I^-1 about the centre, world axes; zeros if fixed"),
+        Value(
+            "inverse_inertia",
+            "(..., 3, 3)",
+            "1/(kg m^2)",
+            "I^-1 about the centre, world axes; zeros if fixed",
+        ),
         Value("arm", "(..., 3)", "m", "r, from the centre of mass to the contact"),
         Value("normal", "(..., 3)", "", "unit vector n"),
         Value("impulse", "(...)", "N s", "p_hat; for body 2 it is given with a minus"),
     ),
-    results=(Value("velocity", "(..., 3)", "m/s"), Value("angular_velocity", "(..., 3)", "rad/s")),
+    results=(
+        Value("velocity", "(..., 3)", "m/s"),
+        Value("angular_velocity", "(..., 3)", "rad/s"),
+    ),
     reference=_applied(),
     cases=_pushes,
     mistakes=(
         Mistake(
             "n x r",
-            _applied(torque=lambda arm, normal, impulse: np.cross(scaled(impulse, normal), arm)),
+            _applied(
+                torque=lambda arm, normal, impulse: np.cross(
+                    scaled(impulse, normal), arm
+                )
+            ),
             "The spin has the wrong sign: you took n x r. The torque of a push is r x n, arm first.",
         ),
         Mistake(
@@ -133,12 +178,20 @@ APPLY_IMPULSE = Exercise(
         ),
         Mistake(
             "arm not crossed",
-            _applied(torque=lambda arm, normal, impulse: scaled(impulse, normal) + 0 * np.asarray(arm)),
+            _applied(
+                torque=lambda arm, normal, impulse: (
+                    scaled(impulse, normal) + 0 * np.asarray(arm)
+                )
+            ),
             "You multiply I^-1 by the push itself. What turns a body is the torque, r x the push.",
         ),
         Mistake(
             "entry by entry",
-            _applied(torque=lambda arm, normal, impulse: np.asarray(arm) * scaled(impulse, normal)),
+            _applied(
+                torque=lambda arm, normal, impulse: (
+                    np.asarray(arm) * scaled(impulse, normal)
+                )
+            ),
             "Your torque is r times n, entry by entry. The cross product is np.cross.",
         ),
         Mistake(
@@ -181,10 +234,37 @@ APPLY_IMPULSE = Exercise(
         Mistake(
             "velocity of the point",
             lambda velocity, angular_velocity, inverse_mass, inverse_inertia, arm, normal, impulse: (
-                _applied()(velocity, angular_velocity, inverse_mass, inverse_inertia, arm, normal, impulse)[0]
-                + np.cross(_applied()(
-                    velocity, angular_velocity, inverse_mass, inverse_inertia, arm, normal, impulse)[1], arm),
-                _applied()(velocity, angular_velocity, inverse_mass, inverse_inertia, arm, normal, impulse)[1]),
+                _applied()(
+                    velocity,
+                    angular_velocity,
+                    inverse_mass,
+                    inverse_inertia,
+                    arm,
+                    normal,
+                    impulse,
+                )[0]
+                + np.cross(
+                    _applied()(
+                        velocity,
+                        angular_velocity,
+                        inverse_mass,
+                        inverse_inertia,
+                        arm,
+                        normal,
+                        impulse,
+                    )[1],
+                    arm,
+                ),
+                _applied()(
+                    velocity,
+                    angular_velocity,
+                    inverse_mass,
+                    inverse_inertia,
+                    arm,
+                    normal,
+                    impulse,
+                )[1],
+            ),
             "The spin is right, but your velocity is that of the contact point. Asked is that of the centre of mass: "
             "v + p_hat n / m, wherever the push acts.",
         ),

@@ -22,7 +22,11 @@ from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
 from course.exercises.definitions.vectors import dot
 
 
-def _apart(rng: np.random.Generator, draw: Callable[[], dict[str, Any]], good: Callable[[dict[str, Any]], Any]) -> Any:
+def _apart(
+    rng: np.random.Generator,
+    draw: Callable[[], dict[str, Any]],
+    good: Callable[[dict[str, Any]], Any],
+) -> Any:
     """Draw until the case serves."""
     for _ in range(1000):
         case = draw()
@@ -49,7 +53,10 @@ def _effective_mass(
         arm_1: Any, arm_2: Any, normal: Any,
     ) -> Any:  # fmt: skip
         inverse = masses(inverse_mass_1, inverse_mass_2)
-        for share, inertia, arm in ((first, inverse_inertia_1, arm_1), (second, inverse_inertia_2, arm_2)):
+        for share, inertia, arm in (
+            (first, inverse_inertia_1, arm_1),
+            (second, inverse_inertia_2, arm_2),
+        ):
             lever = levers(arm, normal)
             inverse = inverse + share * dot(lever, turn(inertia, lever))
         return whole(inverse)
@@ -61,7 +68,12 @@ def _by_length(matrix: Any, vector: Any) -> Any:
     """|I^-1 a| along a: what remains where the second lever is forgotten, per length of the first."""
     turned = times(matrix, vector)
     length = np.linalg.norm(vector, axis=-1)
-    share = np.divide(np.linalg.norm(turned, axis=-1), length**2, out=np.zeros(np.shape(length)), where=length > 0)
+    share = np.divide(
+        np.linalg.norm(turned, axis=-1),
+        length**2,
+        out=np.zeros(np.shape(length)),
+        where=length > 0,
+    )
     return scaled(share, vector)
 
 
@@ -107,14 +119,20 @@ def _masses(rng: np.random.Generator) -> Sequence[Case]:
         return found
 
     central = drawn()
-    central = {**central, "arm_1": -0.5 * central["normal"], "arm_2": 0.25 * central["normal"]}
+    central = {
+        **central,
+        "arm_1": -0.5 * central["normal"],
+        "arm_2": 0.25 * central["normal"],
+    }
     fixed_1, fixed_2 = drawn(), drawn()
     fixed_1 |= {"inverse_mass_1": 0.0, "inverse_inertia_1": np.zeros((3, 3))}
     fixed_2 |= {"inverse_mass_2": 0.0, "inverse_inertia_2": np.zeros((3, 3))}
     some_fixed = drawn((4,))
     free = np.array([1.0, 0.0, 1.0, 0.0])
     some_fixed["inverse_mass_2"] = some_fixed["inverse_mass_2"] * free
-    some_fixed["inverse_inertia_2"] = some_fixed["inverse_inertia_2"] * free[:, None, None]
+    some_fixed["inverse_inertia_2"] = (
+        some_fixed["inverse_inertia_2"] * free[:, None, None]
+    )
     return [
         Case("a rod of 1 kg and 1 m on a floor, hit at its end", ROD),
         Case("two bodies that turn", drawn()),
@@ -135,7 +153,9 @@ def _matmul_mass(
     arm_1: Any, arm_2: Any, normal: Any,
 ) -> Any:  # fmt: skip
     lever_1, lever_2 = np.cross(arm_1, normal), np.cross(arm_2, normal)
-    turned = dot(lever_1, inverse_inertia_1 @ lever_1) + dot(lever_2, inverse_inertia_2 @ lever_2)
+    turned = dot(lever_1, inverse_inertia_1 @ lever_1) + dot(
+        lever_2, inverse_inertia_2 @ lever_2
+    )
     return 1 / (np.asarray(inverse_mass_1) + inverse_mass_2 + turned)
 
 
@@ -148,8 +168,15 @@ EFFECTIVE_MASS = Exercise(
     arguments=(
         Value("inverse_mass_1", "(...)", "1/kg", "1/m of body 1; 0 for a fixed body"),
         Value("inverse_mass_2", "(...)", "1/kg", "1/m of body 2; 0 for a fixed body"),
-        Value("inverse_inertia_1", "(..., 3, 3)", "1/(kg m^2)", "I^-1 of body 1, world axes; zeros if it is fixed"),
-        Value("inverse_inertia_2", "(..., 3, 3)", "1/(kg m^2)", "I^-1 of body 2, likewise"),
+        Value(
+            "inverse_inertia_1",
+            "(..., 3, 3)",
+            "1/(kg m^2)",
+            "I^-1 of body 1, world axes; zeros if it is fixed",
+        ),
+        Value(
+            "inverse_inertia_2", "(..., 3, 3)", "1/(kg m^2)", "I^-1 of body 2, likewise"
+        ),
         Value("arm_1", "(..., 3)", "m", "from the centre of body 1 to the contact"),
         Value("arm_2", "(..., 3)", "m", "from the centre of body 2 to the contact"),
         NORMAL,
@@ -161,7 +188,10 @@ EFFECTIVE_MASS = Exercise(
         Property(
             "no more than without spin",
             lambda given, answer: np.maximum(
-                answer * (np.asarray(given["inverse_mass_1"]) + given["inverse_mass_2"]) - 1, 0.0),
+                answer * (np.asarray(given["inverse_mass_1"]) + given["inverse_mass_2"])
+                - 1,
+                0.0,
+            ),
             "It feels heavier than if the bodies could not turn. Turning only makes a point give way more: each term "
             "adds to 1/mu.",
         ),
@@ -231,7 +261,9 @@ EFFECTIVE_MASS = Exercise(
         ),
         Mistake(
             "masses not inverse",
-            _effective_mass(masses=lambda one, two: 1 / np.asarray(one) + 1 / np.asarray(two)),
+            _effective_mass(
+                masses=lambda one, two: 1 / np.asarray(one) + 1 / np.asarray(two)
+            ),
             "You invert the masses again. The arguments are inverse masses already, so that a fixed body is a plain 0: "
             "add them.",
         ),

@@ -20,7 +20,9 @@ from course.exercises.definitions.vectors import dot
 RESTITUTION = Value("restitution", "(...)", "", "e, from 0 to 1")
 
 
-def _point_impulse(*, closing: Any = None, factor: Any = None, felt: Any = None, guard: Any = None) -> Any:
+def _point_impulse(
+    *, closing: Any = None, factor: Any = None, felt: Any = None, guard: Any = None
+) -> Any:
     """The impulse with one of its parts changed."""
     closing = closing or (lambda one, two, n: -dot(np.asarray(one) - two, n))
     factor = factor or (lambda e: 1 + np.asarray(e))
@@ -28,16 +30,27 @@ def _point_impulse(*, closing: Any = None, factor: Any = None, felt: Any = None,
     guard = guard or (lambda u, value: np.where(u < 0, value, 0.0))
 
     def function(
-        point_velocity_1: Any, point_velocity_2: Any, normal: Any, mass_felt: Any, restitution: Any
+        point_velocity_1: Any,
+        point_velocity_2: Any,
+        normal: Any,
+        mass_felt: Any,
+        restitution: Any,
     ) -> Any:
         u = dot(np.asarray(point_velocity_1) - point_velocity_2, normal)
-        return guard(u, factor(restitution) * closing(point_velocity_1, point_velocity_2, normal) * felt(mass_felt))
+        return guard(
+            u,
+            factor(restitution)
+            * closing(point_velocity_1, point_velocity_2, normal)
+            * felt(mass_felt),
+        )
 
     return function
 
 
 def _hits(rng: np.random.Generator) -> Sequence[Case]:
-    def drawn(shape: tuple[int, ...] = (), *, closing: Any = None, **fixed: Any) -> dict[str, Any]:
+    def drawn(
+        shape: tuple[int, ...] = (), *, closing: Any = None, **fixed: Any
+    ) -> dict[str, Any]:
         normal, second = unit_vector(rng, shape), drawn_vector(rng, shape)
         closing = drawn_number(rng, shape, 0.5, 3.0) if closing is None else closing
         slide = np.cross(normal, drawn_vector(rng, shape))
@@ -50,7 +63,11 @@ def _hits(rng: np.random.Generator) -> Sequence[Case]:
         }
         return hit | fixed
 
-    together = {**drawn(), "point_velocity_1": np.array([1.0, 2.0, 0.5]), "point_velocity_2": np.array([1.0, 2.0, 0.5])}
+    together = {
+        **drawn(),
+        "point_velocity_1": np.array([1.0, 2.0, 0.5]),
+        "point_velocity_2": np.array([1.0, 2.0, 0.5]),
+    }
     mixed = np.round(rng.uniform(-2.0, 2.0, 6), 2)
     mixed[:2] = 1.0, -1.0
     level = {
@@ -67,7 +84,9 @@ def _hits(rng: np.random.Generator) -> Sequence[Case]:
         Case("the points already part", drawn(closing=-1.5), "edge"),
         Case("the points move together", together, "edge"),
         Case("nothing comes back, e = 0", drawn(restitution=0.0), "edge"),
-        Case("three contacts, as many as a vector has components", drawn((3,)), "batch"),
+        Case(
+            "three contacts, as many as a vector has components", drawn((3,)), "batch"
+        ),
         Case("six contacts", drawn((6,)), "batch"),
         Case("a 2 by 4 batch", drawn((2, 4)), "batch"),
         Case("some approach, some part", drawn((6,), closing=mixed), "batch"),
@@ -81,8 +100,18 @@ IMPULSE_AT_POINT = Exercise(
     minutes=5,
     task="Return p_hat at a contact point, from the velocities of the two points and the mass felt there.",
     arguments=(
-        Value("point_velocity_1", "(..., 3)", "m/s", "velocity of body 1's point at the contact"),
-        Value("point_velocity_2", "(..., 3)", "m/s", "velocity of body 2's point at the contact"),
+        Value(
+            "point_velocity_1",
+            "(..., 3)",
+            "m/s",
+            "velocity of body 1's point at the contact",
+        ),
+        Value(
+            "point_velocity_2",
+            "(..., 3)",
+            "m/s",
+            "velocity of body 2's point at the contact",
+        ),
         NORMAL,
         Value("mass_felt", "(...)", "kg", "effective mass"),
         RESTITUTION,
@@ -147,9 +176,18 @@ IMPULSE_AT_POINT = Exercise(
         ),
         Mistake(
             "1 + e u",
-            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: np.where(
-                dot(np.asarray(point_velocity_1) - point_velocity_2, normal) < 0,
-                (1 - restitution * dot(np.asarray(point_velocity_1) - point_velocity_2, normal)) * mass_felt, 0.0),
+            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: (
+                np.where(
+                    dot(np.asarray(point_velocity_1) - point_velocity_2, normal) < 0,
+                    (
+                        1
+                        - restitution
+                        * dot(np.asarray(point_velocity_1) - point_velocity_2, normal)
+                    )
+                    * mass_felt,
+                    0.0,
+                )
+            ),
             "Brackets: 1 + e is one factor. You computed 1 and e times the closing speed, added.",
         ),
         Mistake(
@@ -159,7 +197,11 @@ IMPULSE_AT_POINT = Exercise(
         ),
         Mistake(
             "whole speed",
-            _point_impulse(closing=lambda one, two, n: np.linalg.norm(np.asarray(one) - two, axis=-1)),
+            _point_impulse(
+                closing=lambda one, two, n: np.linalg.norm(
+                    np.asarray(one) - two, axis=-1
+                )
+            ),
             "You take the length of the relative velocity. Without friction only its part along n matters: the dot "
             "product with n.",
         ),
@@ -170,8 +212,18 @@ IMPULSE_AT_POINT = Exercise(
         ),
         Mistake(
             "a vector",
-            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: scaled(
-                _point_impulse()(point_velocity_1, point_velocity_2, normal, mass_felt, restitution), normal),
+            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: (
+                scaled(
+                    _point_impulse()(
+                        point_velocity_1,
+                        point_velocity_2,
+                        normal,
+                        mass_felt,
+                        restitution,
+                    ),
+                    normal,
+                )
+            ),
             "You return the vector p_hat n. Return the number p_hat, one for each contact.",
         ),
     ),  # fmt: skip

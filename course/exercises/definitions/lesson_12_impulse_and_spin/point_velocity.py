@@ -9,7 +9,10 @@ import numpy as np
 
 from course.dynamics import impulse
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_12_impulse_and_spin.shared import drawn_vector, scaled
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
+    drawn_vector,
+    scaled,
+)
 from course.exercises.definitions.vectors import dot
 
 
@@ -27,17 +30,32 @@ def _points(rng: np.random.Generator) -> Sequence[Case]:
             "arm": drawn_vector(rng, shape),
         }
 
-    wheel = {"velocity": [2.0, 0.0, 0.0], "angular_velocity": [0.0, 2.0, 0.0], "arm": [0.0, 0.0, 1.0]}
+    wheel = {
+        "velocity": [2.0, 0.0, 0.0],
+        "angular_velocity": [0.0, 2.0, 0.0],
+        "arm": [0.0, 0.0, 1.0],
+    }
     along = {**drawn(), "arm": np.zeros(3)}
     return [
-        Case("the top of a rolling wheel", {name: np.array(value) for name, value in wheel.items()}),
+        Case(
+            "the top of a rolling wheel",
+            {name: np.array(value) for name, value in wheel.items()},
+        ),
         Case("in all directions", drawn()),
         Case("in all directions again", drawn()),
         Case("the centre of mass itself", along, "edge"),
-        Case("a body that does not turn", {**drawn(), "angular_velocity": np.zeros(3)}, "edge"),
+        Case(
+            "a body that does not turn",
+            {**drawn(), "angular_velocity": np.zeros(3)},
+            "edge",
+        ),
         Case("three points, as many as a vector has components", drawn((3,)), "batch"),
         Case("five points", drawn((5,)), "batch"),
-        Case("many points of one body", {**drawn(), "arm": drawn_vector(rng, (4,))}, "batch"),
+        Case(
+            "many points of one body",
+            {**drawn(), "arm": drawn_vector(rng, (4,))},
+            "batch",
+        ),
     ]
 
 
@@ -58,28 +76,38 @@ POINT_VELOCITY = Exercise(
     mistakes=(
         Mistake(
             "r x omega",
-            lambda velocity, angular_velocity, arm: velocity + np.cross(arm, angular_velocity),
+            lambda velocity, angular_velocity, arm: (
+                velocity + np.cross(arm, angular_velocity)
+            ),
             "You took r x omega. The cross product changes its sign with the order: it is omega x r. Try the wheel: "
             "rolling to +x, it turns about +y, and its top runs ahead.",
         ),
         Mistake(
             "minus",
-            lambda velocity, angular_velocity, arm: np.cross(angular_velocity, arm) - velocity,
+            lambda velocity, angular_velocity, arm: (
+                np.cross(angular_velocity, arm) - velocity
+            ),
             "The velocity of the centre has the wrong sign: the point moves with the centre *and* round it.",
         ),
         Mistake(
             "only turning",
-            lambda velocity, angular_velocity, arm: np.cross(angular_velocity, arm) + 0 * np.asarray(velocity),
+            lambda velocity, angular_velocity, arm: (
+                np.cross(angular_velocity, arm) + 0 * np.asarray(velocity)
+            ),
             "This is the motion round the centre only. Add the velocity of the centre.",
         ),
         Mistake(
             "only moving",
-            lambda velocity, angular_velocity, arm: velocity + 0 * np.cross(angular_velocity, arm),
+            lambda velocity, angular_velocity, arm: (
+                velocity + 0 * np.cross(angular_velocity, arm)
+            ),
             "This is the velocity of the centre. A point away from it also moves round it.",
         ),
         Mistake(
             "entry by entry",
-            lambda velocity, angular_velocity, arm: velocity + np.asarray(angular_velocity) * arm,
+            lambda velocity, angular_velocity, arm: (
+                velocity + np.asarray(angular_velocity) * arm
+            ),
             "`*` multiplies entry by entry. The cross product is np.cross(a, b); it takes batches as they are.",
         ),
         Mistake(
@@ -89,12 +117,16 @@ POINT_VELOCITY = Exercise(
         ),
         Mistake(
             "dot product",
-            lambda velocity, angular_velocity, arm: velocity + scaled(dot(angular_velocity, arm), np.ones(3)),
+            lambda velocity, angular_velocity, arm: (
+                velocity + scaled(dot(angular_velocity, arm), np.ones(3))
+            ),
             "You took the dot product of omega and r. A point moves *across* its arm: take the cross product.",
         ),
         Mistake(
             "a sign inside the cross product",
-            lambda velocity, angular_velocity, arm: velocity + _slipped_cross(angular_velocity, arm),
+            lambda velocity, angular_velocity, arm: (
+                velocity + _slipped_cross(angular_velocity, arm)
+            ),
             "One entry of your cross product has the wrong sign, the middle one: it is a_z b_x - a_x b_z. "
             "np.cross does it for you.",
         ),

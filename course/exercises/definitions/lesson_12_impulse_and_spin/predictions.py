@@ -32,7 +32,9 @@ def _box_in_turn() -> str:
 
 def _clamped() -> str:
     u = np.array([-1.0, 0.1])
-    push = at_once(np.array([[2.0, -1.0], [-1.0, 2.0]]), np.array([2 * u[0], u[1]]), 0.0)
+    push = at_once(
+        np.array([[2.0, -1.0], [-1.0, 2.0]]), np.array([2 * u[0], u[1]]), 0.0
+    )
     change = float(push @ u + 0.5 * push @ np.array([[2.0, -1.0], [-1.0, 2.0]]) @ push)
     return "kept" if abs(change) < 1e-9 else "gained" if change > 0 else "lost"
 
@@ -90,7 +92,11 @@ PREDICTIONS = (
         _clamped,
         "The second contact comes to be squeezed and gets an impulse while it parts: that is work done on the balls. "
         "They leave at -0.3, 0.7 and 0.7 m/s with 0.535 J; they came with 0.505 J.",
-        choices={"kept": "it is kept", "lost": "some is lost", "gained": "some is gained"},
+        choices={
+            "kept": "it is kept",
+            "lost": "some is lost",
+            "gained": "some is gained",
+        },
         wrong={
             "kept": "e = 1 keeps it for one contact. For several, it depends on which contacts it is asked of.",
             "lost": "The second contact looks plastic, but it was parting: the impulse there speeds things up.",

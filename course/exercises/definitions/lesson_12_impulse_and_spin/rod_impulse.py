@@ -18,14 +18,18 @@ def _rod_impulse(m: Any, v: Any, theta: Any, e: Any, ell: Any) -> Any:
 
 
 def _cosine(angle: Any) -> Any:
-    if hasattr(angle, "free_symbols"):  # the reference is lent in the student's own symbols
+    if hasattr(
+        angle, "free_symbols"
+    ):  # the reference is lent in the student's own symbols
         import sympy
 
         return sympy.cos(angle)
     return np.cos(angle)
 
 
-def _rod(*, factor: Any = lambda e: 1 + e, bracket: Any = lambda c, s: 1 + 3 * c**2) -> Any:
+def _rod(
+    *, factor: Any = lambda e: 1 + e, bracket: Any = lambda c, s: 1 + 3 * c**2
+) -> Any:
     def function(m: Any, v: Any, theta: Any, e: Any, ell: Any) -> Any:
         return factor(e) * m * v / bracket(np.cos(theta), np.sin(theta))
 
@@ -42,7 +46,10 @@ def _rods(rng: np.random.Generator) -> Sequence[Case]:
     }
     return [
         Case("a level rod", {"m": 1.0, "v": 1.0, "theta": 0.0, "e": 0.5, "ell": 2.0}),
-        Case("an inclined rod", {name: float(values[0]) for name, values in draws.items()}),
+        Case(
+            "an inclined rod",
+            {name: float(values[0]) for name, values in draws.items()},
+        ),
         Case("eight drawn rods", draws, "batch"),
     ]
 
@@ -105,13 +112,19 @@ ROD_IMPULSE = Exercise(
         ),
         Mistake(
             "multiplied by the inertia",
-            lambda m, v, theta, e, ell: (1 + e) * v / (1 / m + (0.5 * ell * np.cos(theta)) ** 2 * (m * ell**2 / 12)),
+            lambda m, v, theta, e, ell: (
+                (1 + e)
+                * v
+                / (1 / m + (0.5 * ell * np.cos(theta)) ** 2 * (m * ell**2 / 12))
+            ),
             "You multiply the lever's square by the inertia. It is the *inverse* inertia that stands there: a "
             "body that is hard to turn gives way less.",
         ),
         Mistake(
             "upside down",
-            lambda m, v, theta, e, ell: (1 + e) * v * (1 / m) * (1 + 3 * np.cos(theta) ** 2),
+            lambda m, v, theta, e, ell: (
+                (1 + e) * v * (1 / m) * (1 + 3 * np.cos(theta) ** 2)
+            ),
             "You multiply by 1/mu. The impulse is -(1 + e) u mu; look at the unit, which must be kg m/s.",
         ),
         Mistake(

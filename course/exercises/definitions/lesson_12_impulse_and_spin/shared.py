@@ -23,25 +23,42 @@ def unit_vector(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
     return chosen * rng.choice([-1.0, 1.0], (*shape, 3))
 
 
-def drawn_vector(rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0) -> np.ndarray:
+def drawn_vector(
+    rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0
+) -> np.ndarray:
     """Vectors of two decimals, no entry near 0."""
-    return np.round(rng.uniform(0.3, 1.5, (*shape, 3)) * size * rng.choice([-1.0, 1.0], (*shape, 3)), 2)
+    return np.round(
+        rng.uniform(0.3, 1.5, (*shape, 3))
+        * size
+        * rng.choice([-1.0, 1.0], (*shape, 3)),
+        2,
+    )
 
 
-def drawn_number(rng: np.random.Generator, shape: tuple[int, ...], low: float, high: float) -> Any:
+def drawn_number(
+    rng: np.random.Generator, shape: tuple[int, ...], low: float, high: float
+) -> Any:
     drawn = rng.uniform(low, high, shape)
     return np.round(drawn, 2) if shape else round(float(drawn), 2)
 
 
-def drawn_inverse_inertia(rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0) -> np.ndarray:
+def drawn_inverse_inertia(
+    rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0
+) -> np.ndarray:
     """Of long bodies that lie aslant: full matrices far from diagonal, two decimals [1/(kg m^2)].
 
     I = tr(S) 1 - S of second moments S = u u' + v v'/10 + 1/4 (Goldstein, section 5.3): a positive matrix drawn as I or
     its inverse may have a principal moment above the sum of the other two, and no body has that. The 1/4 keeps them far
     enough from it that the rounding of the smallest (``size`` 0.2) does not reach it.
     """
-    u, v = rng.uniform(0.5, 1.0, (2, *shape, 3)) * rng.choice([-1.0, 1.0], (2, *shape, 3))
-    second = u[..., :, None] * u[..., None, :] + 0.1 * v[..., :, None] * v[..., None, :] + 0.25 * np.eye(3)
+    u, v = rng.uniform(0.5, 1.0, (2, *shape, 3)) * rng.choice(
+        [-1.0, 1.0], (2, *shape, 3)
+    )
+    second = (
+        u[..., :, None] * u[..., None, :]
+        + 0.1 * v[..., :, None] * v[..., None, :]
+        + 0.25 * np.eye(3)
+    )
     inertia = np.trace(second, axis1=-2, axis2=-1)[..., None, None] * np.eye(3) - second
     return np.asarray(np.round(2.8 * size * np.linalg.inv(inertia), 2))
 

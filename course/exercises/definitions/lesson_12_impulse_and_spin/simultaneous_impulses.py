@@ -9,12 +9,18 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.lesson_12_impulse_and_spin.shared import at_once, drawn_number
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
+    at_once,
+    drawn_number,
+)
 
 
 def _left(given: Any, impulse: Any) -> Any:
     """w = u' + e u = A p + (1 + e) u."""
-    return given["matrix"] @ impulse + (1 + given["restitution"]) * given["normal_velocity"]
+    return (
+        given["matrix"] @ impulse
+        + (1 + given["restitution"]) * given["normal_velocity"]
+    )
 
 
 def _corners(across: float, along: float) -> np.ndarray:
@@ -25,27 +31,57 @@ def _corners(across: float, along: float) -> np.ndarray:
 
 def _many(rng: np.random.Generator) -> Sequence[Case]:
     def case(matrix: Any, normal_velocity: Any, restitution: float) -> dict[str, Any]:
-        given = {"matrix": np.array(matrix), "normal_velocity": np.array(normal_velocity), "restitution": restitution}
+        given = {
+            "matrix": np.array(matrix),
+            "normal_velocity": np.array(normal_velocity),
+            "restitution": restitution,
+        }
         return given
 
     def drawn(count: int) -> dict[str, Any]:
         root = rng.normal(size=(count + 2, count))
         approach = np.round(-rng.uniform(0.3, 2.0, count), 2)
         # Eigenvalues from 1 up: without the ones, every hundredth draw needs more than the text's 500 rounds.
-        return case(np.round(root.T @ root + np.eye(count), 2), approach, drawn_number(rng, (), 0.3, 0.8))
+        return case(
+            np.round(root.T @ root + np.eye(count), 2),
+            approach,
+            drawn_number(rng, (), 0.3, 0.8),
+        )
 
     tilt = np.round(rng.uniform(0.1, 0.4, 2), 2)
-    rocking = -1.0 + tilt[0] * np.array([-1.0, -1.0, 1.0, 1.0]) + tilt[1] * np.array([-1.0, 1.0, -1.0, 1.0])
+    rocking = (
+        -1.0
+        + tilt[0] * np.array([-1.0, -1.0, 1.0, 1.0])
+        + tilt[1] * np.array([-1.0, 1.0, -1.0, 1.0])
+    )
     strong = drawn_number(rng, (), 1.4, 1.8)
     return [
-        Case("a ball onto two that touch", case([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 0.0], 1.0)),
+        Case(
+            "a ball onto two that touch",
+            case([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 0.0], 1.0),
+        ),
         Case("one contact", case([[4.0]], [-1.0], 0.5)),
-        Case("the second needs no push of its own", case([[2.0, strong], [strong, 2.0]], [-1.0, -0.2], 0.5)),
+        Case(
+            "the second needs no push of its own",
+            case([[2.0, strong], [strong, 2.0]], [-1.0, -0.2], 0.5),
+        ),
         Case("three contacts", drawn(3)),
         Case("four contacts", drawn(4)),
-        Case("a box flat on its four corners", case(_corners(2.0, 1.5), [-1.0] * 4, 0.5), "edge"),
-        Case("a box that rocks onto its four corners", case(_corners(2.0, 1.5), rocking, 0.75), "edge"),
-        Case("one approaches, one parts", case([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 0.1], 0.5), "edge"),
+        Case(
+            "a box flat on its four corners",
+            case(_corners(2.0, 1.5), [-1.0] * 4, 0.5),
+            "edge",
+        ),
+        Case(
+            "a box that rocks onto its four corners",
+            case(_corners(2.0, 1.5), rocking, 0.75),
+            "edge",
+        ),
+        Case(
+            "one approaches, one parts",
+            case([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 0.1], 0.5),
+            "edge",
+        ),
         Case("nothing comes back, e = 0", {**drawn(3), "restitution": 0.0}, "edge"),
     ]
 
@@ -60,11 +96,15 @@ def _instead(target: Any) -> Any:
 
 
 def _alone(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-    return np.maximum(-(1 + restitution) * np.asarray(normal_velocity) / np.diagonal(matrix), 0.0)
+    return np.maximum(
+        -(1 + restitution) * np.asarray(normal_velocity) / np.diagonal(matrix), 0.0
+    )
 
 
 def _solved(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-    return np.linalg.lstsq(matrix, -(1 + restitution) * np.asarray(normal_velocity), rcond=1e-9)[0]
+    return np.linalg.lstsq(
+        matrix, -(1 + restitution) * np.asarray(normal_velocity), rcond=1e-9
+    )[0]
 
 
 def _in_turn(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
@@ -102,7 +142,12 @@ SIMULTANEOUS_IMPULSES = Exercise(
     level="stretch",
     task="Return impulses p for all contacts at once: p >= 0, w = A p + (1 + e) u >= 0, and p_i w_i = 0 for each i.",
     arguments=(
-        Value("matrix", "(c, c)", "1/kg", "A: a_ij is the change of u_i for 1 N s at contact j"),
+        Value(
+            "matrix",
+            "(c, c)",
+            "1/kg",
+            "A: a_ij is the change of u_i for 1 N s at contact j",
+        ),
         Value("normal_velocity", "(c,)", "m/s", "u of each contact before"),
         Value("restitution", "scalar", "", "e, from 0 to 1"),
     ),

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from course.exercises.definition import Lesson
-from course.exercises.definitions.lesson_13_separation.edge_normal_rate import EDGE_NORMAL_RATE
+from course.exercises.definitions.lesson_13_separation.edge_normal_rate import (
+    EDGE_NORMAL_RATE,
+)
 from course.exercises.definitions.lesson_13_separation.normal_rate import NORMAL_RATE
 from course.exercises.definitions.lesson_13_separation.predictions import PREDICTIONS
 from course.exercises.definitions.lesson_13_separation.separation import SEPARATION
-from course.exercises.definitions.lesson_13_separation.separation_rate import SEPARATION_RATE
+from course.exercises.definitions.lesson_13_separation.separation_rate import (
+    SEPARATION_RATE,
+)
 from course.exercises.definitions.lesson_13_separation.top_rate import TOP_RATE
 
 LESSON = Lesson(

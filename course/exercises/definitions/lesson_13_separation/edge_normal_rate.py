@@ -8,7 +8,14 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.lesson_13_separation.shared import NORMAL, OMEGA_A, OMEGA_B, UP, ZERO, draw
+from course.exercises.definitions.lesson_13_separation.shared import (
+    NORMAL,
+    OMEGA_A,
+    OMEGA_B,
+    UP,
+    ZERO,
+    draw,
+)
 from course.exercises.definitions.vectors import dot, unit_vector
 
 
@@ -54,7 +61,11 @@ def _edges(rng: np.random.Generator) -> Sequence[Case]:
         return {"e_a": e_a, "e_b": e_b, "omega_a": omega_a, "omega_b": omega_b, "n": n}
 
     as_one = np.array([1.0, -2.0, 0.5])
-    square = {"e_a": np.array([1.0, 0.0, 0.0]), "e_b": np.array([0.0, 1.0, 0.0]), "n": UP}
+    square = {
+        "e_a": np.array([1.0, 0.0, 0.0]),
+        "e_b": np.array([0.0, 1.0, 0.0]),
+        "n": UP,
+    }
     return [
         Case("edges along x and y, A tips", {**square, "omega_a": np.array([0.0, 2.0, 0.0]), "omega_b": ZERO, "n": UP}),
         Case("off the axes, N along e_A x e_B", crossing()),
@@ -67,7 +78,10 @@ def _edges(rng: np.random.Generator) -> Sequence[Case]:
 
 def _in_order(cases: Sequence[Case]) -> list[Case]:
     names = ("e_a", "e_b", "omega_a", "omega_b", "n")
-    return [Case(c.label, {name: c.arguments[name] for name in names}, c.kind) for c in cases]
+    return [
+        Case(c.label, {name: c.arguments[name] for name in names}, c.kind)
+        for c in cases
+    ]
 
 
 EDGE_NORMAL_RATE = Exercise(
@@ -119,7 +133,11 @@ EDGE_NORMAL_RATE = Exercise(
         ),
         Mistake(
             "a unit vector",
-            _edge_rate(divide=lambda q_dot, length: _made_unit(q_dot), sign=False, project=False),
+            _edge_rate(
+                divide=lambda q_dot, length: _made_unit(q_dot),
+                sign=False,
+                project=False,
+            ),
             "You made q_dot a unit vector. It is N that has length 1; N_dot is a rate, and its length says how fast N "
             "turns. Divide by |q|, and see to the sign and to the part along N.",
         ),
@@ -146,7 +164,9 @@ EDGE_NORMAL_RATE = Exercise(
         ),
         Mistake(
             "mean spin",
-            lambda e_a, e_b, omega_a, omega_b, n: np.cross(0.5 * (np.asarray(omega_a) + omega_b), n),
+            lambda e_a, e_b, omega_a, omega_b, n: np.cross(
+                0.5 * (np.asarray(omega_a) + omega_b), n
+            ),
             "You turn N with the mean of the two spins. Each edge turns with its own body, and what that does to N "
             "depends on how the edges lie: take the rate of their cross product.",
         ),

@@ -8,7 +8,13 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.lesson_13_separation.shared import NORMAL, OMEGA_A, OMEGA_B, UP, draw
+from course.exercises.definitions.lesson_13_separation.shared import (
+    NORMAL,
+    OMEGA_A,
+    OMEGA_B,
+    UP,
+    draw,
+)
 from course.exercises.definitions.vectors import dot, unit_vector
 
 
@@ -19,15 +25,28 @@ def _rate_of_normal(n: Any, omega_a: Any, omega_b: Any, face: str) -> Any:
 def _faces(rng: np.random.Generator) -> Sequence[Case]:
     def face(word: str, shape: tuple[int, ...] = ()) -> dict[str, Any]:
         omega_a, omega_b = draw(rng, shape), draw(rng, shape)
-        return {"n": unit_vector(rng, shape), "omega_a": omega_a, "omega_b": omega_b, "face": word}
+        return {
+            "n": unit_vector(rng, shape),
+            "omega_a": omega_a,
+            "omega_b": omega_b,
+            "face": word,
+        }
 
-    turning = {"n": UP, "omega_a": np.array([0.0, 3.0, 0.0]), "omega_b": np.array([2.0, 0.0, 0.0])}
+    turning = {
+        "n": UP,
+        "omega_a": np.array([0.0, 3.0, 0.0]),
+        "omega_b": np.array([2.0, 0.0, 0.0]),
+    }
     return [
         Case("a plank that turns, face of B", {**turning, "face": "face_b"}),
         Case("the same, face of A", {**turning, "face": "face_a"}),
         Case("off the axes, face of B", face("face_b")),
         Case("off the axes, face of A", face("face_a")),
-        Case("B turns about its own normal", {**face("face_b"), "n": UP, "omega_b": 2.5 * UP}, "edge"),
+        Case(
+            "B turns about its own normal",
+            {**face("face_b"), "n": UP, "omega_b": 2.5 * UP},
+            "edge",
+        ),
         Case("three faces of B", face("face_b", (3,)), "batch"),
         Case("a 2 by 4 batch, faces of A", face("face_a", (2, 4)), "batch"),
     ]
@@ -39,7 +58,12 @@ NORMAL_RATE = Exercise(
     points=1,
     minutes=5,
     task='Return N_dot where a face carries the normal: a face of B (face is "face_b") or of A ("face_a").',
-    arguments=(NORMAL, OMEGA_A, OMEGA_B, Value("face", "word", "", '"face_b" or "face_a"', dtype="str")),
+    arguments=(
+        NORMAL,
+        OMEGA_A,
+        OMEGA_B,
+        Value("face", "word", "", '"face_b" or "face_a"', dtype="str"),
+    ),
     results=(Value("n_dot", "(..., 3)", "1/s", "rate of N"),),
     reference=_rate_of_normal,
     cases=_faces,
@@ -53,13 +77,17 @@ NORMAL_RATE = Exercise(
     mistakes=(
         Mistake(
             "order",
-            lambda n, omega_a, omega_b, face: -_rate_of_normal(n, omega_a, omega_b, face),
+            lambda n, omega_a, omega_b, face: (
+                -_rate_of_normal(n, omega_a, omega_b, face)
+            ),
             "The sign is turned round: a cross product changes its sign with the order. What turns with omega changes "
             "by omega x (itself). (A's own outward normal is -N, but it turns by the same rule.)",
         ),
         Mistake(
             "the other body",
-            lambda n, omega_a, omega_b, face: np.cross(omega_a if face == "face_b" else omega_b, n),
+            lambda n, omega_a, omega_b, face: np.cross(
+                omega_a if face == "face_b" else omega_b, n
+            ),
             "You took the omega of the other body. N is fixed to the body whose face it belongs to, and turns with it.",
         ),
         Mistake(
@@ -74,18 +102,24 @@ NORMAL_RATE = Exercise(
         ),
         Mistake(
             "sign for A",
-            lambda n, omega_a, omega_b, face: np.cross(omega_b if face == "face_b" else -omega_a, n),
+            lambda n, omega_a, omega_b, face: np.cross(
+                omega_b if face == "face_b" else -omega_a, n
+            ),
             "Right for a face of B. For a face of A you turned the sign round: A's outward normal is -N, its rate is "
             "-N_dot, and the two signs cancel.",
         ),
         Mistake(
             "relative spin",
-            lambda n, omega_a, omega_b, face: np.cross(np.asarray(omega_a) - omega_b, n),
+            lambda n, omega_a, omega_b, face: np.cross(
+                np.asarray(omega_a) - omega_b, n
+            ),
             "You took the spin of A against B. The face knows nothing of the other body: one omega is enough.",
         ),
         Mistake(
             "relative spin, turned round",
-            lambda n, omega_a, omega_b, face: np.cross(np.asarray(omega_b) - omega_a, n),
+            lambda n, omega_a, omega_b, face: np.cross(
+                np.asarray(omega_b) - omega_a, n
+            ),
             "You took the spin of B against A. The face knows nothing of the other body: one omega is enough.",
         ),
         Mistake(
@@ -103,7 +137,9 @@ NORMAL_RATE = Exercise(
         ),
         Mistake(
             "no cross",
-            lambda n, omega_a, omega_b, face: np.asarray(omega_b if face == "face_b" else omega_a) * n,
+            lambda n, omega_a, omega_b, face: (
+                np.asarray(omega_b if face == "face_b" else omega_a) * n
+            ),
             "You multiply component by component. A turning arrow changes by a cross product: np.cross.",
         ),
     ),

@@ -18,7 +18,11 @@ def _closing() -> float:
 
 
 def _left_corner() -> float:
-    body = (np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0]), np.array([3.0, 0.0, 0.0]))
+    body = (
+        np.array([0.0, 0.0, 1.0]),
+        np.array([0.0, 0.0, -1.0]),
+        np.array([3.0, 0.0, 0.0]),
+    )
     p = np.array([0.0, -0.5, 0.7])
     return float(gap_rate(p, p * (1, 1, 0), body, (ZERO, ZERO, ZERO), UP, ZERO))
 
@@ -29,7 +33,9 @@ def _top_speed() -> float:
     scene = ladder(np.radians(60), rate=-1.0)
     bodies, (foot, top) = scene.bodies, scene.contacts.point
     x, v, omega = bodies.position[0], bodies.velocity[0], bodies.angular_velocity[0]
-    along, down = (float(np.linalg.norm(point_velocity(v, omega, p - x))) for p in (foot, top))
+    along, down = (
+        float(np.linalg.norm(point_velocity(v, omega, p - x))) for p in (foot, top)
+    )
     return down / along
 
 

@@ -9,13 +9,23 @@ import numpy as np
 
 from course import contact
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_13_separation.shared import NORMAL, POINT_A, POINT_B, UP, draw
+from course.exercises.definitions.lesson_13_separation.shared import (
+    NORMAL,
+    POINT_A,
+    POINT_B,
+    UP,
+    draw,
+)
 from course.exercises.definitions.vectors import dot, unit_vector
 
 
 def _gaps(rng: np.random.Generator) -> Sequence[Case]:
     def pair(shape: tuple[int, ...] = ()) -> dict[str, Any]:
-        return {"p_a": draw(rng, shape), "p_b": draw(rng, shape), "n": unit_vector(rng, shape)}
+        return {
+            "p_a": draw(rng, shape),
+            "p_b": draw(rng, shape),
+            "n": unit_vector(rng, shape),
+        }
 
     n = unit_vector(rng)
     p = draw(rng)
@@ -23,10 +33,17 @@ def _gaps(rng: np.random.Generator) -> Sequence[Case]:
     return [
         Case(
             "a lamp over a table",
-            {"p_a": np.array([0.2, 0.0, 1.0]), "p_b": np.array([0.0, 0.5, 0.7]), "n": UP},
+            {
+                "p_a": np.array([0.2, 0.0, 1.0]),
+                "p_b": np.array([0.0, 0.5, 0.7]),
+                "n": UP,
+            },
         ),
         Case("off the axes", pair()),
-        Case("penetrating", {"p_a": p - 0.2 * n + across - (across @ n) * n, "p_b": p, "n": n}),
+        Case(
+            "penetrating",
+            {"p_a": p - 0.2 * n + across - (across @ n) * n, "p_b": p, "n": n},
+        ),
         Case("touching", {"p_a": p, "p_b": p, "n": n}, "edge"),
         Case("three pairs, as many as a vector has components", pair((3,)), "batch"),
         Case("a 2 by 4 batch", pair((2, 4)), "batch"),
@@ -45,7 +62,9 @@ SEPARATION = Exercise(
     minutes=3,
     task="Return d = (p_A - p_B).N, for one pair of points and for a batch.",
     arguments=(POINT_A, POINT_B, NORMAL),
-    results=(Value("d", "(...)", "m", "above 0 apart, 0 touching, below 0 penetrating"),),
+    results=(
+        Value("d", "(...)", "m", "above 0 apart, 0 touching, below 0 penetrating"),
+    ),
     reference=contact.separation,
     cases=_gaps,
     mistakes=(

@@ -33,7 +33,9 @@ def _rate_with(
 ) -> Any:
     """The rate with one of its parts changed."""
 
-    def function(p_a: Any, p_b: Any, body_a: Any, body_b: Any, n: Any, n_dot: Any) -> Any:
+    def function(
+        p_a: Any, p_b: Any, body_a: Any, body_b: Any, n: Any, n_dot: Any
+    ) -> Any:
         given = (p_a, p_b, body_a[0], body_b[0])
         r_a = arm_a(*given) if arm_a else p_a - body_a[0]
         r_b = arm_b(*given) if arm_b else p_b - body_b[0]
@@ -73,12 +75,16 @@ def _pairs(rng: np.random.Generator) -> Sequence[Case]:
         Case("off the axes", pair()),
         Case("off the axes again", pair()),
         Case(
-            "both centres stand still", pair(body_a=(x_a, ZERO, omega_a), body_b=(x_b, ZERO, omega_b)), "edge"
+            "both centres stand still",
+            pair(body_a=(x_a, ZERO, omega_a), body_b=(x_b, ZERO, omega_b)),
+            "edge",
         ),
         Case("they touch: p_A = p_B", pair(p_a=p, p_b=p), "edge"),
         Case(
             "nothing turns",
-            pair(body_a=(x_a, draw(rng), ZERO), body_b=(x_b, draw(rng), ZERO), n_dot=ZERO),
+            pair(
+                body_a=(x_a, draw(rng), ZERO), body_b=(x_b, draw(rng), ZERO), n_dot=ZERO
+            ),
             "edge",
         ),
         Case("three pairs", pair((3,)), "batch"),
@@ -91,7 +97,9 @@ def _pairs(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-MOTION = "(x, v, omega): centre of mass [m], its velocity [m/s], angular velocity [rad/s]"
+MOTION = (
+    "(x, v, omega): centre of mass [m], its velocity [m/s], angular velocity [rad/s]"
+)
 SEPARATION_RATE = Exercise(
     name="separation_rate",
     rows=(20, 22),
@@ -130,14 +138,18 @@ SEPARATION_RATE = Exercise(
         ),
         Mistake(
             "arm from the origin",
-            _rate_with(arm_a=lambda p_a, p_b, x_a, x_b: p_a, arm_b=lambda p_a, p_b, x_a, x_b: p_b),
+            _rate_with(
+                arm_a=lambda p_a, p_b, x_a, x_b: p_a,
+                arm_b=lambda p_a, p_b, x_a, x_b: p_b,
+            ),
             "Your arm is the place of the point, measured from the origin of the axes. A body turns about its own "
             "centre: r = p - x.",
         ),
         Mistake(
             "arms from the other centre",
             _rate_with(
-                arm_a=lambda p_a, p_b, x_a, x_b: p_a - x_b, arm_b=lambda p_a, p_b, x_a, x_b: p_b - x_a
+                arm_a=lambda p_a, p_b, x_a, x_b: p_a - x_b,
+                arm_b=lambda p_a, p_b, x_a, x_b: p_b - x_a,
             ),
             "The arms start at the centre of the other body: r_A = p_A - x_A, r_B = p_B - x_B.",
         ),
@@ -185,7 +197,8 @@ SEPARATION_RATE = Exercise(
         Mistake(
             "whole speed",
             lambda p_a, p_b, body_a, body_b, n, n_dot: np.linalg.norm(
-                velocity(body_a, p_a - body_a[0]) - velocity(body_b, p_b - body_b[0]), axis=-1
+                velocity(body_a, p_a - body_a[0]) - velocity(body_b, p_b - body_b[0]),
+                axis=-1,
             ),
             "You return how fast the points move past each other. Only the part along N changes the gap: take the dot "
             "product with N.",

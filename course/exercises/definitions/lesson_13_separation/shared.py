@@ -8,7 +8,9 @@ import numpy as np
 
 from course.dynamics import point_velocity
 from course.exercises.definition import Value
-from course.exercises.definitions.lesson_12_impulse_and_spin.shared import unit_vector as short_unit_vector
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
+    unit_vector as short_unit_vector,
+)
 from course.exercises.definitions.vectors import dot
 
 POINT_A = Value("p_a", "(..., 3)", "m", "the point on body A")
@@ -23,7 +25,9 @@ OMEGA_A = Value("omega_a", "(..., 3)", "rad/s", "angular velocity of A")
 OMEGA_B = Value("omega_b", "(..., 3)", "rad/s", "angular velocity of B")
 
 
-def draw(rng: np.random.Generator, shape: tuple[int, ...] = (), size: float = 2.0) -> np.ndarray:
+def draw(
+    rng: np.random.Generator, shape: tuple[int, ...] = (), size: float = 2.0
+) -> np.ndarray:
     """Vectors of two decimals: they are shown to students."""
     return np.asarray(np.round(rng.uniform(-size, size, (*shape, 3)), 2))
 

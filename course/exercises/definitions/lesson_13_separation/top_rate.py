@@ -44,7 +44,9 @@ TOP_RATE = Exercise(
         Value("theta", "scalar", "rad", "angle between ladder and floor"),
         Value("ell", "scalar", "m", "length of the ladder"),
     ),
-    results=(Value("top_rate", "(...)", "m/s", "rate of the gap between top and wall"),),
+    results=(
+        Value("top_rate", "(...)", "m/s", "rate of the gap between top and wall"),
+    ),
     reference=_top_rate,
     cases=_ladders,
     mistakes=(

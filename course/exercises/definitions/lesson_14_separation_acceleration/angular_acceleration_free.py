@@ -8,15 +8,24 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_14_separation_acceleration.shared import ZERO, apply, draw, spin_rate
+from course.exercises.definitions.lesson_14_separation_acceleration.shared import (
+    ZERO,
+    apply,
+    draw,
+    spin_rate,
+)
 
 
 def _spins(rng: np.random.Generator) -> Sequence[Case]:
     def spin(shape: tuple[int, ...] = ()) -> dict[str, Any]:
         axes = np.linalg.qr(rng.normal(size=(*shape, 3, 3)))[0]
         # The largest stays below the sum of the others, as for any real body: I_x + I_y - I_z = 2 sum m z^2.
-        moments = np.round(rng.uniform([1.0, 1.6, 2.1], [1.4, 2.0, 2.5], (*shape, 3)), 2)
-        inverse = np.round((axes / moments[..., None, :]) @ np.swapaxes(axes, -1, -2), 3)
+        moments = np.round(
+            rng.uniform([1.0, 1.6, 2.1], [1.4, 2.0, 2.5], (*shape, 3)), 2
+        )
+        inverse = np.round(
+            (axes / moments[..., None, :]) @ np.swapaxes(axes, -1, -2), 3
+        )
         inverse = 0.5 * (inverse + np.swapaxes(inverse, -1, -2))
         momentum = draw(rng, shape)
         return {"inverse_inertia": inverse, "angular_momentum": momentum,
@@ -32,7 +41,11 @@ def _spins(rng: np.random.Generator) -> Sequence[Case]:
         Case("axes turned", spin()),
         Case("axes turned again", spin()),
         Case("no torque", {**spin(), "torque": ZERO}, "edge"),
-        Case("a ball: L along omega", {**ball, "angular_velocity": 0.5 * ball["angular_momentum"]}, "edge"),
+        Case(
+            "a ball: L along omega",
+            {**ball, "angular_velocity": 0.5 * ball["angular_momentum"]},
+            "edge",
+        ),
         Case("three bodies, as many as a vector has components", spin((3,)), "batch"),
         Case("a 2 by 4 batch", spin((2, 4)), "batch"),
     ]
@@ -47,7 +60,12 @@ ANGULAR_ACCELERATION_FREE = Exercise(
     task="Return omega_dot without contact forces, I^-1 (tau + L x omega), for one body and for a batch.",
     arguments=(
         Value("inverse_inertia", "(..., 3, 3)", "1/(kg m^2)", "I^-1 in world axes"),
-        Value("angular_momentum", "(..., 3)", "kg m^2/s", "L about the centre of mass, world axes"),
+        Value(
+            "angular_momentum",
+            "(..., 3)",
+            "kg m^2/s",
+            "L about the centre of mass, world axes",
+        ),
         Value("angular_velocity", "(..., 3)", "rad/s", "omega = I^-1 L"),
         Value("torque", "(..., 3)", "N m", "external torque about the centre of mass"),
     ),
@@ -83,7 +101,9 @@ ANGULAR_ACCELERATION_FREE = Exercise(
         ),
         Mistake(
             "inertia for its inverse",
-            lambda i, l_, w, tau: np.linalg.solve(i, (np.asarray(tau) + np.cross(l_, w))[..., None])[..., 0],
+            lambda i, l_, w, tau: np.linalg.solve(
+                i, (np.asarray(tau) + np.cross(l_, w))[..., None]
+            )[..., 0],
             "You divide by I^-1, which multiplies by I. What is given is the inverse already: multiply by it.",
         ),
         Mistake(
@@ -101,7 +121,8 @@ ANGULAR_ACCELERATION_FREE = Exercise(
         Mistake(
             "diagonal alone",
             lambda i, l_, w, tau: (
-                np.einsum("...ii->...i", np.asarray(i)) * (np.asarray(tau) + np.cross(l_, w))
+                np.einsum("...ii->...i", np.asarray(i))
+                * (np.asarray(tau) + np.cross(l_, w))
             ),
             "You use the diagonal of I^-1 alone. That is right only while the body's axes lie along those of the "
             "world: multiply by the whole matrix.",

@@ -8,7 +8,10 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_14_separation_acceleration.shared import ZERO, draw
+from course.exercises.definitions.lesson_14_separation_acceleration.shared import (
+    ZERO,
+    draw,
+)
 from course.exercises.definitions.vectors import dot, unit_vector
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -46,7 +49,13 @@ def _bias_with(
             )
 
         (v_a, a_a), (v_b, a_b) = motion(body_a, arm_a), motion(body_b, arm_b)
-        of_face = face(word, body_a[2], body_b[2]) if face else body_b[2] if word == "face_b" else body_a[2]
+        of_face = (
+            face(word, body_a[2], body_b[2])
+            if face
+            else body_b[2]
+            if word == "face_b"
+            else body_a[2]
+        )
         n_dot = np.cross(of_face, n)
         a_b, v_b = sign_b * swung_b * a_b, sign_b * moved_b * v_b
         p_ddot, p_dot = a_a + pull * UP + a_b, v_a + v_b
@@ -81,7 +90,13 @@ def _touching(rng: np.random.Generator) -> Sequence[Case]:
         ZERO,
     )
     seesaw = (np.array([0.0, -0.5, -0.4]), ZERO, np.array([2.0, 0.0, 0.0]), ZERO, ZERO)
-    puck = (np.array([0.0, 0.5, 0.1]), np.array([0.0, 1.0, 2.0]), ZERO, -9.81 * UP, ZERO)
+    puck = (
+        np.array([0.0, 0.5, 0.1]),
+        np.array([0.0, 1.0, 2.0]),
+        ZERO,
+        -9.81 * UP,
+        ZERO,
+    )
     return [
         Case("a corner of a box on the floor", {**ground, "body_a": corner, "body_b": floor}),
         Case("a puck slides on a seesaw", {"p": np.array([0.0, 0.5, 0.0]), "n": UP, "face": "face_b", "body_a": puck,
@@ -106,11 +121,19 @@ CONTACT_BIAS = Exercise(
     arguments=(
         Value("p", "(..., 3)", "m", "the point where they touch"),
         Value("n", "(..., 3)", "", "unit vector out of body B toward body A"),
-        Value("face", "word", "", '"face_b" or "face_a": whose face carries N', dtype="str"),
+        Value(
+            "face",
+            "word",
+            "",
+            '"face_b" or "face_a": whose face carries N',
+            dtype="str",
+        ),
         Value("body_a", "five of (..., 3)", "", MOTION),
         Value("body_b", "five of (..., 3)", "", MOTION),
     ),
-    results=(Value("b", "(...)", "m/s^2", "second rate of the gap without contact forces"),),
+    results=(
+        Value("b", "(...)", "m/s^2", "second rate of the gap without contact forces"),
+    ),
     reference=_bias_with(),
     cases=_touching,
     mistakes=(
@@ -195,12 +218,16 @@ CONTACT_BIAS = Exercise(
         ),
         Mistake(
             "arms turned round",
-            _bias_with(arm_a=lambda p, x_a, x_b: x_a - p, arm_b=lambda p, x_a, x_b: x_b - p),
+            _bias_with(
+                arm_a=lambda p, x_a, x_b: x_a - p, arm_b=lambda p, x_a, x_b: x_b - p
+            ),
             "The arms run from the point to the centre. It is r = p - x.",
         ),
         Mistake(
             "arms swapped",
-            _bias_with(arm_a=lambda p, x_a, x_b: p - x_b, arm_b=lambda p, x_a, x_b: p - x_a),
+            _bias_with(
+                arm_a=lambda p, x_a, x_b: p - x_b, arm_b=lambda p, x_a, x_b: p - x_a
+            ),
             "Each body has the arm of the other. A point of A has r_A = p - x_A, a point of B r_B = p - x_B.",
         ),
         Mistake(

@@ -8,7 +8,10 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_14_separation_acceleration.shared import ZERO, draw
+from course.exercises.definitions.lesson_14_separation_acceleration.shared import (
+    ZERO,
+    draw,
+)
 
 
 def _point(
@@ -22,13 +25,21 @@ def _point(
 ) -> Any:
     """The acceleration of a point with one of its parts changed."""
 
-    def function(acceleration: Any, angular_acceleration: Any, angular_velocity: Any, arm: Any) -> Any:
+    def function(
+        acceleration: Any, angular_acceleration: Any, angular_velocity: Any, arm: Any
+    ) -> Any:
         once = np.cross(angular_velocity, arm)
         inner = np.cross(angular_velocity, once) if twice else once
         if flat:
             inner = -np.sum(np.asarray(angular_velocity) ** 2, axis=-1)[..., None] * arm
-        swing = np.cross(angular_acceleration, arm) if crossed else np.asarray(angular_acceleration)
-        return np.asarray(acceleration) + turning * swing + inward * inner + extra * once
+        swing = (
+            np.cross(angular_acceleration, arm)
+            if crossed
+            else np.asarray(angular_acceleration)
+        )
+        return (
+            np.asarray(acceleration) + turning * swing + inward * inner + extra * once
+        )
 
     return function
 
@@ -47,8 +58,16 @@ def _points(rng: np.random.Generator) -> Sequence[Case]:
         Case("a corner of a falling box", falling),
         Case("off the axes", point()),
         Case("off the axes again", point()),
-        Case("the arm lies along omega", {**point(), "angular_velocity": spin, "arm": 0.5 * spin}, "edge"),
-        Case("nothing turns", {**point(), "angular_velocity": ZERO, "angular_acceleration": ZERO}, "edge"),
+        Case(
+            "the arm lies along omega",
+            {**point(), "angular_velocity": spin, "arm": 0.5 * spin},
+            "edge",
+        ),
+        Case(
+            "nothing turns",
+            {**point(), "angular_velocity": ZERO, "angular_acceleration": ZERO},
+            "edge",
+        ),
         Case("three points", point((3,)), "batch"),
         Case("a 2 by 4 batch", point((2, 4)), "batch"),
         Case("five points of one body", {**point(), "arm": draw(rng, (5,))}, "batch"),

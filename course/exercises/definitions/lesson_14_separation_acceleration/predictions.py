@@ -13,7 +13,10 @@ def _counted_twice() -> str:
     dome = Dome()
     theta = dome.leaving_angle
     excess = dome.bias_as_printed(theta) - dome.bias(theta)
-    parts = {"surface": dome.speed(theta) ** 2 / dome.radius, "gravity": -dome.gravity * np.cos(theta)}
+    parts = {
+        "surface": dome.speed(theta) ** 2 / dome.radius,
+        "gravity": -dome.gravity * np.cos(theta),
+    }
     return min(parts, key=lambda name: abs(parts[name] - excess))
 
 
@@ -22,7 +25,11 @@ def _ladder_top() -> float:
     from course.study import ladder
 
     scene = ladder(np.radians(60), rate=-0.5)
-    return float(separation_acceleration(scene.bodies, scene.contacts, scene.force, scene.torque)[1])
+    return float(
+        separation_acceleration(
+            scene.bodies, scene.contacts, scene.force, scene.torque
+        )[1]
+    )
 
 
 PREDICTIONS = (

@@ -9,7 +9,9 @@ import numpy as np
 ZERO = np.zeros(3)
 
 
-def draw(rng: np.random.Generator, shape: tuple[int, ...] = (), size: float = 2.0) -> np.ndarray:
+def draw(
+    rng: np.random.Generator, shape: tuple[int, ...] = (), size: float = 2.0
+) -> np.ndarray:
     """Vectors of two decimals: they are shown to students."""
     return np.asarray(np.round(rng.uniform(-size, size, (*shape, 3)), 2))
 
@@ -26,5 +28,7 @@ def spin_rate(
     *,
     gyroscopic: float = 1.0,
 ) -> Any:
-    twist = np.asarray(torque) + gyroscopic * np.cross(angular_momentum, angular_velocity)
+    twist = np.asarray(torque) + gyroscopic * np.cross(
+        angular_momentum, angular_velocity
+    )
     return apply(inverse_inertia, twist)

@@ -61,13 +61,25 @@ TOP_ACCELERATION = Exercise(
     minutes=8,
     task="Give the rate of d_2_dot = -v_y + (ell/2) omega sin(theta) in the symbols a_y, alpha, omega, theta and ell.",
     arguments=(
-        Value("a_y", "scalar", "m/s^2", "rate of v_y, the centre's acceleration toward the wall"),
+        Value(
+            "a_y",
+            "scalar",
+            "m/s^2",
+            "rate of v_y, the centre's acceleration toward the wall",
+        ),
         Value("alpha", "scalar", "rad/s^2", "rate of omega"),
         Value("omega", "scalar", "rad/s", "rate of theta"),
         Value("theta", "scalar", "rad", "angle between ladder and floor"),
         Value("ell", "scalar", "m", "length of the ladder"),
     ),
-    results=(Value("top_acceleration", "(...)", "m/s^2", "second rate of the gap between top and wall"),),
+    results=(
+        Value(
+            "top_acceleration",
+            "(...)",
+            "m/s^2",
+            "second rate of the gap between top and wall",
+        ),
+    ),
     reference=_top(),
     cases=_ladders,
     mistakes=(

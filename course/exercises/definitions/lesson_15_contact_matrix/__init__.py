@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from course.exercises.definition import Lesson
-from course.exercises.definitions.lesson_15_contact_matrix.contact_matrix import CONTACT_MATRIX
-from course.exercises.definitions.lesson_15_contact_matrix.contact_matrix_entry import CONTACT_MATRIX_ENTRY
-from course.exercises.definitions.lesson_15_contact_matrix.ladder_entry import LADDER_ENTRY
-from course.exercises.definitions.lesson_15_contact_matrix.point_response import POINT_RESPONSE
-from course.exercises.definitions.lesson_15_contact_matrix.predictions import PREDICTIONS
+from course.exercises.definitions.lesson_15_contact_matrix.contact_matrix import (
+    CONTACT_MATRIX,
+)
+from course.exercises.definitions.lesson_15_contact_matrix.contact_matrix_entry import (
+    CONTACT_MATRIX_ENTRY,
+)
+from course.exercises.definitions.lesson_15_contact_matrix.ladder_entry import (
+    LADDER_ENTRY,
+)
+from course.exercises.definitions.lesson_15_contact_matrix.point_response import (
+    POINT_RESPONSE,
+)
+from course.exercises.definitions.lesson_15_contact_matrix.predictions import (
+    PREDICTIONS,
+)
 
 LESSON = Lesson(
     number="15",

@@ -8,7 +8,11 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.lesson_15_contact_matrix.shared import BODIES, CONTACTS, TOGETHER
+from course.exercises.definitions.lesson_15_contact_matrix.shared import (
+    BODIES,
+    CONTACTS,
+    TOGETHER,
+)
 from course.exercises.definitions.lesson_15_contact_matrix.touching import (
     by_product,
     central_stack,

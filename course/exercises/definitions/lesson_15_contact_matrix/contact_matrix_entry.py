@@ -8,7 +8,11 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_15_contact_matrix.shared import BODIES, CONTACTS, TOGETHER
+from course.exercises.definitions.lesson_15_contact_matrix.shared import (
+    BODIES,
+    CONTACTS,
+    TOGETHER,
+)
 from course.exercises.definitions.lesson_15_contact_matrix.touching import (
     central_stack,
     drawn_contacts,
@@ -27,17 +31,36 @@ SHARED = {
 
 
 def _entries(rng: np.random.Generator) -> Sequence[Case]:
-    def case(label: str, pairs: Any, i: int = 0, j: int = 1, kind: Any = "single", fixed: bool = False) -> Case:
+    def case(
+        label: str,
+        pairs: Any,
+        i: int = 0,
+        j: int = 1,
+        kind: Any = "single",
+        fixed: bool = False,
+    ) -> Case:
         contacts, bodies = drawn_contacts(rng, pairs, fixed=fixed)
-        return Case(label, {"i": i, "j": j, "contacts": contacts, "bodies": bodies}, kind)
+        return Case(
+            label, {"i": i, "j": j, "contacts": contacts, "bodies": bodies}, kind
+        )
 
     contacts, bodies = central_stack()
     return [
-        Case("2 kg on 4 kg on the floor", {"i": 0, "j": 1, "contacts": contacts, "bodies": bodies}),
+        Case(
+            "2 kg on 4 kg on the floor",
+            {"i": 0, "j": 1, "contacts": contacts, "bodies": bodies},
+        ),
         *(case(label, pairs) for label, pairs in SHARED.items()),
         case("a contact with itself", ((0, 1), (1, 2)), 1, 1),
         case("on a fixed floor", ((0, 2), (1, 2)), 0, 0, "edge", fixed=True),
-        case("no body in common but the fixed floor", ((0, 2), (1, 2)), 0, 1, "edge", fixed=True),
+        case(
+            "no body in common but the fixed floor",
+            ((0, 2), (1, 2)),
+            0,
+            1,
+            "edge",
+            fixed=True,
+        ),
         case("no body in common", ((0, 1), (2, 3)), 0, 1, "edge"),
     ]
 

@@ -12,7 +12,9 @@ from course.exercises.definition import Case, Exercise, Mistake, Value
 # ladder_entry, the student's step of the derivation: what a force at the top does to the gap at the foot.
 
 
-def _ladder(*, factor: float = -3.0, power: float = 1.0, form: str = "both", extra: float = 0.0) -> Any:
+def _ladder(
+    *, factor: float = -3.0, power: float = 1.0, form: str = "both", extra: float = 0.0
+) -> Any:
     """a_12 of the ladder with one of its parts changed."""
 
     def function(mass: Any, theta: Any, ell: Any) -> Any:
@@ -21,8 +23,14 @@ def _ladder(*, factor: float = -3.0, power: float = 1.0, form: str = "both", ext
 
             return -3 * sympy.sin(theta) * sympy.cos(theta) / mass
         sin, cos = np.sin(theta), np.cos(theta)
-        shape = {"both": sin * cos, "cos": cos * cos, "sin": sin * sin, "arm": sin * cos / ell,
-                 "unit": sin * cos / ell**2, "none": 0.0 * sin}[form]
+        shape = {
+            "both": sin * cos,
+            "cos": cos * cos,
+            "sin": sin * sin,
+            "arm": sin * cos / ell,
+            "unit": sin * cos / ell**2,
+            "none": 0.0 * sin,
+        }[form]
         return factor * shape / mass**power + extra / mass + 0.0 * ell
 
     return function
@@ -38,7 +46,10 @@ def _ladders(rng: np.random.Generator) -> Sequence[Case]:
         "theta": np.round(rng.uniform(0.3, 0.7, 8), 2),
         "ell": np.round(rng.uniform(2.0, 5.0, 8), 2),
     }
-    return [Case("one ladder", {"mass": 10.0, "theta": 0.5, "ell": 4.0}), Case("eight ladders", draws, "batch")]
+    return [
+        Case("one ladder", {"mass": 10.0, "theta": 0.5, "ell": 4.0}),
+        Case("eight ladders", draws, "batch"),
+    ]
 
 
 LADDER_ENTRY = Exercise(

@@ -44,11 +44,23 @@ def _responses(rng: np.random.Generator) -> Sequence[Case]:
         Case("pushed up at one corner, asked at the opposite one", corner),
         Case("off the axes", push()),
         Case("off the axes again", push()),
-        Case("pushed toward the centre", {**push(), "push_arm": -0.5 * along, "push": along}, "edge"),
-        Case("a fixed body", {**push(), "mass": np.inf, "inverse_inertia": np.zeros((3, 3))}, "edge"),
+        Case(
+            "pushed toward the centre",
+            {**push(), "push_arm": -0.5 * along, "push": along},
+            "edge",
+        ),
+        Case(
+            "a fixed body",
+            {**push(), "mass": np.inf, "inverse_inertia": np.zeros((3, 3))},
+            "edge",
+        ),
         Case("three bodies, as many as a vector has components", push((3,)), "batch"),
         Case("a 2 by 4 batch", push((2, 4)), "batch"),
-        Case("four points of one body", {**push(), "arm": drawn_vectors(rng, (4,))}, "batch"),
+        Case(
+            "four points of one body",
+            {**push(), "arm": drawn_vectors(rng, (4,))},
+            "batch",
+        ),
     ]
 
 

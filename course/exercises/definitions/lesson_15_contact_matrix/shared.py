@@ -33,6 +33,11 @@ TOGETHER = (
 )  # fmt: skip
 
 
-CONTACTS = Value("contacts", "(body_a, body_b, point, normal)", "", "which bodies (c,), p and N (c, 3)")
+CONTACTS = Value(
+    "contacts",
+    "(body_a, body_b, point, normal)",
+    "",
+    "which bodies (c,), p and N (c, 3)",
+)
 BODIES = Value("bodies", "(mass, inverse_inertia, rotation, position)", "",
                "(n,), I^-1 in body axes (n, 3, 3), R (n, 3, 3), x (n, 3)")  # fmt: skip

@@ -7,12 +7,16 @@ from course.exercises.definitions.lesson_16_contact_forces.complementarity_resid
     COMPLEMENTARITY_RESIDUAL,
 )
 from course.exercises.definitions.lesson_16_contact_forces.pivot import PIVOT
-from course.exercises.definitions.lesson_16_contact_forces.predictions import PREDICTIONS
+from course.exercises.definitions.lesson_16_contact_forces.predictions import (
+    PREDICTIONS,
+)
 from course.exercises.definitions.lesson_16_contact_forces.projected_gauss_seidel import (
     PROJECTED_GAUSS_SEIDEL,
 )
 from course.exercises.definitions.lesson_16_contact_forces.slope_1 import SLOPE
-from course.exercises.definitions.lesson_16_contact_forces.solve_contact_qp import SOLVE_CONTACT_QP
+from course.exercises.definitions.lesson_16_contact_forces.solve_contact_qp import (
+    SOLVE_CONTACT_QP,
+)
 
 LESSON = Lesson(
     number="16",
@@ -20,6 +24,12 @@ LESSON = Lesson(
     title="Contact forces",
     question="Four legs, five correct solvers, different forces: what do they agree on?",
     minutes=130,
-    exercises=(SLOPE, COMPLEMENTARITY_RESIDUAL, SOLVE_CONTACT_QP, PROJECTED_GAUSS_SEIDEL, PIVOT),
+    exercises=(
+        SLOPE,
+        COMPLEMENTARITY_RESIDUAL,
+        SOLVE_CONTACT_QP,
+        PROJECTED_GAUSS_SEIDEL,
+        PIVOT,
+    ),
     predictions=PREDICTIONS,
 )

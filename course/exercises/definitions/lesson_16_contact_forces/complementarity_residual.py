@@ -8,11 +8,22 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_16_contact_forces.shared import LEVER, PAIR, ROW, apply, drawn_system
+from course.exercises.definitions.lesson_16_contact_forces.shared import (
+    LEVER,
+    PAIR,
+    ROW,
+    apply,
+    drawn_system,
+)
 
 
 def _residual(
-    *, judge: Any = None, scale: Any = None, diagonal: bool = True, sign: float = 1.0, best: Any = None
+    *,
+    judge: Any = None,
+    scale: Any = None,
+    diagonal: bool = True,
+    sign: float = 1.0,
+    best: Any = None,
 ) -> Any:
     """The residual with one of its parts changed."""
 
@@ -37,18 +48,41 @@ def _without_guard(a: Any, f: Any, b: Any) -> Any:
 def _tried_forces(rng: np.random.Generator) -> Sequence[Case]:
     def draw(shape: tuple[int, ...] = (), count: int = 3) -> dict[str, Any]:
         systems = [drawn_system(rng, count) for _ in range(int(np.prod(shape)))]
-        a, b = (np.array([s[k] for s in systems]).reshape(*shape, *np.shape(systems[0][k])) for k in (0, 1))
+        a, b = (
+            np.array([s[k] for s in systems]).reshape(*shape, *np.shape(systems[0][k]))
+            for k in (0, 1)
+        )
         return {"a": a, "f": np.round(rng.uniform(0, 6, b.shape), 1), "b": b}
 
     down, wedge = np.array([-1.0, -1.0]), np.array([[1.0, -0.75], [-0.75, 1.0]])
     return [
-        Case("two contacts, one force too large", {"a": PAIR, "f": np.array([1.0, 0.5]), "b": down}),
-        Case("no force: both sink in", {"a": 2 * PAIR, "f": np.zeros(2), "b": np.array([-1.0, -3.0])}),
-        Case("one force drives the other contact in", {"a": wedge, "f": np.array([1.0, 4.0]), "b": down}),
+        Case(
+            "two contacts, one force too large",
+            {"a": PAIR, "f": np.array([1.0, 0.5]), "b": down},
+        ),
+        Case(
+            "no force: both sink in",
+            {"a": 2 * PAIR, "f": np.zeros(2), "b": np.array([-1.0, -3.0])},
+        ),
+        Case(
+            "one force drives the other contact in",
+            {"a": wedge, "f": np.array([1.0, 4.0]), "b": down},
+        ),
         Case("three contacts", draw()),
-        Case("a force where the bodies part", {"a": ROW, "f": np.array([0.0, 1.0, 4.0]), "b": np.array([-9.0, 2, 1])}),
-        Case("solved", {"a": LEVER, "f": np.array([0.0, 2.0]), "b": np.array([-1.0, -2.0])}, "edge"),
-        Case("b = 0 and no force", {"a": PAIR, "f": np.zeros(2), "b": np.zeros(2)}, "edge"),
+        Case(
+            "a force where the bodies part",
+            {"a": ROW, "f": np.array([0.0, 1.0, 4.0]), "b": np.array([-9.0, 2, 1])},
+        ),
+        Case(
+            "solved",
+            {"a": LEVER, "f": np.array([0.0, 2.0]), "b": np.array([-1.0, -2.0])},
+            "edge",
+        ),
+        Case(
+            "b = 0 and no force",
+            {"a": PAIR, "f": np.zeros(2), "b": np.zeros(2)},
+            "edge",
+        ),
         Case("two systems of three contacts", draw((2,)), "batch"),
         Case("a 2 by 3 batch", draw((2, 3), 2), "batch"),
     ]

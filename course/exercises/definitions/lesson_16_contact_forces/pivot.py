@@ -8,9 +8,18 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_16_contact_forces.shared import LEVER, PAIR, ROW, A, B, drawn_system
+from course.exercises.definitions.lesson_16_contact_forces.shared import (
+    LEVER,
+    PAIR,
+    ROW,
+    A,
+    B,
+    drawn_system,
+)
 
-STOPS = 100  # more than any contact of these systems needs; a slip can go round for ever
+STOPS = (
+    100  # more than any contact of these systems needs; a slip can go round for ever
+)
 
 Block = Callable[[Any, list[int], int], Any]
 
@@ -49,7 +58,11 @@ def _pivoting(
                 change[pushing] = answer(a, pushing, k)
                 rate = a @ change
                 out = [i for i in pushing if leave and (change[i] < 0 or not falling)]
-                back = [i for i in range(k) if join and i not in pushing and (rate[i] < 0 or not falling)]
+                back = [
+                    i
+                    for i in range(k)
+                    if join and i not in pushing and (rate[i] < 0 or not falling)
+                ]
                 stops = [(-w[k] / rate[k], k), *((-f[i] / change[i], i) for i in out)]
                 step, who = min(stops + [(-w[i] / rate[i], i) for i in back])
                 f, w = f + step * change, w + step * rate
@@ -76,7 +89,9 @@ def _pivot_systems(rng: np.random.Generator) -> Sequence[Case]:
     return [
         Case("two contacts", {"a": PAIR, "b": np.array([-1.0, -1.0])}),
         Case("the first leaves", {"a": LEVER, "b": np.array([-1.0, -2.0])}),
-        Case("the second rests at first", {"a": ROW, "b": np.array([-9.0, -1.0, -2.0])}),
+        Case(
+            "the second rests at first", {"a": ROW, "b": np.array([-9.0, -1.0, -2.0])}
+        ),
         Case("one that parts must join", {"a": join, "b": np.array([1.0, -2.0, -3.0])}),
         Case("the first parts", {"a": back, "b": np.array([2.0, -1.0, -3.0])}),
         Case("five drawn contacts", {"a": a, "b": b}),

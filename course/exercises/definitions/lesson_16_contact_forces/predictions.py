@@ -15,7 +15,9 @@ def _what_agrees() -> str:
     four, ball = table().system(), wedged_ball(0.0).system()
     legs = [(four, solve(four, method=method).force) for method in ("nnls", "pivot")]
     pairs = [legs, [(ball, np.full(2, t)) for t in (0.0, 3.0)]]
-    same_motion = all(np.allclose(s.A @ (f - g), 0, atol=1e-9) for (s, f), (_, g) in pairs)
+    same_motion = all(
+        np.allclose(s.A @ (f - g), 0, atol=1e-9) for (s, f), (_, g) in pairs
+    )
     same_sum = all(np.isclose(f.sum(), g.sum()) for (_, f), (_, g) in pairs)
     return "sum" if same_sum else "motion" if same_motion else "nothing"
 
@@ -28,10 +30,14 @@ def _sliding_ladder() -> float:
 
 
 def _sweeps_at_a_mass_ratio() -> float:
-    from course.contact.solvers.projected_gauss_seidel import predicted_gauss_seidel_factor
+    from course.contact.solvers.projected_gauss_seidel import (
+        predicted_gauss_seidel_factor,
+    )
     from course.study.resting_scenes import stack
 
-    factor = predicted_gauss_seidel_factor(stack(2, corners=1, mass=[1.0, 1000.0]).system().A)
+    factor = predicted_gauss_seidel_factor(
+        stack(2, corners=1, mass=[1.0, 1000.0]).system().A
+    )
     return float(np.log(0.1) / np.log(factor))
 
 

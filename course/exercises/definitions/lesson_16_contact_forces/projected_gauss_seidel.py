@@ -8,7 +8,14 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_16_contact_forces.shared import LEVER, PAIR, ROW, A, B, drawn_system
+from course.exercises.definitions.lesson_16_contact_forces.shared import (
+    LEVER,
+    PAIR,
+    ROW,
+    A,
+    B,
+    drawn_system,
+)
 
 
 def _sweeps(

@@ -10,7 +10,14 @@ import numpy as np
 from course.exercises.definition import Case, Exercise, Mistake, Value
 
 
-def _slope(*, own: float = 1.0, other: float = 1.0, sign: float = 1.0, bias: float = 1.0, power: int = 1) -> Any:
+def _slope(
+    *,
+    own: float = 1.0,
+    other: float = 1.0,
+    sign: float = 1.0,
+    bias: float = 1.0,
+    power: int = 1,
+) -> Any:
     """The slope of q along f_1 with one of its parts changed."""
 
     def function(a_11: Any, a_12: Any, f_1: Any, f_2: Any, b_1: Any) -> Any:

@@ -37,7 +37,11 @@ def _unlimited(a: Any, b: Any) -> np.ndarray:
 def _forced(a: Any, b: Any) -> Any:
     """What cvxpy leaves where d_ddot = 0 is a limit as well: None where no f >= 0 meets it."""
     f = _solution(a, b)
-    return f if np.abs(np.asarray(a) @ f + b).max() < 1e-6 * max(1.0, np.abs(b).max()) else None
+    return (
+        f
+        if np.abs(np.asarray(a) @ f + b).max() < 1e-6 * max(1.0, np.abs(b).max())
+        else None
+    )
 
 
 def _least_squares(a: Any, b: Any) -> np.ndarray:
@@ -56,7 +60,9 @@ def _in_cvxpy(objective: Any) -> Any:
         import cvxpy as cp
 
         f = cp.Variable(len(b))
-        cp.Problem(cp.Minimize(objective(cp, f, a, b)), [f >= 0]).solve(solver=cp.CLARABEL)
+        cp.Problem(cp.Minimize(objective(cp, f, a, b)), [f >= 0]).solve(
+            solver=cp.CLARABEL
+        )
         return f.value
 
     return function
@@ -73,8 +79,16 @@ def _quadratic_programmes(rng: np.random.Generator) -> Sequence[Case]:
         Case("three contacts in a row", {"a": ROW, "b": np.array([-9.0, -1.0, -2.0])}),
         Case("three drawn contacts", {"a": drawn, "b": down}),
         Case("nothing pushes", {"a": PAIR, "b": np.array([0.5, 0.2])}, "edge"),
-        Case("one contact given twice", {"a": TWICE, "b": np.array([-9.81, -9.81])}, "edge"),
-        Case("a crumb of 0.1 g, its contact given twice and A rounded", {"a": ROUNDED, "b": DOWN}, "edge"),
+        Case(
+            "one contact given twice",
+            {"a": TWICE, "b": np.array([-9.81, -9.81])},
+            "edge",
+        ),
+        Case(
+            "a crumb of 0.1 g, its contact given twice and A rounded",
+            {"a": ROUNDED, "b": DOWN},
+            "edge",
+        ),
     ]
 
 
