@@ -6,7 +6,6 @@ process for the grader. It knows nothing of references or verdicts.
 
 from __future__ import annotations
 
-import ast
 import contextlib
 import inspect
 import io
@@ -14,11 +13,13 @@ import linecache
 import textwrap
 import traceback
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
+
+from course.exercises.source import is_blank
 
 OutcomeKind = Literal["value", "none", "raised", "unreadable", "unattempted", "wrote"]
 PRINTED_LIMIT = 400
@@ -29,12 +30,17 @@ SIZE_LIMIT = 1_000_000
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one call gave: the returned arrays, or in ``text`` the reason why there are none."""
+    """What one call gave: the returned arrays, or in ``text`` the reason why there are none.
+
+    ``given`` are the arguments as they were after the call: ``verdict`` sees whether they were written to. It is
+    empty where the call raised.
+    """
 
     kind: OutcomeKind
     values: tuple[np.ndarray, ...] = ()
     text: str = ""
     printed: str = ""
+    given: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
 
 class OutputFlood(BaseException):
@@ -83,12 +89,7 @@ def call(
         BaseException
     ) as error:  # SystemExit too: an answer that exits is an answer that raised
         return Outcome("raised", text=describe(error), printed=printed.text)
-    changed = [
-        name for name, value in arguments.items() if not _same(value, given[name])
-    ]
-    if changed:
-        return Outcome("wrote", text=", ".join(changed), printed=printed.text)
-    return Outcome(outcome.kind, outcome.values, outcome.text, printed.text)
+    return replace(outcome, printed=printed.text, given=given)
 
 
 def call_all(
@@ -220,48 +221,6 @@ def is_stub(answer: Any, source: str | None = None) -> bool:
     return is_blank(source, getattr(answer, "__name__", ""))
 
 
-def is_blank(source: str, name: str) -> bool:
-    """Whether a cell's source leaves ``name`` blank, without running it: the last binding counts.
-
-    A blank is ``name = ...``, or a function that sets a name of its own to ``...``, or one with a bare ``...`` that
-    returns nothing else: a ``...`` left standing beside an answer that does return is no blank, nor is one in an index,
-    a hint of a type, a text, or a function inside.
-    """
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    blank = False
-    for node in _statements(tree.body):
-        if (
-            isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
-            and node.name == name
-        ):
-            own = list(_statements(node.body))
-            holes = [s for s in own if _is_blank(s)]
-            answers = any(
-                isinstance(s, ast.Return) and s.value is not None and s not in holes
-                for s in own
-            )
-            blank = any(
-                isinstance(s, (ast.Assign, ast.AnnAssign)) for s in holes
-            ) or bool(holes and not answers)
-        elif isinstance(node, (ast.Assign, ast.AnnAssign)) and name in _targets(node):
-            blank = _is_blank(node)
-    return blank
-
-
-def _statements(body: Sequence[ast.AST]) -> Iterator[ast.AST]:
-    """Every statement in the order of the source, those in blocks too, those of functions and classes inside not."""
-    for node in body:
-        yield node
-        if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-            for block in ("body", "handlers", "orelse", "finalbody", "cases"):
-                yield from _statements(getattr(node, block, []))
-
-
 def describe(error: BaseException) -> str:
     """An exception in one or two lines: its type, its words, and the last line of the student's own code."""
     words = type(error).__name__
@@ -287,17 +246,6 @@ def describe(error: BaseException) -> str:
 
 def _is_notebook_frame(filename: str) -> bool:
     return "ipykernel" in filename or filename.startswith(("<ipython", "<cell"))
-
-
-def _is_blank(node: ast.AST) -> bool:
-    value = getattr(node, "value", None)
-    is_statement = isinstance(node, (ast.Expr, ast.Assign, ast.AnnAssign, ast.Return))
-    return is_statement and isinstance(value, ast.Constant) and value.value is Ellipsis
-
-
-def _targets(node: ast.Assign | ast.AnnAssign) -> list[str]:
-    targets = node.targets if isinstance(node, ast.Assign) else [node.target]
-    return [t.id for t in targets if isinstance(t, ast.Name)]
 
 
 def _as_arrays(returned: Any, count: int) -> Outcome:
@@ -352,13 +300,3 @@ def _copy(value: Any) -> Any:
     if isinstance(value, tuple):
         return tuple(_copy(part) for part in value)
     return np.array(value) if isinstance(value, np.ndarray) else value
-
-
-def _same(before: Any, after: Any) -> bool:
-    if isinstance(before, tuple):
-        return all(_same(b, a) for b, a in zip(before, after, strict=True))
-    if not isinstance(before, np.ndarray):
-        return True
-    return before.shape == after.shape and np.array_equal(
-        before, after, equal_nan=before.dtype.kind == "f"
-    )

@@ -1,27 +1,32 @@
 """Read a submitted notebook: which lesson it is, its import cell, and the cell of each exercise.
 
-Nothing of the notebook is run here; its code is only parsed to see which names a cell defines.
+Nothing of the notebook is run here; its code is only parsed to see which names a cell defines. When marking, this
+happens inside the box: parsing what a stranger wrote takes as much time and memory as they like.
 """
 
 from __future__ import annotations
 
-import ast
 import difflib
 import json
 import re
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-from course.exercises.answer import is_blank
-from course.exercises.definition import Lesson, all_lessons
+from course.exercises.source import (
+    cell_tree,
+    defined_names,
+    definitions_only,
+    is_blank,
+    python_only,
+    syntax_error,
+)
 
 MAXIMUM_BYTES = 50_000_000
-MAXIMUM_CELL = (
-    200_000  # characters; longer ones are no answers and cost seconds to parse
-)
+#: Code cells; a lesson has about fifty.
+MAXIMUM_CELLS = 2_000
+#: Names among which the nearest to a missing one is looked for.
+MAXIMUM_NAMES = 2_000
 
 
 class UnusableNotebook(ValueError):
@@ -44,11 +49,18 @@ class ExerciseCell:
 
 
 @dataclass(frozen=True)
+class Outline:
+    """What reading needs to know of a lesson: its number and the names of its exercises."""
+
+    number: str
+    exercises: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class NotebookFile:
     """A submission: its lesson, the code that runs first, and the exercise cells in the lesson's order."""
 
-    path: Path
-    lesson: Lesson
+    lesson: str
     preamble: tuple[str, ...]
     cells: tuple[ExerciseCell, ...]
 
@@ -72,85 +84,46 @@ class _Cell:
         return str(self.told.get("exercise", ""))
 
 
-def read_notebook(path: Path, lessons: Sequence[Lesson] | None = None) -> NotebookFile:
-    """Read a notebook for marking; raises ``UnusableNotebook`` with the reason where that is not possible.
+def parse_notebook(
+    content: bytes, file_name: str, lessons: Sequence[Outline]
+) -> NotebookFile:
+    """A notebook taken apart for marking; raises ``UnusableNotebook`` with the reason where that is not possible.
 
-    ``lessons`` are the ones it may be of (default: all there are).
+    ``lessons`` are the ones it may be of.
     """
-    notebook = _load(path)
+    notebook = _load(content)
     cells = _code_cells(notebook)
-    lesson = _lesson_of(
-        notebook, path, cells, all_lessons() if lessons is None else lessons
-    )
-    names = [e.name for e in lesson.exercises]
+    lesson = _lesson_of(notebook, file_name, cells, lessons)
+    names = lesson.exercises
     found = tuple(_find(name, names, cells) for name in names)
-    return NotebookFile(path, lesson, _preamble(cells, names), found)
+    return NotebookFile(lesson.number, _preamble(cells, names), found)
 
 
-def defined_names(source: str) -> tuple[str, ...]:
-    """The names of functions and variables that a cell defines at its top level; none if it does not parse.
-
-    ``f = use(f)`` defines nothing: it is how a lesson's own cells call what a student wrote.
-    """
-    tree = _parse(source)
-    if tree is None:
-        return ()
-    names: list[str] = []
-    for node in tree.body:
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            names.append(node.name)
-        elif isinstance(node, (ast.Assign, ast.AnnAssign)) and not _is_use(node.value):
-            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
-            parts = [
-                p
-                for t in targets
-                for p in (t.elts if isinstance(t, (ast.Tuple, ast.List)) else [t])
-            ]
-            names += [p.id for p in parts if isinstance(p, ast.Name)]
-    return tuple(names)
-
-
-def python_only(source: str) -> str:
-    """The cell with IPython's own lines (%magic, !shell, name?) turned into ``pass``; line numbers stay.
-
-    A cell that is Python as it stands is left alone: a line may begin with % inside an expression or a text.
-    """
-    if _tree(source) is not None:
-        return source
-    lines = []
-    for line in source.splitlines():
-        foreign = re.match(r"(\s*)(?:[%!?]|[\w.]+\?{1,2}\s*$|[\w, ]+=\s*[%!])", line)
-        lines.append(f"{foreign.group(1)}pass" if foreign else line)
-    return "\n".join(lines)
-
-
-def _load(path: Path) -> Mapping[str, Any]:
-    if not path.is_file():
-        raise UnusableNotebook("no such file" if not path.exists() else "not a file")
-    size = path.stat().st_size
-    if size == 0:
+def _load(content: bytes) -> Mapping[str, Any]:
+    if not content:
         raise UnusableNotebook("the file is empty")
-    if size > MAXIMUM_BYTES:
-        raise UnusableNotebook(
-            f"{size / 1e6:.0f} MB is too large for a notebook (limit {MAXIMUM_BYTES / 1e6:.0f} MB)"
-        )
+    if len(content) > MAXIMUM_BYTES:
+        raise UnusableNotebook(too_large(len(content)))
     try:
-        notebook = json.loads(path.read_text(encoding="utf-8-sig"))
+        notebook = json.loads(content.decode("utf-8-sig"))
     except UnicodeDecodeError:
         raise UnusableNotebook("not a notebook: not text in UTF-8") from None
     except RecursionError:
         raise UnusableNotebook("not a notebook: nested too deeply") from None
-    except OSError as error:
-        raise UnusableNotebook(f"cannot be read: {error.strerror or error}") from None
     except ValueError as error:
-        raise UnusableNotebook(
-            f"not a notebook: not JSON ({str(error)[:120]})"
-        ) from None
+        told = str(error)[:120]
+        raise UnusableNotebook(f"not a notebook: not JSON ({told})") from None
     if not isinstance(notebook, dict) or not isinstance(notebook.get("nbformat"), int):
         raise UnusableNotebook(
             "not a notebook: JSON, but without a notebook's format number"
         )
     return notebook if notebook["nbformat"] >= 4 else _upgraded(notebook)
+
+
+def too_large(size: int) -> str:
+    """Why a file of so many bytes is not read."""
+    limit = MAXIMUM_BYTES / 1e6
+    return f"{size / 1e6:.0f} MB is too large for a notebook (limit {limit:.0f} MB)"
 
 
 def _upgraded(notebook: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -190,15 +163,19 @@ def _code_cells(notebook: Mapping[str, Any]) -> list[_Cell]:
             )
     if not code:
         raise UnusableNotebook("a notebook without a code cell")
+    if len(code) > MAXIMUM_CELLS:
+        raise UnusableNotebook(
+            f"{len(code):,} code cells are too many (limit {MAXIMUM_CELLS:,})"
+        )
     return code
 
 
 def _lesson_of(
     notebook: Mapping[str, Any],
-    path: Path,
+    file_name: str,
     cells: Sequence[_Cell],
-    known: Sequence[Lesson],
-) -> Lesson:
+    known: Sequence[Outline],
+) -> Outline:
     """The lesson by the notebook's own word, else by its file name, else by the exercises it defines."""
     lessons = {lesson.number: lesson for lesson in known}
     metadata = notebook.get("metadata", {})
@@ -206,16 +183,12 @@ def _lesson_of(
     number = str(told.get("lesson", "")) if isinstance(told, dict) else ""
     if number in lessons:
         return lessons[number]
-    match = re.search(r"(?<!\d)(\d\d)-[a-z]", path.name)
+    match = re.search(r"(?<!\d)(\d\d)-[a-z]", file_name)
     if match and match.group(1) in lessons:
         return lessons[match.group(1)]
     names = {name for cell in cells for name in cell.defines}
-    best = max(
-        lessons.values(),
-        key=lambda le: len(names & {e.name for e in le.exercises}),
-        default=None,
-    )
-    if best is None or not names & {e.name for e in best.exercises}:
+    best = max(known, key=lambda le: len(names & set(le.exercises)), default=None)
+    if best is None or not names & set(best.exercises):
         raise UnusableNotebook(
             "none of the lessons: it names no lesson and defines no exercise"
         )
@@ -227,14 +200,15 @@ def _find(name: str, names: Sequence[str], cells: Sequence[_Cell]) -> ExerciseCe
     if holder is not None:
         return ExerciseCell(name, holder.source)
     own = next((cell for cell in cells if cell.exercise == name), None)
-    if own is not None and _parse(own.source) is None:
+    if own is not None and cell_tree(own.source) is None:
         return ExerciseCell(
             name,
             own.source,
-            fault="the cell is not valid Python: " + _syntax_error(own.source),
+            fault="the cell is not valid Python: " + syntax_error(own.source),
         )
     others = [n for cell in cells for n in cell.defines if n not in names]
-    local = [n for n in (own.defines if own else ()) if n not in names]
+    others = others[:MAXIMUM_NAMES]
+    local = [n for n in (own.defines if own else ())[:MAXIMUM_NAMES] if n not in names]
     near = difflib.get_close_matches(name, local, n=1, cutoff=0.5) or (
         local if len(local) == 1 else []
     )
@@ -281,63 +255,7 @@ def _preamble(cells: Sequence[_Cell], names: Sequence[str]) -> tuple[str, ...]:
         if cell.told.get("role", "") == "imports":
             code.append(cell.source)
         elif not cell.told and not set(cell.defines) & set(names):
-            helpers = _definitions_only(cell.source)
+            helpers = definitions_only(cell.source)
             if helpers:
                 code.append(helpers)
     return tuple(code)
-
-
-def _definitions_only(source: str) -> str:
-    tree = _parse(source)
-    if tree is None:
-        return ""
-    wanted = (
-        ast.FunctionDef,
-        ast.ClassDef,
-        ast.Import,
-        ast.ImportFrom,
-        ast.Assign,
-        ast.AnnAssign,
-    )
-    try:
-        return "\n\n".join(
-            ast.unparse(node) for node in tree.body if isinstance(node, wanted)
-        )
-    except RecursionError:
-        return ""
-
-
-def _is_use(value: ast.expr | None) -> bool:
-    return (
-        isinstance(value, ast.Call)
-        and isinstance(value.func, ast.Name)
-        and value.func.id == "use"
-    )
-
-
-def _parse(source: str) -> ast.Module | None:
-    """The cell's syntax tree, IPython's own lines left out; None if it does not parse."""
-    return _tree(python_only(source))
-
-
-def _tree(source: str) -> ast.Module | None:
-    if len(source) > MAXIMUM_CELL:
-        return None
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # "\d" in a text is the student's affair
-            return ast.parse(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return None
-
-
-def _syntax_error(source: str) -> str:
-    if len(source) > MAXIMUM_CELL:
-        return f"{len(source)} characters are too many (limit {MAXIMUM_CELL})"
-    try:
-        ast.parse(python_only(source))
-    except SyntaxError as error:
-        return f"{error.msg} (line {error.lineno})"
-    except (ValueError, RecursionError, MemoryError) as error:
-        return str(error)
-    return "it does not parse"

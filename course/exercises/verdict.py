@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -51,6 +51,7 @@ def judge(
         raise ValueError(
             f"outcomes: expected one for each of {len(cases)} cases, at least one; got {len(outcomes)}"
         )
+    outcomes = [_or_wrote(c.arguments, o) for c, o in zip(cases, outcomes, strict=True)]
     if any(o.kind == "unattempted" for o in outcomes):
         return Verdict(exercise.name, "not attempted")
     expected = answers_of(exercise.reference, exercise, cases)
@@ -91,7 +92,39 @@ def answers_of(
     function: Any, exercise: Exercise, cases: Sequence[Case]
 ) -> list[Outcome]:
     """What a trusted function (the reference, a planted mistake) gives on the cases."""
-    return call_all(function, [c.arguments for c in cases], len(exercise.results))
+    arguments = [c.arguments for c in cases]
+    outcomes = call_all(function, arguments, len(exercise.results))
+    return [_or_wrote(a, o) for a, o in zip(arguments, outcomes, strict=True)]
+
+
+def _or_wrote(arguments: Mapping[str, Any], outcome: Outcome) -> Outcome:
+    """The outcome, or that the answer wrote to its inputs.
+
+    Found out here, not where the answer ran: it could have patched what compares.
+    """
+    given = outcome.given
+    changed = [
+        n for n, v in arguments.items() if n in given and not _unchanged(v, given[n])
+    ]
+    if not changed:
+        return outcome
+    return Outcome("wrote", text=", ".join(changed), printed=outcome.printed)
+
+
+def _unchanged(before: Any, after: Any) -> bool:
+    if isinstance(before, tuple):
+        return (
+            isinstance(after, tuple)
+            and len(before) == len(after)
+            and all(map(_unchanged, before, after))
+        )
+    if not isinstance(before, np.ndarray):
+        return True
+    return (
+        isinstance(after, np.ndarray)
+        and before.shape == after.shape
+        and np.array_equal(before, after, equal_nan=before.dtype.kind == "f")
+    )
 
 
 def diagnose(

@@ -1,26 +1,26 @@
 """From a submission to its rows: points, state and reason of every exercise.
 
-The judge draws the inputs, runs the reference and compares; the submission's code runs in ``sandbox`` and gives
+The judge draws the inputs, runs the reference and compares; the submission's code runs in ``course.sandbox`` and gives
 arrays. Nothing that code prints, patches or exits with is looked at as a verdict.
 """
 
 from __future__ import annotations
 
-import ast
 import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
-from course.exercises.answer import is_blank
-from course.exercises.definition import Case, Exercise
+from course.exercises.definition import Case, Exercise, Lesson, all_lessons
 from course.exercises.message import verdict_message
-from course.exercises.notebook_file import ExerciseCell, NotebookFile, python_only
-from course.exercises.verdict import State, Verdict, judge
-from course.grading.limits import Limits
-from course.grading.needed import needed_cells
-from course.grading.sandbox import Job, Run, SandboxFailure, isolation, run_job
+from course.exercises.notebook_file import Outline
+from course.exercises.verdict import State, Verdict, answers_of, judge
+from course.sandbox.ending import WITHOUT_REPLY
+from course.sandbox.running import FORKS, Found, Question, Run, Sandbox, Session
 
 REASON_LIMIT = 500
+#: An answer may give so many numbers where few are expected: a wrong shape is told as that.
+FEW = 10_000
 # The reference's own call redirects what is printed, which is one for all threads.
 _judging = threading.Lock()
 
@@ -35,71 +35,128 @@ class Row:
     reason: str
     verdict: Verdict
     seconds: float = 0.0
+    refused: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Judge:
-    """How a submission is judged: by which inputs (``seed`` None: those of every notebook's own check), in which
-    limits, and until ``cancel`` is set."""
+    """How a submission is judged: by which inputs (``seed`` None: those of every notebook's own check), run in which
+    ``sandbox``, of which lessons (default: all there are)."""
 
     seed: int | None = None
-    limits: Limits = field(default_factory=Limits)
-    cancel: threading.Event | None = None
+    sandbox: Sandbox = field(default_factory=Sandbox)
+    lessons: tuple[Lesson, ...] | None = None
 
-    def rows(self, notebook: NotebookFile) -> Iterator[Row]:
-        """The rows of a submission, in the lesson's order, each as it is found out.
+    def rows(self, content: bytes, file: str) -> tuple[Lesson, Iterator[Row]]:
+        """The lesson of a submission, and its rows in the lesson's order, each as it is found out.
 
-        Raises ``SandboxFailure`` where this machine cannot run answers, ``Cancelled`` when stopped.
+        Raises ``UnusableNotebook``, ``SandboxFailure`` where this machine cannot run it, ``Cancelled`` when stopped.
         """
-        endless: dict[str, str] = {}
-        for index, exercise in enumerate(notebook.lesson.exercises):
-            verdict, seconds = self._verdict(notebook, index, exercise, endless)
-            points = None if verdict.state == "needs a person" else verdict.points
-            yield Row(
-                exercise,
-                points,
-                verdict.state,
-                reason_of(exercise, verdict),
-                verdict,
-                seconds,
-            )
+        rows = self._rows(content, file)
+        lesson = next(rows)
+        assert isinstance(lesson, Lesson)
+        return lesson, rows  # type: ignore[return-value]
 
-    def _verdict(
-        self,
-        notebook: NotebookFile,
-        index: int,
-        exercise: Exercise,
-        endless: dict[str, str],
-    ) -> tuple[Verdict, float]:
-        """``endless`` holds the cells that ended a run before, and what became of it: none is waited for twice."""
-        cell = notebook.cells[index]
-        source = python_only(cell.source)
-        if is_blank(source, exercise.name) or (cell.fault and _is_left_blank(source)):
-            return Verdict(exercise.name, "not attempted"), 0.0
-        if cell.fault and not cell.nearest:
-            state: State = "needs a person" if cell.needs_person else "error"
-            return Verdict(exercise.name, state, reason=(cell.fault,)), 0.0
-        earlier = _earlier(notebook, index, source)
-        told = next((endless[s] for s, _ in earlier if s in endless), "")
-        if told:
-            return Verdict(exercise.name, "error", reason=(told,)), 0.0
-        cases = exercise.draw(self.seed)
-        answer = replace(exercise, name=cell.nearest) if cell.nearest else exercise
-        job = _job(answer, ((*earlier, (source, False))), cases)
-        try:
-            run = run_job(job, self.limits, cancel=self.cancel)
-        except SandboxFailure:
-            isolation(
-                self.limits
-            )  # raises where this machine is at fault; else it is the submission that is odd
-            run = Run("unreadable", detail="its process did not start")
-        verdict = _safely(exercise, cases, run, self.limits, len(earlier))
-        if run.reply is None and run.stage == "cell":
-            culprit = job.cells[run.index][0]
-            endless[culprit] = _unfinished(
-                exercise, cases, run, self.limits, len(job.cells)
-            ).reason[0]
-        return (_renamed(cell, verdict) if cell.nearest else verdict), run.seconds
+    def _rows(self, content: bytes, file: str) -> Iterator[Lesson | Row]:
+        with self.sandbox.submission(content, file, self._outlines) as session:
+            lesson = self._by_number[session.reading.lesson]
+            yield lesson
+            asked = [
+                self._question(i, exercise, found)
+                for i, (exercise, found) in enumerate(
+                    zip(lesson.exercises, session.reading.exercises, strict=True)
+                )
+                if found.state == "run"
+            ]
+            runs = self._runs(session, asked, content, file)
+            done: dict[int, Row] = {}
+            for i, exercise in enumerate(lesson.exercises):
+                found = session.reading.exercises[i]
+                run = next(runs) if found.state == "run" else None
+                done[i] = self._row(exercise, found, run, done)
+                yield done[i]
+
+    def _runs(
+        self, session: Session, asked: Sequence[Question], content: bytes, file: str
+    ) -> Iterator[Run]:
+        """The runs asked for; one that ended without a reply is run once more, alone."""
+        runs = session.answers(asked) if FORKS else self._each(asked, content, file)
+        for question, run in zip(asked, runs, strict=True):
+            if run.end not in WITHOUT_REPLY:
+                yield run
+                continue
+            (again,) = self._each([question], content, file)
+            refused = dict.fromkeys((*run.refused, *again.refused))
+            yield replace(again, refused=tuple(refused))
+
+    def _each(
+        self, asked: Sequence[Question], content: bytes, file: str
+    ) -> Iterator[Run]:
+        """The runs asked for, each in a process of its own."""
+        for question in asked:
+            with self.sandbox.submission(content, file, self._outlines) as alone:
+                yield from alone.answers([question])
+
+    def _row(
+        self, exercise: Exercise, found: Found, run: Run | None, done: dict[int, Row]
+    ) -> Row:
+        """``done`` are the rows before it, by place: a cell that ended one of their runs is not run again."""
+        if run is None:
+            verdict = _unrun(exercise, found)
+        elif run.end == "blocked":
+            by = done.get(run.by)
+            verdict = replace(_blocked(by), exercise=exercise.name)
+        else:
+            own = found.cells - 1
+            answer = (
+                replace(exercise, name=found.nearest) if found.nearest else exercise
+            )
+            verdict = _safely(answer, self._drawn(exercise)[0], run, self.sandbox, own)
+            if found.nearest:
+                verdict = _renamed(exercise.name, found, verdict)
+        points = None if verdict.state == "needs a person" else verdict.points
+        reason = reason_of(exercise, verdict)
+        more = (run.seconds, run.refused) if run else (0.0, ())
+        return Row(exercise, points, verdict.state, reason, verdict, *more)
+
+    def _question(self, index: int, exercise: Exercise, found: Found) -> Question:
+        cases, most = self._drawn(exercise)
+        return Question(
+            index,
+            found.nearest or exercise.name,
+            exercise.kind,
+            tuple(a.name for a in exercise.arguments),
+            len(exercise.results),
+            tuple(case.arguments for case in cases),
+            most,
+        )
+
+    def _drawn(self, exercise: Exercise) -> tuple[tuple[Case, ...], tuple[int, ...]]:
+        """The inputs, and how many numbers an answer may give for each: drawn once, as all submissions get the same."""
+        if exercise.name not in self._kept:
+            cases = tuple(exercise.draw(self.seed))
+            with _judging:
+                expected = answers_of(exercise.reference, exercise, cases)
+            sizes = [sum(v.size for v in outcome.values) for outcome in expected]
+            most = tuple(max(FEW, 4 * size) for size in sizes)
+            self._kept[exercise.name] = cases, most
+        return self._kept[exercise.name]
+
+    @cached_property
+    def _kept(self) -> dict[str, tuple[tuple[Case, ...], tuple[int, ...]]]:
+        return {}
+
+    @cached_property
+    def _by_number(self) -> dict[str, Lesson]:
+        known = all_lessons() if self.lessons is None else self.lessons
+        return {lesson.number: lesson for lesson in known}
+
+    @cached_property
+    def _outlines(self) -> tuple[Outline, ...]:
+        return tuple(
+            Outline(number, tuple(e.name for e in lesson.exercises))
+            for number, lesson in self._by_number.items()
+        )
 
 
 def reason_of(exercise: Exercise, verdict: Verdict) -> str:
@@ -119,36 +176,30 @@ def reason_of(exercise: Exercise, verdict: Verdict) -> str:
     )
 
 
-def _earlier(
-    notebook: NotebookFile, index: int, source: str
-) -> tuple[tuple[str, bool], ...]:
-    """The cells to run before the answer's own: of the preamble and of exercises before it, those it needs."""
-    before = [python_only(s) for s in notebook.preamble]
-    tolerant = [True] * len(before)
-    for cell in notebook.cells[:index]:
-        text = python_only(cell.source)
-        if text and text != source and text not in before:
-            before.append(text)
-            tolerant.append(False)
-    return tuple((before[i], tolerant[i]) for i in needed_cells(before, source))
+def _unrun(exercise: Exercise, found: Found) -> Verdict:
+    """The verdict on an exercise that is blank, or where reading found why it cannot be run."""
+    if found.state == "blank":
+        return Verdict(exercise.name, "not attempted")
+    state: State = "needs a person" if found.needs_person else "error"
+    return Verdict(exercise.name, state, reason=(found.fault,))
 
 
-def _job(
-    exercise: Exercise, cells: tuple[tuple[str, bool], ...], cases: Sequence[Case]
-) -> Job:
-    return Job(
-        cells, exercise.name, exercise.kind, tuple(a.name for a in exercise.arguments), len(exercise.results),
-        tuple(case.arguments for case in cases),
-    )  # fmt: skip
+def _blocked(by: Row | None) -> Verdict:
+    """The verdict where a cell that an exercise needs ended the run of one before it."""
+    told = by.verdict.reason[:1] if by is not None else ()
+    before = "a cell before it, which it uses,"
+    reason = tuple(r.replace("its cell, outside the function,", before) for r in told)
+    state: State = "needs a person" if by is not None and by.points is None else "error"
+    return Verdict("", state, reason=reason)
 
 
 def _safely(
-    exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int
+    exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
 ) -> Verdict:
     """The verdict on a run; where judging itself fails over what came back, a person has to look."""
     try:
         with _judging:
-            verdict = _judged(exercise, cases, run, limits, own)
+            verdict = _judged(exercise, cases, run, sandbox, own)
             verdict_message(
                 exercise, verdict
             )  # what cannot be told cannot be a verdict either
@@ -162,11 +213,11 @@ def _safely(
 
 
 def _judged(
-    exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int
+    exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
 ) -> Verdict:
     name, reply = exercise.name, run.reply
     if reply is None:
-        return _unfinished(exercise, cases, run, limits, own)
+        return _unfinished(exercise, cases, run, sandbox, own)
     notes = dict(reply.notes)
     stopped = tuple(
         f"{'its cell' if i == own else 'a cell before it, which it uses,'} stopped with {text}"
@@ -194,60 +245,42 @@ def _judged(
 
 
 def _unfinished(
-    exercise: Exercise, cases: Sequence[Case], run: Run, limits: Limits, own: int
+    exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
 ) -> Verdict:
     """The verdict on a run that sent nothing back: what became of it, and where."""
+    limits = sandbox.limits
     words = {
         "time": f"did not finish within {limits.seconds:g} s: a loop without end?",
         "files": f"wrote more than {limits.file_mb} MB, or thousands of files",
         "memory": f"took more than {limits.memory_mb} MB of memory",
         "ended": f"ended the whole program ({run.detail}) instead of returning",
         "crashed": f"crashed Python ({run.detail})",
+        "killed": f"was ended from outside ({run.detail})",
+        "unreadable": f"sent back what cannot be read ({run.detail})",
     }
-    if run.end == "unreadable":
-        told = f"what came back from its process cannot be read ({run.detail}): somebody should look at the code"
-        return Verdict(exercise.name, "needs a person", reason=(told,))
-    if run.stage == "case":
-        reason = (f"it {words[run.end]}",)
-        return Verdict(
-            exercise.name, "error", 0, len(cases), cases[run.index], reason=reason
+    where = "it"
+    case = cases[run.index] if run.stage == "case" else None
+    if case is None:
+        where = (
+            "its cell, outside the function,"
+            if run.index >= own
+            else "a cell before it, which it uses,"
         )
-    where = (
-        "its cell, outside the function,"
-        if run.index >= own
-        else "a cell before it, which it uses,"
-    )
-    return Verdict(exercise.name, "error", reason=(f"{where} {words[run.end]}",))
+    reason = (f"{where} {words[run.end]}",)
+    if run.end in WITHOUT_REPLY:
+        twice = "It was run twice, the second time alone: somebody should look at it."
+        return Verdict(
+            exercise.name, "needs a person", case=case, reason=(*reason, twice)
+        )
+    if case is None:
+        return Verdict(exercise.name, "error", reason=reason)
+    return Verdict(exercise.name, "error", 0, len(cases), case, reason=reason)
 
 
-def _renamed(cell: ExerciseCell, verdict: Verdict) -> Verdict:
+def _renamed(name: str, found: Found, verdict: Verdict) -> Verdict:
     """A renamed answer is a person's to decide; it has been tried under the name it has."""
     if verdict.state == "not attempted":
         return verdict
     tried = "right" if verdict.passed else "not right"
-    return Verdict(
-        cell.name,
-        "needs a person",
-        reason=(f"{cell.fault}, and under that name it is {tried}",),
-    )
-
-
-def _is_left_blank(source: str) -> bool:
-    """Whether a cell without the name it should have is the lesson's blank: nothing but ..., or under another name."""
-    try:
-        tree = ast.parse(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
-    for node in tree.body:
-        if isinstance(node, ast.Assign):
-            names |= {
-                target.id for target in node.targets if isinstance(target, ast.Name)
-            }
-        elif (
-            isinstance(node, ast.Expr)
-            and isinstance(node.value, ast.Constant)
-            and node.value.value is Ellipsis
-        ):
-            return True
-    return any(is_blank(source, name) for name in names)
+    told = f"{found.fault}, and under that name it is {tried}"
+    return Verdict(name, "needs a person", reason=(told,))

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from course.exercises.answer import as_function, is_blank
+from course.exercises.answer import as_function
+from course.exercises.source import is_blank
 from course.workbook.build import blank
 
 SOLUTIONS = sorted((Path(__file__).resolve().parents[2] / "solutions").glob("*.ipynb"))

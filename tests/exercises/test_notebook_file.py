@@ -1,34 +1,24 @@
 """Submissions are read without being run: the lesson, the import cell, and where each answer is."""
 
 import json
+import time
 
-import numpy as np
 import pytest
 
-from course.exercises.definition import Case, Exercise, Lesson, Mistake, Value
-from course.exercises.notebook_file import (
+from course.exercises.notebook_file import Outline, UnusableNotebook, parse_notebook
+from course.exercises.source import (
     MAXIMUM_CELL,
-    UnusableNotebook,
     defined_names,
+    definitions_only,
+    is_blank,
+    names_of,
     python_only,
-    read_notebook,
 )
 
-
-def _exercise(name):
-    value = Value("x", "(...)", "m")
-    return Exercise(
-        name=name, rows=(1,), points=1, minutes=1, task="Return it.", arguments=(value,), results=(value,),
-        reference=lambda x: x, cases=lambda rng: [Case("one", {"x": np.float64(1.0)})],
-        mistakes=(Mistake("m", lambda x: -x, "The sign is turned round, look again."),), hints=("a", "b", "____"),
-    )  # fmt: skip
-
-
-LESSON = Lesson(
-    "70", "first", "First", "?", 5, (_exercise("speed_along"), _exercise("p_hat"))
+LESSONS = (
+    Outline("70", ("speed_along", "p_hat")),
+    Outline("71", ("momentum_after",)),
 )
-SECOND = Lesson("71", "second", "Second", "?", 5, (_exercise("momentum_after"),))
-LESSONS = (LESSON, SECOND)
 
 
 def cell(source, **course):
@@ -42,14 +32,11 @@ def notebook(*cells, lesson="70"):
 
 
 @pytest.fixture
-def read(tmp_path):
+def read():
     def reads(*cells, lesson="70", name="x.ipynb", content=None):
-        path = tmp_path / name
         whole = notebook(*cells, lesson=lesson) if content is None else content
-        path.write_bytes(
-            whole if isinstance(whole, bytes) else json.dumps(whole).encode()
-        )
-        return read_notebook(path, LESSONS)
+        raw = whole if isinstance(whole, bytes) else json.dumps(whole).encode()
+        return parse_notebook(raw, name, LESSONS)
 
     return reads
 
@@ -65,7 +52,7 @@ P_HAT = cell("p_hat = 1", exercise="p_hat")
 
 def test_a_whole_notebook(read):
     told = read(IMPORTS, cell("speed_along(3)", role="play"), SPEED, P_HAT)
-    assert told.lesson is LESSON and told.preamble == ("import numpy as np",)
+    assert told.lesson == "70" and told.preamble == ("import numpy as np",)
     assert [(c.name, c.fault) for c in told.cells] == [
         ("speed_along", ""),
         ("p_hat", ""),
@@ -108,15 +95,12 @@ def test_files_that_cannot_be_marked_say_why(read, content, words):
         read(content=content)
 
 
-def test_a_file_that_is_none_or_too_large(tmp_path, monkeypatch):
-    with pytest.raises(UnusableNotebook, match="no such file"):
-        read_notebook(tmp_path / "none.ipynb", LESSONS)
-    with pytest.raises(UnusableNotebook, match="not a file"):
-        read_notebook(tmp_path, LESSONS)
-    (tmp_path / "large.ipynb").write_text(json.dumps(notebook(SPEED)))
+def test_too_much_is_not_read(read, monkeypatch):
+    with pytest.raises(UnusableNotebook, match="2,001 code cells are too many"):
+        read(*[cell("x = 1")] * 2001)
     monkeypatch.setattr("course.exercises.notebook_file.MAXIMUM_BYTES", 100)
     with pytest.raises(UnusableNotebook, match="too large for a notebook"):
-        read_notebook(tmp_path / "large.ipynb", LESSONS)
+        read(SPEED)
 
 
 def test_what_jupyter_opens_is_read_though_the_schema_forbids_it(read):
@@ -154,7 +138,7 @@ def test_a_notebook_of_an_older_format_is_read(read):
     ],
 )
 def test_which_lesson_it_is(read, told, name, cells, number):
-    assert read(*cells, lesson=told, name=name).lesson.number == number
+    assert read(*cells, lesson=told, name=name).lesson == number
 
 
 @pytest.mark.parametrize(
@@ -186,6 +170,27 @@ def test_ipython_lines_are_left_out_and_python_is_left_alone():
     plain = 'x = (7\n% 4)\ntext = """\n%not magic\nreally?\n"""'
     assert python_only(plain) == plain
     assert python_only("%%bash\nls -l | grep x").startswith("pass")
+
+
+@pytest.mark.parametrize(
+    "hard",
+    [
+        "x = " + " " * 150_000 + "?!y(",
+        (" " * 300 + "a b\n") * 500,
+        "a," * 70_000 + "= (",
+        "x" * 190_000 + "? y",
+        "if a:\n    pass\n" + "elif b:\n    f = 1\n" * 5_000,
+        "\n".join(f"name_{i} = {i}" for i in range(12_000)),
+    ],
+    ids=["spaces", "indents", "names", "one word", "elif", "many names"],
+)
+def test_source_is_read_in_a_time_that_grows_with_its_length(hard):
+    """A pattern that tries its spaces twice took a minute for 40 kB; each of these takes a tenth of a second."""
+    started = time.process_time()
+    for read_in_some_way in (python_only, defined_names, definitions_only, names_of):
+        read_in_some_way(hard)
+    is_blank(hard, "f")
+    assert time.process_time() - started < 10
 
 
 def test_the_answer_is_where_it_was_checked(read):

@@ -8,7 +8,7 @@ import pytest
 from course.exercises.answer import as_function, call_all
 from course.exercises.definition import all_lessons, find_exercise
 from course.exercises.message import verdict_message
-from course.exercises.notebook_file import read_notebook
+from course.exercises.notebook_file import Outline, parse_notebook
 from course.exercises.verdict import judge
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
@@ -17,7 +17,9 @@ SEEDS = 100
 
 def answers_in(lesson) -> dict:
     """The names that the import cell and the exercise cells of a solution define; nothing in them is checked."""
-    read = read_notebook(SOLUTIONS / lesson.file_name)
+    path = SOLUTIONS / lesson.file_name
+    outline = Outline(lesson.number, tuple(e.name for e in lesson.exercises))
+    read = parse_notebook(path.read_bytes(), path.name, [outline])
     namespace = {"__name__": "__main__"}
     for source in (*read.preamble, *(cell.source for cell in read.cells)):
         kept = "\n".join(

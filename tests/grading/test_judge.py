@@ -1,5 +1,6 @@
 """From a submission to its rows: right, wrong, blank, renamed, broken and hostile answers."""
 
+import json
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
@@ -16,27 +17,26 @@ from grading.toy_lessons import (
     cell,
     notebook,
     only,
-    write,
 )
+from sandbox.runs import NO_BOX
 
-from course.exercises.notebook_file import read_notebook
 from course.grading import judge as judging
-from course.grading import sandbox
 from course.grading.judge import Judge
-from course.grading.limits import Limits
-from course.grading.sandbox import Cancelled, Run, SandboxFailure
+from course.sandbox import running
+from course.sandbox.limits import Limits
+from course.sandbox.running import Cancelled, Run, Sandbox, SandboxFailure
+
+
+def judged(content, *, seed=None, seconds=20.0, cancel=None):
+    """The rows of a notebook, in a box where there is one."""
+    judge = Judge(seed, Sandbox(Limits(seconds), not NO_BOX, cancel), LESSONS)
+    _, rows = judge.rows(json.dumps(content).encode(), "submission.ipynb")
+    return {row.exercise.name: row for row in rows}
 
 
 @pytest.fixture
-def rows_of(tmp_path):
-    def rows(content, *, seed=None, seconds=20.0, cancel=None):
-        read = read_notebook(write(tmp_path / "submission.ipynb", content), LESSONS)
-        return {
-            row.exercise.name: row
-            for row in Judge(seed, Limits(seconds), cancel).rows(read)
-        }
-
-    return rows
+def rows_of():
+    return judged
 
 
 @pytest.fixture
@@ -60,8 +60,8 @@ def test_right_answers_get_all_points_in_the_order_of_the_lesson(rows_of):
     assert all(row.seconds > 0 and row.verdict.passed for row in rows.values())
 
 
-def test_blanks_are_not_attempted_and_start_no_process(rows_of, monkeypatch):
-    monkeypatch.setattr(judging, "run_job", None)
+def test_blanks_are_not_attempted_and_not_run(rows_of, monkeypatch):
+    monkeypatch.setattr(running.Session, "_seen", None)
     rows = rows_of(blank())
     assert {(r.points, r.state, r.reason) for r in rows.values()} == {
         (0, "not attempted", "")
@@ -150,17 +150,17 @@ HOSTILE = {
     ),
     "hard exit": (
         "import os\ndef thrice(x):\n    os._exit(0)",
-        "error",
+        "needs a person",
         "it ended the whole program (exit code 0)",
     ),
     "hard exit in the cell": (
         "import os\nos._exit(3)\nthrice = 3",
-        "error",
+        "needs a person",
         "its cell, outside the function, ended the whole program",
     ),
     "crash": (
         "import signal\ndef thrice(x):\n    signal.raise_signal(11)",
-        "error",
+        "needs a person",
         "it crashed Python (SIGSEGV)",
     ),
     "interrupt": (
@@ -278,16 +278,12 @@ HOSTILE = {
 
 
 @pytest.fixture(scope="module")
-def hostile(tmp_path_factory):
+def hostile():
     """The rows of all hostile answers, two at a time, as a batch judges them."""
-    folder = tmp_path_factory.mktemp("hostile")
 
     def row(name):
         content = notebook(OTHER, thrice=HOSTILE[name][0])
-        read = read_notebook(
-            write(folder / name / "submission.ipynb", content), LESSONS
-        )
-        return next(Judge(None, Limits(1.0 if "loop" in name else 20.0)).rows(read))
+        return judged(content, seconds=1.0 if "loop" in name else 20.0)["thrice"]
 
     with ThreadPoolExecutor(2) as pool:
         return dict(zip(HOSTILE, pool.map(row, HOSTILE), strict=True))
@@ -419,15 +415,39 @@ def test_a_judge_that_fails_leaves_it_to_a_person(one, monkeypatch):
 
 def test_a_machine_at_fault_is_no_fault_of_the_submission(one, monkeypatch):
     def fails(*_, **__):
-        raise SandboxFailure("no space left")
+        raise OSError("no space left")
 
-    monkeypatch.setattr(judging, "run_job", fails)
-    assert (
-        one(RIGHT["thrice"]).state == "needs a person"
-    )  # a plain answer does run: so this one is odd
-    monkeypatch.setattr(judging, "isolation", fails)
-    with pytest.raises(SandboxFailure):
+    monkeypatch.setattr(running.subprocess, "Popen", fails)
+    with pytest.raises(SandboxFailure, match="no space left"):
         one(RIGHT["thrice"])
+
+
+@pytest.mark.slow
+def test_a_run_that_was_killed_from_outside_is_run_again_alone(rows_of, monkeypatch):
+    """Out of memory, the system ends what it likes: a right answer loses no mark by it."""
+    sessions, seen = [], running.Session._seen
+
+    def dies_once(session, patience):
+        sessions.append(session)
+        if len(sessions) == 2:
+            session._process.kill()
+            session._process.wait()
+        return seen(session, patience)
+
+    monkeypatch.setattr(running.Session, "_seen", dies_once)
+    rows = rows_of(notebook())
+    assert {r.state for r in rows.values()} == {"passed"}
+    assert len(set(sessions)) == 3  # the lesson's, then the second and third alone
+    monkeypatch.setattr(running.Session, "_seen", lambda *_: None)
+    rows = rows_of(notebook())
+    assert {(r.state, r.points) for r in rows.values()} == {("needs a person", None)}
+    assert "ended from outside" in rows["twice"].reason
+
+
+@pytest.mark.slow
+def test_what_was_tried_and_refused_is_told(one):
+    row = one("import os\ndef thrice(x):\n    os.fork()\n    return 3 * x")
+    assert (row.state, row.refused) == ("error", ("os.fork",))
 
 
 @pytest.mark.parametrize(
@@ -436,8 +456,8 @@ def test_a_machine_at_fault_is_no_fault_of_the_submission(one, monkeypatch):
         (Run("files", "case", 1), "it wrote more than 100 MB, or thousands of files"),
         (Run("memory", "case", 0), "it took more than 2000 MB of memory"),
         (
-            Run("crashed", "cell", 0, detail="SIGKILL"),
-            "its cell, outside the function, crashed Python (SIGKILL)",
+            Run("crashed", "cell", 0, detail="SIGBUS"),
+            "its cell, outside the function, crashed Python (SIGBUS)",
         ),
         (
             Run("time", "ready", 0),
@@ -446,7 +466,7 @@ def test_a_machine_at_fault_is_no_fault_of_the_submission(one, monkeypatch):
     ],
 )
 def test_every_end_has_its_words(one, monkeypatch, end, words):
-    monkeypatch.setattr(judging, "run_job", lambda *_, **__: end)
+    monkeypatch.setattr(running, "_run", lambda *_: end)
     assert words in one(RIGHT["thrice"]).reason
 
 
@@ -457,22 +477,23 @@ def test_a_batch_that_is_stopped_stops_judging(rows_of):
         rows_of(notebook(OTHER), cancel=cancel)
 
 
-def test_the_parent_reads_what_the_child_sends_with_the_references_at_home(
-    monkeypatch, rows_of
-):
-    """The job holds inputs and sources alone."""
-    sent = []
+def test_inputs_and_names_are_all_that_is_sent(monkeypatch, rows_of):
+    """References, seeds and expected values stay at home."""
+    sent, send = [], running.Session._send
 
-    def spy(job, limits, *, cancel=None):
-        sent.append(job)
-        return sandbox.run_job(job, limits, cancel=cancel)
+    def spy(session, request):
+        sent.append(request)
+        send(session, request)
 
-    monkeypatch.setattr(judging, "run_job", spy)
+    monkeypatch.setattr(running.Session, "_send", spy)
     rows_of(notebook(OTHER), seed=3)
-    (job,) = sent
+    read, asked = sent
+    assert set(read) == {"notebook", "file", "lessons", "limits"}
+    (question,) = asked["questions"]
     drawn = OTHER.exercises[0].draw(3)
     assert [
         np.array_equal(c["x"], d.arguments["x"])
-        for c, d in zip(job.cases, drawn, strict=True)
+        for c, d in zip(question["cases"], drawn, strict=True)
     ] == [True] * 3
-    assert set(vars(job)) == {"cells", "name", "kind", "arguments", "results", "cases"}
+    names = "index name kind arguments results cases most"
+    assert set(question) == set(names.split())

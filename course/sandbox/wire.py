@@ -1,4 +1,4 @@
-"""What travels between the judge and the process that runs student code: a tree of plain values and raw arrays.
+"""What travels between the grader and the process that runs student code: a tree of plain values and raw arrays.
 
 One message is the length of its header, the header in JSON, then the bytes of all arrays behind each other. There
 is no pickle and no compression, so what a message can do to its reader is bounded by its length. Reading checks
@@ -19,7 +19,7 @@ HEADER_LIMIT = 8_000_000
 BODY_LIMIT = 64_000_000
 _LENGTH = struct.Struct("<Q")
 _DTYPE = re.compile(
-    r"[<>|=]?(?:b1|[iu][1248]|f(?:2|4|8|12|16)|c(?:8|16|24|32)|U\d{1,3})"
+    r"[<>|=]?(?:b1|[iu][1248]|f(?:2|4|8|12|16)|c(?:8|16|24|32)|U[1-9]\d{0,2})"
 )
 
 
@@ -114,7 +114,7 @@ def _array(spec: Any, body: bytes) -> np.ndarray:
     count = math.prod(shape)
     if offset + count * dtype.itemsize > len(body):
         raise Unreadable("an array that is longer than the message")
-    if count == 0 or dtype.itemsize == 0:
+    if count == 0:
         return np.zeros(shape, dtype)
     raw = np.frombuffer(body, np.uint8, count * dtype.itemsize, offset)
     if dtype.kind == "b":

@@ -6,9 +6,11 @@ words, so that a report can say it.
 
 from __future__ import annotations
 
+import contextlib
 import math
 import sys
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 
@@ -41,6 +43,21 @@ def apply_limits(limits: Limits) -> list[str]:
         return _by_job_object(limits)
     else:
         return _by_resource(limits)
+
+
+@contextlib.contextmanager
+def memory_limited(limits: Limits) -> Iterator[None]:
+    """Limit the memory of the calling process for a while, where that is possible."""
+    if sys.platform == "win32":
+        yield
+        return
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    _set("RLIMIT_AS", limits.memory_mb * 1_000_000, lasting=False)
+    try:
+        yield
+    finally:
+        with contextlib.suppress(ValueError, OSError):
+            resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
 
 
 if sys.platform == "win32":
@@ -122,11 +139,12 @@ else:
             ("memory", "RLIMIT_AS", limits.memory_mb * 1_000_000),
             ("file size", "RLIMIT_FSIZE", limits.file_mb * 1_000_000),
             ("open files", "RLIMIT_NOFILE", 64),
+            ("", "RLIMIT_MSGQUEUE", 0),
         ]
         # RLIMIT_NPROC is left alone: it counts threads, of which solvers need some, and does not hold for root.
         return [words for words, name, value in wanted if _set(name, value) and words]
 
-    def _set(name: str, value: int) -> bool:
+    def _set(name: str, value: int, *, lasting: bool = True) -> bool:
         kind = getattr(resource, name, None)
         if kind is None:
             return False
@@ -139,7 +157,7 @@ else:
             else value
         )
         try:
-            resource.setrlimit(kind, (value, hard))
+            resource.setrlimit(kind, (value, hard if lasting else hardest))
         except (ValueError, OSError):  # macOS refuses RLIMIT_AS
             return False
         return True

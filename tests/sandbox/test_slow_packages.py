@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
+from sandbox.runs import EITHER_WAY, run
 
-from course.grading.limits import Limits
-from course.grading.needed import modules_used
-from course.grading.sandbox import Job, run_job
+from course.exercises.source import modules_used
 
 IMPORTS = "import cvxpy as cp\nimport numpy as np"
 
@@ -34,44 +33,30 @@ def test_what_answers_use_is_told_from_their_cells(answers, found):
 
 
 @pytest.mark.slow
+@EITHER_WAY
 @pytest.mark.parametrize("word", ["cp", "np"])
-def test_what_an_answer_uses_is_loaded_before_its_clock_starts(word):
+def test_what_an_answer_uses_is_loaded_before_its_clock_starts(word, boxed):
     answer = (
         "import sys\nloaded = 'cvxpy' in sys.modules\n"
         f"def f(b):\n    own = {word}\n    return [1.0 if loaded else 0.0, float(b[0])]"
     )
-    job = Job(
-        ((IMPORTS, True), (answer, False)),
-        "f",
-        "function",
-        ("b",),
-        1,
-        ({"b": np.array([-1.0, 2.0])},),
-    )
-    run = run_job(job, Limits(seconds=8.0))
-    assert run.end == "replied", run
-    assert run.reply.outcomes[0].values[0].tolist() == [
-        1.0 if word == "cp" else 0.0,
-        -1.0,
-    ]
+    case = {"b": np.array([-1.0, 2.0])}
+    told = run(IMPORTS, answer, case=case, seconds=8.0, boxed=boxed)
+    assert told.end == "replied", told
+    used = 1.0 if word == "cp" else 0.0
+    assert told.reply.outcomes[0].values[0].tolist() == [used, -1.0]
 
 
 @pytest.mark.slow
-def test_a_programme_is_solved_within_the_limits():
+@EITHER_WAY
+def test_a_programme_is_solved_within_the_limits(boxed):
     answer = (
         "def f(b):\n    x = cp.Variable(2)\n"
         "    cp.Problem(cp.Minimize(cp.sum_squares(x) / 2 + b @ x), [x >= 0]).solve(solver=cp.CLARABEL)\n"
         "    return x.value"
     )
-    job = Job(
-        ((IMPORTS, True), (answer, False)),
-        "f",
-        "function",
-        ("b",),
-        1,
-        ({"b": np.array([-1.0, 2.0])},),
-    )
-    run = run_job(job, Limits())
-    assert run.end == "replied", run
-    assert run.reply.outcomes[0].kind == "value", run.reply.outcomes[0].text
-    np.testing.assert_allclose(run.reply.outcomes[0].values[0], [1.0, 0.0], atol=1e-6)
+    case = {"b": np.array([-1.0, 2.0])}
+    told = run(IMPORTS, answer, case=case, seconds=10.0, boxed=boxed)
+    assert told.end == "replied", told
+    assert told.reply.outcomes[0].kind == "value", told.reply.outcomes[0].text
+    np.testing.assert_allclose(told.reply.outcomes[0].values[0], [1.0, 0.0], atol=1e-6)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from course.grading.needed import names_of, needed_cells
+from course.exercises.source import names_of, needed_cells
 
 CELLS = (
     "import numpy as np",  # 0

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-import os
-import stat
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from course.exercises.answer import PRINTED_LIMIT, TEXT_LIMIT, Outcome
-from course.grading import wire
+from course.sandbox import wire
 
-LIMIT_WORDS = ("processor time", "memory", "file size", "open files", "one process")
-KINDS = ("value", "none", "raised", "unreadable", "unattempted", "wrote")
-MESSAGE_LIMIT = wire.HEADER_LIMIT + wire.BODY_LIMIT
+LIMIT_WORDS = (
+    "processor time",
+    "memory",
+    "file size",
+    "open files",
+    "one process",
+    "system calls",
+)
+KINDS = ("value", "none", "raised", "unreadable", "unattempted")
 
 
 @dataclass(frozen=True)
@@ -31,21 +34,7 @@ class Reply:
     held: tuple[str, ...] = ()
 
 
-def read_bytes(path: Path, limit: int) -> bytes:
-    """The first bytes of a plain file; nothing of a link, a pipe or a device that stands in its place."""
-    flags = (
-        os.O_RDONLY
-        | getattr(os, "O_NOFOLLOW", 0)
-        | getattr(os, "O_NONBLOCK", 0)
-        | getattr(os, "O_BINARY", 0)
-    )
-    with os.fdopen(os.open(path, flags), "rb") as file:
-        return (
-            file.read(limit) if stat.S_ISREG(os.fstat(file.fileno()).st_mode) else b""
-        )
-
-
-def checked_reply(told: Any, cells: int, cases: int, results: int) -> Reply:
+def checked_reply(told: Any, cells: int, most: Sequence[int], results: int) -> Reply:
     """The reply as a ``Reply``; raises ``Unreadable`` where a part is not what it should be."""
     if not isinstance(told, dict):
         raise wire.Unreadable("no table of results")
@@ -68,27 +57,33 @@ def checked_reply(told: Any, cells: int, cases: int, results: int) -> Reply:
             notes=notes,
             held=held,
         )
-    outcomes = tuple(_outcome(one, results) for one in _list(told.get("outcomes")))
-    if len(outcomes) != cases:
-        raise wire.Unreadable(f"{len(outcomes)} results for {cases} cases")
+    listed = _list(told.get("outcomes"))
+    if len(listed) != len(most):
+        raise wire.Unreadable(f"{len(listed)} results for {len(most)} cases")
+    outcomes = tuple(map(_outcome, listed, most, [results] * len(most)))
     return Reply(outcomes, notes=notes, held=held)
 
 
-def _outcome(told: Any, results: int) -> Outcome:
+def _outcome(told: Any, most: int, results: int) -> Outcome:
     if not isinstance(told, dict) or told.get("kind") not in KINDS:
         raise wire.Unreadable("a result of unknown kind")
     text, printed = (
         clean(told.get("text", ""), TEXT_LIMIT * 3),
         clean(told.get("printed", ""), PRINTED_LIMIT),
     )
+    given = told.get("given", {})
+    if not isinstance(given, dict):
+        raise wire.Unreadable("arguments that are no table")
     if told["kind"] != "value":
-        return Outcome(told["kind"], text=text, printed=printed)
+        return Outcome(told["kind"], text=text, printed=printed, given=given)
     values = _list(told.get("values"))
     if len(values) != results or not all(
         isinstance(value, np.ndarray) for value in values
     ):
         raise wire.Unreadable("a result that is not made of arrays")
-    return Outcome("value", tuple(values), text, printed)
+    if (count := sum(value.size for value in values)) > most:
+        raise wire.Unreadable(f"{count} numbers where at most {most} were expected")
+    return Outcome("value", tuple(values), text, printed, given)
 
 
 def _list(value: Any) -> Sequence[Any]:

@@ -1,0 +1,161 @@
+"""Refuse, and tell of, what an answer has no business with: processes, signals, the network, files outside its folder.
+
+An audit hook (PEP 578) costs little and works on every platform. It raises the price and no more: code that sets out
+to break it can. In a box it is the witness, so that an attack does not look like a crash; without one it is all there
+is, and the report says that submissions were trusted. No mark hangs on it: verdicts are not made in this process.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+from collections.abc import Callable, Sequence
+from typing import Any
+
+REFUSED = frozenset(
+    "os.fork os.forkpty os.exec os.posix_spawn os.spawn os.system os.startfile os.startfile/2 subprocess.Popen "
+    "pty.spawn os.kill os.killpg signal.pthread_kill resource.setrlimit resource.prlimit socket.connect socket.bind "
+    "socket.getaddrinfo socket.gethostbyname socket.gethostbyaddr socket.getnameinfo socket.sendto socket.sendmsg "
+    "ctypes.dlopen ctypes.dlsym ctypes.dlsym/handle ctypes.call_function ctypes.cdata ctypes.PyObj_FromPtr "
+    "gc.get_objects gc.get_referrers gc.get_referents cpython.PyInterpreterState_New sys.addaudithook "
+    "webbrowser.open _winapi.CreateProcess _winapi.TerminateProcess winreg.CreateKey winreg.SetValue "
+    "ftplib.connect http.client.connect smtplib.connect poplib.connect imaplib.open telnetlib.Telnet.open".split()
+)
+#: What no audit event tells of, module by module.
+UNTOLD = {
+    "os": "mknod mkfifo pidfd_open memfd_create sched_setscheduler sched_setaffinity sched_setparam setpriority nice "
+    "chroot unshare setns",
+    "signal": "pidfd_send_signal",
+    "_posixsubprocess": "fork_exec",
+    "_xxsubinterpreters": "create run_string",
+}
+CHANGES = frozenset(
+    "os.remove os.rename os.rmdir os.mkdir os.link os.symlink os.truncate os.chmod os.chown os.lchown os.utime "
+    "os.setxattr os.removexattr os.chflags shutil.rmtree".split()
+)
+TWO_PATHS = frozenset({"os.rename", "os.link", "os.symlink"})
+WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+#: Where Python and its packages look for what need not be there: no attempt of a student's.
+HARMLESS = (
+    "/dev",
+    "/sys",
+    "/usr",
+    "/lib",
+    "/etc",
+    "/proc/self",
+    "/proc/cpuinfo",
+    "/proc/meminfo",
+    "/proc/stat",
+)
+#: An attempt is told in at most so many characters.
+TOLD = 200
+
+Tell = Callable[[str], None]
+
+
+def install_guard(
+    own: str, closed: Sequence[str], packages: Sequence[str], tell: Tell
+) -> None:
+    """From now on writing works in the folder ``own`` alone, and the folders ``closed`` cannot be read.
+
+    ``tell`` is called with each attempt that is refused, in words. What is looked for in vain among the ``packages``
+    is Python's own affair and not told.
+    """
+    guard = _Guard(own, closed, tuple(packages), tell)
+    for module, names in UNTOLD.items():
+        for name in names.split():
+            guard.replace(module, name)
+    guard.refuse_folders_by_number()
+    sys.addaudithook(guard)
+
+
+class _Guard:
+    """The hook: called with every event, it raises ``PermissionError`` for those that are refused."""
+
+    def __init__(
+        self, own: str, closed: Sequence[str], packages: tuple[str, ...], tell: Tell
+    ) -> None:
+        self._own = os.path.realpath(own)
+        self._shut = [os.path.realpath(folder) for folder in closed]
+        self._harmless = (*HARMLESS, *filter(None, packages))
+        self._tell = tell
+
+    def __call__(self, event: str, details: tuple[Any, ...]) -> None:
+        if event in REFUSED:
+            self._refuse(event, f"{event} is not allowed while an answer is marked")
+        elif event == "open":
+            self._open(*details)
+        elif event in CHANGES:
+            for path in details[: 2 if event in TWO_PATHS else 1]:
+                if isinstance(path, (str, bytes, os.PathLike)):
+                    self._require_inside(path)
+
+    def _refuse(self, attempt: str, words: str) -> None:
+        self._tell(attempt[:TOLD])
+        raise PermissionError(words)
+
+    def _open(self, path: Any, mode: Any, flags: Any) -> None:
+        if not isinstance(path, (str, bytes, os.PathLike)):
+            return  # an open file's number
+        if isinstance(flags, int) and flags & WRITING:
+            self._require_inside(path)
+            return
+        place = os.path.realpath(os.fsdecode(path))
+        if any(_is_in(place, folder) for folder in self._shut):
+            words = "the course's own files cannot be read while an answer is marked"
+            self._refuse(f"reading {place}", words)
+        if mode is None and os.path.isdir(place) and not _is_in(place, self._own):
+            words = f"a folder outside the working folder cannot be opened: {place}"
+            self._refuse(f"opening the folder {place}", words)
+        if not os.path.exists(place) and not place.startswith(self._harmless):
+            if not _is_in(place, self._own):
+                self._tell(f"reading {place}"[:TOLD])
+
+    def _require_inside(self, path: Any) -> None:
+        place = os.path.realpath(os.fsdecode(path))
+        if place != os.devnull and not _is_in(place, self._own):
+            words = "writing outside the working folder is not allowed while an answer is marked"
+            self._refuse(f"writing to {place}", f"{words}: {place}")
+
+    def replace(self, module: str, name: str) -> None:
+        """Put a function that refuses in the place of one."""
+        try:
+            home = importlib.import_module(module)
+        except ImportError:
+            return
+        for place in (home, sys.modules.get("posix"), sys.modules.get("nt")):
+            if place is home or (module == "os" and hasattr(place, name)):
+                if hasattr(place, name):
+                    setattr(place, name, self._refusing(f"{module}.{name}"))
+
+    def _refusing(self, name: str) -> Callable[..., Any]:
+        def refused(*_: Any, **__: Any) -> Any:
+            self._refuse(name, f"{name} is not allowed while an answer is marked")
+
+        return refused
+
+    def refuse_folders_by_number(self) -> None:
+        """Close ``dir_fd``, a folder told by an open number: the events do not carry it."""
+        import shutil
+
+        shutil._use_fd_functions = False  # type: ignore[attr-defined]
+        for function in os.supports_dir_fd - {os.stat, os.access, os.readlink}:
+            name = function.__name__
+            for place in (os, sys.modules.get("posix")):
+                if getattr(place, name, None) is function:
+                    setattr(place, name, self._without_folders(function))
+
+    def _without_folders(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        def plain(*given: Any, **named: Any) -> Any:
+            if any(k.endswith("dir_fd") and v is not None for k, v in named.items()):
+                words = f"{function.__name__} by dir_fd is not allowed while an answer is marked"
+                self._refuse(f"os.{function.__name__} by dir_fd", words)
+            return function(*given, **named)
+
+        plain.__name__ = function.__name__
+        return plain
+
+
+def _is_in(place: str, folder: str) -> bool:
+    return place == folder or place.startswith(folder + os.sep)

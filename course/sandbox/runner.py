@@ -1,0 +1,181 @@
+"""What runs what a student wrote: the cells of one exercise, then the answer on every case.
+
+It runs in a process of its own, a fork of ``serving``, and can do there what it likes: the worst it can send is a
+wrong answer.
+"""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+import gc
+import linecache
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from course.exercises import answer
+from course.sandbox import guard, limits, stand_ins, wire
+from course.sandbox.messages import REPLY, STAGE, TRIED, send
+
+MISSING = object()
+#: Attempts told, each once; more of them say nothing new.
+MOST_ATTEMPTS = 20
+
+
+@dataclass(frozen=True)
+class Task:
+    """An exercise to run: its cells (source, and whether to go on after a statement that fails), the answer's name and
+    kind, the declared arguments, how many results, the inputs of each case, and how many numbers each may give."""
+
+    cells: tuple[tuple[str, bool], ...]
+    name: str
+    kind: str
+    arguments: tuple[str, ...]
+    results: int
+    cases: tuple[Mapping[str, Any], ...]
+    most: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Where a run may write, what it may not read, its limits, and how system calls are closed to it."""
+
+    work: str
+    closed: tuple[str, ...]
+    path: tuple[str, ...]
+    limits: limits.Limits
+    close_calls: Callable[[], bool] | None
+
+
+def run(task: Task, around: Surroundings, pipe: int) -> None:
+    """Do the task and send what came of it through ``pipe``. Does not return: nothing that was left running matters."""
+    stage = _Stage(pipe)
+    os.chdir(around.work)
+    held = limits.apply_limits(around.limits)
+    sys.path[:] = around.path
+    stand_ins.install_stand_ins()
+    _silence()
+    guard.install_guard(around.work, around.closed, around.path, _Attempts(pipe))
+    if around.close_calls is not None and around.close_calls():
+        held.append("system calls")
+    gc.freeze()
+    stage("ready")
+    told = _answers(task, stage)
+    send(pipe, REPLY, wire.pack({**told, "held": held}))
+    os._exit(0)
+
+
+class _Stage:
+    """Tells where the run stands: it is known when the process was ended."""
+
+    def __init__(self, pipe: int) -> None:
+        self._pipe = pipe
+
+    def __call__(self, what: str, index: int = 0) -> None:
+        send(self._pipe, STAGE, f"{what} {index}".encode())
+
+
+class _Attempts:
+    """Tells of what was tried and refused, at once: what was told cannot be taken back."""
+
+    def __init__(self, pipe: int) -> None:
+        self._pipe, self._told = pipe, set[str]()
+
+    def __call__(self, attempt: str) -> None:
+        if attempt not in self._told and len(self._told) < MOST_ATTEMPTS:
+            self._told.add(attempt)
+            send(self._pipe, TRIED, attempt.encode("utf-8", "replace"))
+
+
+def _answers(task: Task, stage: Callable[..., None]) -> dict[str, Any]:
+    """Run the cells, call the answer, and tell what came of both."""
+    nothing = stand_ins.StandInForCourse()
+    namespace: dict[str, Any] = {
+        "__name__": "__main__", "exit": sys.exit, "quit": sys.exit, "display": nothing,
+        "get_ipython": nothing, stand_ins.LATER_NAME: stand_ins.Later,
+    }  # fmt: skip
+    notes = []
+    for index, (source, tolerant) in enumerate(task.cells):
+        stage("cell", index)
+        error = _execute(source, index, namespace, tolerant)
+        if error is not None:
+            notes.append([index, answer.describe(error)])
+    return {"notes": notes, **_call(task, stage, namespace.get(task.name, MISSING))}
+
+
+def _execute(
+    source: str, index: int, namespace: dict[str, Any], tolerant: bool
+) -> BaseException | None:
+    """Run one cell and give back what it raised; a tolerant one goes on after a statement that fails."""
+    name, printed = f"<cell {index}>", answer.Printed
+    lines = [line + "\n" for line in source.splitlines()]
+    linecache.cache[name] = (len(source), None, lines, name)
+    first: BaseException | None = None
+    with contextlib.redirect_stdout(printed()), contextlib.redirect_stderr(printed()):
+        try:
+            tree = stand_ins.with_later_imports(ast.parse(source, name))
+            for part in [[node] for node in tree.body] if tolerant else [tree.body]:
+                try:
+                    module = ast.Module(part, [])
+                    exec(compile(module, name, "exec", dont_inherit=True), namespace)
+                except (
+                    BaseException
+                ) as error:  # SystemExit too: a notebook goes on with its next cell
+                    first = first or error
+        except BaseException as error:
+            first = first or error
+    return first
+
+
+def _call(task: Task, stage: Callable[..., None], value: Any) -> dict[str, Any]:
+    """What the answer gave for each case, or why it was not called."""
+    if value is MISSING:
+        return {"missing": True}
+    if answer.is_stub(value, task.cells[-1][0]):
+        return {"blank": True}
+    try:
+        function = answer.as_function(value, task.kind, task.name, task.arguments)
+    except Exception as error:
+        return {"fault": str(error)[: answer.TEXT_LIMIT]}
+    try:
+        outcomes = answer.call_all(function, _told(stage, task.cases), task.results)
+    except (
+        BaseException
+    ) as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
+        return {"fault": "it stopped with " + answer.describe(error)}
+    return {
+        "outcomes": [_plain(o, m) for o, m in zip(outcomes, task.most, strict=True)]
+    }
+
+
+def _told(
+    stage: Callable[..., None], cases: Sequence[Mapping[str, Any]]
+) -> Iterator[Mapping[str, Any]]:
+    for index, case in enumerate(cases):
+        stage("case", index)
+        yield case
+
+
+def _plain(outcome: answer.Outcome, most: int) -> dict[str, Any]:
+    """An outcome as plain values; more numbers than there is room for are told, not sent."""
+    count = sum(array.size for array in outcome.values)
+    if count > most:
+        text = f"expected at most {most:,} numbers; got {count:,}"
+        return {"kind": "unreadable", "text": text, "printed": "", "values": []}
+    return {
+        "kind": outcome.kind,
+        "text": outcome.text,
+        "printed": outcome.printed,
+        "values": list(outcome.values),
+        "given": dict(outcome.given),
+    }
+
+
+def _silence() -> None:
+    """Send what is printed past Python's own streams nowhere, and read nothing."""
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for stream in (0, 1, 2):
+        os.dup2(nowhere, stream)
