@@ -157,7 +157,9 @@ def grade_folder(
         stand, stale = standing(found.rows, {} if force else keys, keys.values())
         done = {row["key"] for row in stand}
         todo = [task for key, task in keys.items() if key not in done]
-        shut_in = isolation(limits) if todo else ()
+        with stopping.put_off():  # its process is ended and its folder taken away
+            shut_in = isolation(limits) if todo else ()
+        stopping.check()
         write_marker(feedback)
         order = [e.name for lesson in known for e in lesson.exercises]
         table = Table(out, order, stand, stale=stale, more=found.more)

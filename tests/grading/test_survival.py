@@ -257,3 +257,24 @@ def test_one_seed_gives_one_table_with_any_number_of_workers(folder, tmp_path, w
         pages = {p.name: p.read_text() for p in told.feedback.glob("*.html")}
         texts.append((out.read_text(), pages))
     assert texts[0] == texts[1]
+
+
+def test_a_terminal_that_is_closed_ends_a_batch_cleanly(folder, tmp_path, temporary):
+    """With the bar drawn on it, which nothing can be written to any more."""
+    import pty
+
+    write(folder / "zoe.ipynb", only("twice", NEVER))
+    out, code = tmp_path / "grades.csv", GRADER.replace("cli.bar = bar", "")
+    command = [sys.executable, "-c", code, TESTS, str(folder), "--out", str(out)]
+    pid, terminal = pty.fork()
+    if pid == 0:
+        os.environ["TMPDIR"] = str(temporary)
+        os.execv(sys.executable, command)
+    deadline = time.monotonic() + 30
+    while not (out.exists() and len(rows_in(out)) == 5) and time.monotonic() < deadline:
+        os.read(terminal, 10_000)
+    os.close(terminal)
+    _, status = os.waitpid(pid, 0)
+    assert os.waitstatus_to_exitcode(status) == 128 + signal.SIGHUP
+    assert len(rows_in(out)) == 5 and list(temporary.iterdir()) == []
+    assert not (tmp_path / "grades.csv.lock").exists()
