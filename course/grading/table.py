@@ -124,6 +124,10 @@ def _cells(text: str, separator: str) -> list[str]:
     return rows[0] if len(rows) == 1 else []
 
 
+def _place(row: Mapping[str, str]) -> tuple[str, str]:
+    return row["file"], row["key"]
+
+
 class Table:
     """The table on disk: whole rows first, then one more with every ``add``; ``close`` orders them.
 
@@ -168,7 +172,7 @@ class Table:
         """Order the rows by file: they came in the order in which they were done."""
         new = {row["file"] for row in self.rows}
         self.stale = [row for row in self.stale if row["file"] not in new]
-        self.rows.sort(key=lambda row: (row["file"], row["key"]))
+        self.rows.sort(key=_place)
         try:
             self._write_whole()
         except OSError:
@@ -188,7 +192,7 @@ class Table:
 
     def _write_whole(self) -> None:
         self._let_go()
-        rows = [*self.stale, *self.rows]
+        rows = sorted([*self.stale, *self.rows], key=_place)
         used = {name for row in rows for name in exercises_of(row)}
         known = [name for name in self.order if name in used]
         others = sorted(used - set(known))
