@@ -154,21 +154,19 @@ def grade_folder(
         seed = _seed(found, tasks) if seed is None else seed
         version = grader_version(known)
         keys = {key_of(task.digest, version, seed, limits): task for task in tasks}
-        stand, stale = standing(found.rows, {} if force else keys, keys.values())
+        stand, stale = standing(found.rows, {} if force else keys, tasks)
         done = {row["key"] for row in stand}
         todo = [task for key, task in keys.items() if key not in done]
         with stopping.put_off():  # its process is ended and its folder taken away
             shut_in = isolation(limits) if todo else ()
         stopping.check()
         write_marker(feedback)
-        order = [e.name for lesson in known for e in lesson.exercises]
-        table = Table(out, order, stand, stale=stale, more=found.more)
+        table = Table(out, _exercises(known), stand, stale=stale, more=found.more)
         judge = Judge(seed, limits, threading.Event())
         batch = Batch(judge, seed, version, known, table, ", ".join(shut_in))
         try:
-            batch.mark(
-                todo, len(tasks), workers or os.cpu_count() or 1, on_progress or _quietly, stopping
-            )  # fmt: skip
+            many = workers or os.cpu_count() or 1
+            batch.mark(todo, len(tasks), many, on_progress or _quietly, stopping)
         finally:
             with stopping.put_off():
                 table.close()
@@ -195,6 +193,10 @@ def _locked(out: Path, feedback: Path) -> Iterator[tuple[Path, Path]]:
             except OSError as error:
                 raise CannotWrite(lock, error) from error
         yield table, pages
+
+
+def _exercises(lessons: Sequence[Lesson]) -> list[str]:
+    return [exercise.name for lesson in lessons for exercise in lesson.exercises]
 
 
 def _seed(found: Found, tasks: Sequence[Task]) -> int:
@@ -253,9 +255,10 @@ def _require(folder: Path, out: Path, feedback: Path, seed: int | None) -> None:
         raise ValueError(
             f"folder: expected a folder of submissions; got {folder}, which is none"
         )
-    if out.is_dir():
+    if out.exists() and not out.is_file():
+        kind = "folder" if out.is_dir() else "device"
         raise ValueError(
-            f"out: expected the name of a table, as in grades.csv; got the folder {out}"
+            f"out: expected the name of a table, as in grades.csv; got the {kind} {out}"
         )
     if feedback.exists() and not feedback.is_dir():
         raise ValueError(f"feedback: expected a folder; got the file {feedback}")

@@ -17,6 +17,7 @@ from types import TracebackType
 FIRST_LINE = "lock of course grade"
 #: Windows locks bytes, not files: one far behind the text, so that others can read who holds it.
 FAR_BYTE = 1 << 20
+NEW_SECONDS = 0.2
 HELD, TAKEN, UNKNOWN = "held by another", "taken", "no locks here"
 
 
@@ -33,16 +34,24 @@ class Lock:
 
     def __enter__(self) -> Lock:
         for _ in range(20):
-            number = os.open(self.path, os.O_RDWR | os.O_CREAT, 0o644)
+            number, made = self._open()
             try:
-                if self._is_ours(number):
+                if self._is_ours(number, made=made):
                     self._number = number
                     return self
             except BaseException:
                 os.close(number)
                 raise
             os.close(number)
+            time.sleep(0.02)
         raise Locked(f"{self.path} changes all the time: is another grader starting?")
+
+    def _open(self) -> tuple[int, bool]:
+        """The lock file, and whether it was made by this call: only one can make it."""
+        try:
+            return os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o644), True
+        except FileExistsError:
+            return os.open(self.path, os.O_RDWR | os.O_CREAT, 0o644), False
 
     def __exit__(
         self,
@@ -60,23 +69,34 @@ class Lock:
         if sys.platform != "win32":
             os.close(self._number)
 
-    def _is_ours(self, number: int) -> bool:
+    def _is_ours(self, number: int, *, made: bool) -> bool:
         """Whether the lock could be taken; False where its file was taken away meanwhile: try again."""
         state = _take(number)
-        holder = os.pread(number, 500, 0) if hasattr(os, "pread") else _read(number)
-        lines = holder.decode("utf-8", "replace").splitlines()
+        lines = _read(number).decode("utf-8", "replace").splitlines()
         if state == HELD or (lines and _may_live(lines, locked=state == TAKEN)):
             raise Locked(self._held_by(lines))
-        try:
-            if not os.path.samestat(os.stat(self.path), os.fstat(number)):
-                return False
-        except FileNotFoundError:
+        if state == UNKNOWN and not made:
+            # An empty one may be another's that is just being made.
+            if lines or time.time() - os.fstat(number).st_mtime > NEW_SECONDS:
+                self.path.unlink(missing_ok=True)
+            return False
+        if not self._is_there(number):
             return False
         told = [FIRST_LINE, str(os.getpid()), socket.gethostname(), time.ctime()]
-        os.ftruncate(number, 0)
-        os.lseek(number, 0, os.SEEK_SET)
-        os.write(number, "\n".join(told).encode() + b"\n")
-        return True
+        try:
+            os.ftruncate(number, 0)
+            os.lseek(number, 0, os.SEEK_SET)
+            os.write(number, "\n".join(told).encode() + b"\n")
+        except OSError:
+            self.path.unlink(missing_ok=True)
+            raise
+        return self._is_there(number)
+
+    def _is_there(self, number: int) -> bool:
+        try:
+            return os.path.samestat(os.stat(self.path), os.fstat(number))
+        except FileNotFoundError:
+            return False
 
     def _held_by(self, lines: list[str]) -> str:
         who = (

@@ -211,7 +211,7 @@ def _left_behind(path: Path) -> bool:
 
 def _is_output(path: Path) -> bool:
     """Whether a file is a table of marks or a lock, of this or an earlier batch."""
-    first = _first(path, 8192)
+    first = _first(path, 1 << 16)  # of a table of all lessons the header has 10 kB
     lock = path.suffix == ".lock" and first.startswith(FIRST_LINE.encode())
     return lock or is_table(first)
 

@@ -110,7 +110,7 @@ def _whole(text: str, header: Sequence[str], separator: str) -> dict[str, str] |
     cells = _cells(text, separator)
     if len(cells) != len(header):
         return None
-    row = dict(zip(header, cells, strict=True))
+    row = dict.fromkeys((*FIRST, *LAST), "") | dict(zip(header, cells, strict=True))
     return row if KEY.fullmatch(row["key"]) else None
 
 
@@ -147,13 +147,14 @@ class Table:
         self.path, self.order, self.more = path, tuple(order), tuple(more)
         self.rows = [dict(row) for row in rows]
         self.stale = [dict(row) for row in stale]
+        self._before = {row["file"]: row for row in self.stale}
         self._number = -1
         self.columns: tuple[str, ...] = ()
         self._write_whole()
 
     def add(self, cells: Mapping[str, str]) -> None:
         """Append a row; the system has it when this returns. Raises ``CannotWrite``, and then the file is as before."""
-        before = {row["file"]: row for row in self.stale}.get(cells["file"], {})
+        before = self._before.get(cells["file"], {})
         row = {**cells, **{name: before.get(name, "") for name in self.more}}
         self.rows.append(row)
         try:

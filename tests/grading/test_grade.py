@@ -11,7 +11,17 @@ import time
 from types import SimpleNamespace
 
 import pytest
-from grading.toy_lessons import LESSONS, OTHER, RIGHT, blank, notebook, only, write
+from grading.toy_lessons import (
+    LESSONS,
+    OTHER,
+    RIGHT,
+    TOY,
+    blank,
+    cell,
+    notebook,
+    only,
+    write,
+)
 
 from course.exercises.notebook_file import UnusableNotebook
 from course.grading import judge as judging
@@ -384,6 +394,7 @@ def test_output_inside_the_folder_is_no_submission(folder):
         (dict(folder="nowhere"), "folder: expected a folder of submissions"),
         (dict(folder="nothing"), "folder: expected submissions in"),
         (dict(out="in"), "out: expected the name of a table"),
+        (dict(out="/dev/null"), "out: expected the name of a table, .* device"),
         (dict(feedback="in/ann.ipynb"), "feedback: expected a folder"),
         (dict(seed=-1), "seed: expected a whole number"),
         (dict(time_limit=0.0), "time_limit: expected"),
@@ -428,3 +439,30 @@ def test_a_notebook_is_checked_on_its_own_inputs(tmp_path):
     assert "○ area   0/3  Not attempted" in str(told)
     with pytest.raises(UnusableNotebook, match="the file is empty"):
         check_notebook(write(path, ""), lessons=LESSONS)
+
+
+DOWNLOAD = [
+    "Ana_1_assignsubmission_file_/work/90-toy.ipynb", "Ana_1_assignsubmission_file_/work/deep/91-other-toy.ipynb",
+    "Ana_2_assignsubmission_file_/90-toy.ipynb", "Ana_2_assignsubmission_file_/91-other-toy.ipynb",
+    "Participant_11_assignsubmission_file_/90-toy.ipynb", "Participant_12_assignsubmission_file_/90-toy.ipynb",
+    "Dan_3_assignsubmission_file_90-toy.ipynb", "Dan_3_assignsubmission_file_91-other-toy.ipynb",
+    "Dan_30_assignsubmission_file_90-toy.ipynb",
+]  # fmt: skip
+
+
+@pytest.mark.slow
+def test_in_a_download_nobody_sees_another_s_marks(tmp_path):
+    for index, file in enumerate(DOWNLOAD):
+        lesson = OTHER if "91" in file else TOY
+        write(tmp_path / "in" / file, blank(lesson, cells=[cell(f"# {index}")]))
+    told = grade_folder(tmp_path / "in", tmp_path / "grades.csv", lessons=LESSONS)
+    rows = rows_in(told.out)
+    assert [rows[file]["student"] for file in DOWNLOAD] == [
+        *["Ana (1)"] * 2, *["Ana (2)"] * 2, "Participant 11", "Participant 12", *["Dan (3)"] * 2, "Dan (30)",
+    ]  # fmt: skip
+    for page in told.feedback.glob("*--*.html"):
+        text = page.read_text()
+        shown = {file.split("_assign")[0] for file in DOWNLOAD if file in text}
+        assert len(shown) == 1, page
+    overviews = [p.name.split("--")[1] for p in told.feedback.glob("student--*.html")]
+    assert sorted(overviews) == ["Ana_1", "Ana_2", "Dan_3"]

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from grading.toy_lessons import LESSONS, OTHER, RIGHT, blank, notebook, only, write
@@ -173,7 +174,7 @@ def test_a_lock_is_left_by_the_dead_only(tmp_path, monkeypatch):
     for has_locks in (True, False):
         if not has_locks:
             monkeypatch.setattr(module, "_take", lambda number: module.UNKNOWN)
-        for text in ("", "nonsense", f"{module.FIRST_LINE}\n{dead.pid}\n{here}\nnow\n"):
+        for text in ("nonsense", f"{module.FIRST_LINE}\n{dead.pid}\n{here}\nnow\n"):
             path.write_text(text)
             with Lock(path, "x"), pytest.raises(Locked, match=f"process {os.getpid()}"):
                 Lock(path, "x").__enter__()
@@ -182,6 +183,35 @@ def test_a_lock_is_left_by_the_dead_only(tmp_path, monkeypatch):
         with pytest.raises(Locked, match="on another machine, since now.* delete"):
             Lock(path, "x").__enter__()
         path.unlink()
+
+
+@pytest.mark.parametrize("has_locks", [True, False])
+def test_of_many_that_want_a_lock_one_has_it(tmp_path, monkeypatch, has_locks):
+    """Also over a lock that a dead process left; each adds one to a number in a file."""
+    from course.grading import lock as module
+
+    if not has_locks:
+        monkeypatch.setattr(module, "_take", lambda number: module.UNKNOWN)
+    path, number = tmp_path / "x.lock", tmp_path / "number"
+    number.write_text("0")
+    dead = subprocess.Popen([sys.executable, "-c", ""])
+    dead.wait()
+    here = os.uname().nodename
+    path.write_text(f"{module.FIRST_LINE}\n{dead.pid}\n{here}\nnow\n")
+
+    def add(_):
+        for _ in range(2000):
+            with contextlib.suppress(Locked), Lock(path, "x"):
+                value = int(number.read_text())
+                time.sleep(0.001)
+                number.write_text(str(value + 1))
+                return 1
+            time.sleep(0.002)
+        return 0
+
+    with ThreadPoolExecutor(8) as pool:
+        assert list(pool.map(add, range(24))) == [1] * 24
+    assert number.read_text() == "24" and not path.exists()
 
 
 @contextlib.contextmanager

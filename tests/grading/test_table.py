@@ -115,6 +115,17 @@ def test_a_table_that_a_spreadsheet_saved_is_read_again(
         assert is_table(path.read_bytes()[:8192])
 
 
+def test_a_table_of_an_older_version_is_read(tmp_path):
+    path = tmp_path / "grades.csv"
+    path.write_text(
+        "file,student,lesson,total,out_of,state,reason,twice,twice_state,twice_reason,seed,isolation,key\n"
+        f"a.ipynb,a,90-toy,2,7,marked,,2,passed,,5,clock,{'0' * 64}\n"
+    )
+    found = read_table(path)
+    assert found.exercises == ("twice",) and found.more == ()
+    assert (found.rows[0]["twice"], found.rows[0]["page"]) == ("2", "")
+
+
 def test_a_column_that_somebody_added_stays(tmp_path):
     path = tmp_path / "grades.csv"
     made(path, ["ann", "ben"]).close()

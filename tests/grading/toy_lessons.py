@@ -104,8 +104,8 @@ def notebook(lesson=TOY, *, cells=None, told=True, **answers):
             "cells": [cell(IMPORTS, role="imports"), *(cells or ()), *own]}  # fmt: skip
 
 
-def blank(lesson=TOY):
-    return notebook(lesson, **{e.name: BLANK[e.name] for e in lesson.exercises})
+def blank(lesson=TOY, **more):
+    return notebook(lesson, **{e.name: BLANK[e.name] for e in lesson.exercises}, **more)
 
 
 def only(name, source):
