@@ -240,6 +240,21 @@ def test_grade_writes_the_table_and_says_what_it_did(tmp_path, capsys):
     assert "2 submissions" in capsys.readouterr().out
 
 
+def test_grade_hands_on_what_is_asked(monkeypatch, capsys):
+    from course.grading import grade
+
+    asked = []
+    monkeypatch.setattr(
+        grade, "grade_folder", lambda *a, **k: asked.append((a, k)) or "what it did"
+    )
+    assert cli.run(["grade", "in", "--force", "--seed", "4", "--workers", "3"]) == 0
+    ((folder, out), options) = asked[0]
+    assert (folder, out) == (Path("in"), Path("grades.csv"))
+    assert (options["force"], options["seed"], options["workers"]) == (True, 4, 3)
+    assert cli.run(["grade", "in"]) == 0 and asked[1][1]["force"] is False
+    assert "what it did" in capsys.readouterr().out
+
+
 def test_grade_of_no_folder_ends_with_2(tmp_path, capsys):
     assert (
         cli.run(

@@ -86,6 +86,9 @@ class Batch:
             write_page(task.page, submission, seed=self.seed)
         except CannotWrite as error:
             self.unwritten.append(str(error))
+        except Exception as error:
+            told = f"{task.page} could not be made: {type(error).__name__}: {error}"
+            self.unwritten.append(told)
         self.table.add(cells_of(submission, self.seed, self.isolation, task.page.name))
 
     def _judged(self, task: Task) -> Submission:
@@ -107,7 +110,8 @@ class Batch:
                 problem = str(error)
                 time.sleep(pause)
             except OSError as error:
-                return _but(made, f"cannot be read: {error.strerror or error}")
+                told = f"cannot be read: {error.strerror or error}"
+                return _but(made, told, again=True)
             except Exception as error:
                 problem = f"{type(error).__name__}: {error}"
                 break

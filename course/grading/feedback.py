@@ -13,7 +13,7 @@ from urllib.parse import quote
 
 from course.exercises.message import SYMBOLS, WORDS, Part, verdict_message
 from course.grading.judge import Row
-from course.grading.report import Submission
+from course.grading.report import Submission, told_by
 from course.grading.writing import write_whole
 
 #: The grader's page, beside the others.
@@ -64,7 +64,7 @@ def write_overview(
 ) -> None:
     """Write a student's own page: every submission with its points, from its row of the table."""
     rows = [
-        {"page": quote(row["page"]), "file": row["file"], "lesson": row["lesson"] or row["reason"],
+        {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
          "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
         for row in handed_in
     ]  # fmt: skip
@@ -133,7 +133,7 @@ _HEAD = """\
 <style>
 :root { color-scheme: light dark; }
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem; }
-table.points { border-collapse: collapse; }
+table.points { border-collapse: collapse; margin-bottom: 1.5rem; }
 table.points th, table.points td { text-align: left; padding: 0.2rem 1rem 0.2rem 0; border-bottom: 1px solid #888; }
 caption { text-align: left; font-weight: 600; padding-bottom: 0.3rem; }
 pre { overflow-x: auto; }

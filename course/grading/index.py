@@ -11,12 +11,13 @@ from urllib.parse import quote
 from course.exercises.definition import Lesson
 from course.exercises.message import SYMBOLS
 from course.grading.feedback import template
-from course.grading.report import exercises_of
+from course.grading.report import exercises_of, told_by
 from course.grading.writing import write_whole
 
 #: What a reason says of one run and not of a mistake: parts of it that begin so are not counted.
 OF_ONE_RUN = ("case: ", "expected: ", "got: ")
 COMMONEST = 12
+WORDS_FOR_MANY = {"needs a person": "need a person"}
 
 
 def write_index(
@@ -34,7 +35,9 @@ def write_index(
     by_lesson = [_lesson(lesson, rows, overviews) for lesson in lessons]
     marked = {row["page"] for lesson in by_lesson for row in lesson["rows"]}
     text = template(_INDEX).render(
-        title="All submissions", seed=seed, states=Counter(row["state"] for row in rows).most_common(),
+        title="All submissions", seed=seed,
+        states=[f"{n} {WORDS_FOR_MANY.get(state, state) if n > 1 else state}"
+                for state, n in Counter(row["state"] for row in rows).most_common()],
         lessons=[lesson for lesson in by_lesson if lesson["rows"]], mistakes=commonest_mistakes(rows),
         others=[_line(row, overviews) for row in rows if quote(row["page"]) not in marked],
         refused=[_line(row, overviews) for row in rows if row["refused"]],
@@ -72,27 +75,27 @@ def _lesson(
     }
 
 
-def _line(
-    row: Mapping[str, str], overviews: Mapping[str, str]
-) -> dict[str, str | list[str]]:
-    return {
-        "student": row["student"] or row["file"], "file": row["file"], "page": quote(row["page"]),
-        "overview": quote(overviews.get(row["page"], "")), "state": row["state"], "reason": row["reason"],
-        "total": row["total"], "out_of": row["out_of"], "refused": row["refused"],
-    }  # fmt: skip
+def _line(row: Mapping[str, str], overviews: Mapping[str, str]) -> dict[str, Any]:
+    told = {name: told_by(cell) for name, cell in row.items()}
+    return told | {
+        "student": told["student"] or told["file"],
+        "page": quote(row["page"]),
+        "overview": quote(overviews.get(row["page"], "")),
+    }
 
 
 def _cell(row: Mapping[str, str], name: str) -> dict[str, str]:
-    state = row.get(f"{name}_state", "")
-    symbol = dict(SYMBOLS).get(state, "")  # type: ignore[call-overload]
-    return {"symbol": symbol, "state": state, "points": row.get(name, "") or "?"}
+    state, points = row.get(f"{name}_state", ""), row.get(name, "")
+    return {"state": state, "told": f"{_SYMBOL.get(state, '')} {points}".strip()}
 
+
+_SYMBOL: Mapping[str, str] = {str(state): symbol for state, symbol in SYMBOLS.items()}
 
 _INDEX = """\
 <header>
 <h1>{{ title }}</h1>
 <p>For the grader: this page shows everybody's marks.
-{% for state, n in states %}{{ n }} {{ state }}{{ ", " if not loop.last else "." }} {% endfor %}</p>
+{{ states | join(", ") }}.</p>
 </header>
 <main>
 {% for lesson in lessons %}
@@ -105,7 +108,7 @@ _INDEX = """\
 {% for row in lesson.rows %}
 <tr><th scope="row"><a href="{{ row.page }}">{{ row.student }}</a>
 {%- if row.overview %} (<a href="{{ row.overview }}">all</a>){% endif %}<br><small>{{ row.file }}</small></th>
-{% for cell in row.cells %}<td title="{{ cell.state }}">{{ cell.symbol }} {{ cell.points }}</td>{% endfor %}
+{% for cell in row.cells %}<td title="{{ cell.state }}">{{ cell.told }}</td>{% endfor %}
 <td>{{ row.total }} of {{ row.out_of }}</td><td>{{ row.state }}</td></tr>
 {% endfor %}
 </tbody>

@@ -101,3 +101,8 @@ def safe_cell(value: Any) -> str:
         return str(value)
     text = clean(" ".join(str(value).split()), CELL_LIMIT)
     return "'" + text if text.startswith(FORMULA) else text
+
+
+def told_by(cell: str) -> str:
+    """The text of a cell without the apostrophe that keeps a spreadsheet from reckoning with it."""
+    return cell[1:] if cell[:1] == "'" and cell[1:].startswith(FORMULA) else cell

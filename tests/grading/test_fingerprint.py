@@ -208,3 +208,46 @@ def test_no_more_are_begun_than_can_soon_be_judged(tmp_path, monkeypatch):
         on_progress=tell,
     )
     assert len(begun) == 30 and max(ahead) <= 4
+
+
+@pytest.mark.slow
+def test_a_page_that_cannot_be_made_and_a_file_that_goes_stop_no_other(
+    folder, tmp_path, monkeypatch
+):
+    write_page, read_content = batching.write_page, batching.read_content
+
+    def failing(path, submission, *, seed):
+        if submission.file == "ann.ipynb":
+            raise RuntimeError("a bug")
+        write_page(path, submission, seed=seed)
+
+    def vanishing(task):
+        if task.file == "ben.ipynb":
+            raise FileNotFoundError(2, "No such file or directory")
+        return read_content(task)
+
+    monkeypatch.setattr(batching, "write_page", failing)
+    monkeypatch.setattr(batching, "read_content", vanishing)
+    told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
+    assert (told.marked, told.needs_person, told.again) == (2, 1, 1)
+    assert len(told.unwritten) == 1 and "RuntimeError: a bug" in told.unwritten[0]
+    assert "1 pages are missing" in str(told)
+    assert "cannot be read: No such file" in told.out.read_text()
+    monkeypatch.undo()
+    told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
+    assert (told.kept, told.marked, told.unwritten) == (1, 3, ())
+
+
+@pytest.mark.slow
+def test_what_a_spreadsheet_makes_of_names_is_put_right(tmp_path):
+    """It takes "1-2" for the first of February; the row is known by its key all the same."""
+    write(tmp_path / "in" / "1-2", "my notes")
+    write(tmp_path / "in" / "2-2.ipynb", blank())
+    out = tmp_path / "grades.csv"
+    grade_folder(tmp_path / "in", out, lessons=LESSONS)
+    before = out.read_text(encoding="utf-8-sig")
+    assert "\n1-2,1-2," in before
+    saved = before.replace("\n1-2,1-2,", "\n01. Feb,01. Feb,").replace(",", ";")
+    out.write_bytes(saved.replace("\n", "\r\n").encode("utf-8-sig"))
+    again = grade_folder(tmp_path / "in", out, lessons=LESSONS)
+    assert again.kept == 2 and out.read_text(encoding="utf-8-sig") == before

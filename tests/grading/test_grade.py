@@ -116,9 +116,10 @@ def test_the_grader_has_a_page_with_links_both_ways(batch):
     for link in links:
         assert '<a href="index.html">' in (pages / link).read_text()
     text = " ".join(re.sub(r"<[^>]+>", " ", index).split())
-    assert "10 marked, 6 unusable, 2 needs a person." in text
+    assert "10 marked, 6 unusable, 2 need a person." in text
     assert "Ann Lee Ann Lee_12_assignsubmission_file_/90-toy.ipynb ✗ 0" in text
     assert "notes.txt unusable not a notebook" in text
+    assert " =1+1 =1+1.ipynb" in text and "renamed renamed.ipynb ○ 0 ? ○ 0" in text
 
 
 STATES = {
