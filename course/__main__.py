@@ -10,6 +10,7 @@ import sys
 
 def main(arguments=None):
     """Run the command line and return its exit code (the ``course`` script and ``-m course``)."""
+    leave_current_folder()
     if sys.version_info < (3, 6):
         sys.stderr.write(
             "Python 3.11 or newer is needed, this is %d.%d. Get it from https://www.python.org "
@@ -30,6 +31,33 @@ def main(arguments=None):
             return 2
     except KeyboardInterrupt:
         return 130
+
+
+def leave_current_folder():
+    """Take the current folder out of the places that modules are imported from.
+
+    ``python3 -m`` puts it first, and so does an empty entry in PYTHONPATH; a grader's holds the files of students, and
+    none of these may be imported (``json.py``, ``numpy.py``). The folder that this package is in comes last instead:
+    it may be the current one.
+    """
+    before = list(sys.path)
+    # What is imported here must not be found there either.
+    sys.path[:] = [entry for entry in before[1:] if entry not in ("", ".")]
+    import os
+
+    def real(path):
+        return os.path.normcase(os.path.realpath(path))
+
+    try:
+        here = real(os.getcwd())
+    except OSError:  # deleted meanwhile
+        here = None
+    own = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    kept = {real(os.path.dirname(os.__file__)), None}
+    entries = [e for e in before if e and (here in kept or real(e) != here)]
+    if real(own) not in [real(entry) for entry in entries]:
+        entries.append(own)
+    sys.path[:] = entries
 
 
 def _make(root, extras):

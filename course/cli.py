@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
 
 import typer
 
@@ -187,14 +187,27 @@ def grade(
     time_limit: Annotated[float, typer.Option(min=0.1, help="Seconds an exercise may take.")] = 10.0,
     memory: Annotated[int, typer.Option(min=100, help="Megabytes an exercise may take.")] = 2000,
     workers: Annotated[int | None, typer.Option(min=1, help="Notebooks at a time; default: one a processor.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Mark all again, also what is as it was.")] = False,
 ) -> None:  # fmt: skip
-    """Grade every notebook in a folder: a CSV table, and a page of feedback a student. A batch cut off goes on."""
+    """Grade every notebook in a folder: a CSV table, and a page of feedback a student. A batch cut off goes on.
+
+    Ends with 130, 129 or 143 where Ctrl-C, SIGHUP or SIGTERM cut it off.
+    """
     from course.grading.grade import grade_folder
     from course.grading.sandbox import SandboxFailure
+    from course.grading.stopping import Stopped
 
-    with plainly(SandboxFailure), bar("grading") as advance:
-        summary = grade_folder(folder, out, feedback=feedback, seed=seed, time_limit=time_limit, memory_mb=memory,
-                               workers=workers, on_progress=advance)  # fmt: skip
+    try:
+        with plainly(SandboxFailure), bar("grading") as advance:
+            summary = grade_folder(folder, out, feedback=feedback, seed=seed, time_limit=time_limit, memory_mb=memory,
+                                   workers=workers, force=force, on_progress=advance)  # fmt: skip
+    except Stopped as stop:
+        with suppress(OSError):  # the terminal may be gone
+            typer.echo(
+                f"{stop}: what is marked is in {out}, and the same command goes on from there",
+                err=True,
+            )
+        raise typer.Exit(128 + stop.number) from None
     typer.echo(str(summary))
 
 
@@ -279,8 +292,28 @@ def bar(what: str) -> Iterator[Callable[[int, int | None, str], None]]:
         MofNCompleteColumn(),
         TimeElapsedColumn(),
     )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as shown:
+    console = Console(file=_MayBeGone(sys.stderr))  # type: ignore[arg-type]
+    with Progress(*columns, console=console, transient=True) as shown:
         task = shown.add_task(what, total=None)
         yield lambda done, total, name: shown.update(
             task, completed=done, total=total, description=f"{what} {name}"
         )
+
+
+class _MayBeGone:
+    """A stream to a terminal that may be closed meanwhile: a bar that nobody sees is no reason to fail."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        with suppress(OSError):
+            self._stream.write(text)
+        return len(text)
+
+    def flush(self) -> None:
+        with suppress(OSError):
+            self._stream.flush()
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)

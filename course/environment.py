@@ -283,7 +283,8 @@ def go_on_in(venv, arguments):
         os.environ.pop(
             leak, None
         )  # they would mix another Python's packages into the locked ones
-    command = [venv_python(venv), "-m", "course"] + list(arguments)
+    # -P: the current folder may hold a student's json.py. Python 3.11, which .venv has at least, knows it.
+    command = [venv_python(venv), "-P", "-m", "course"] + list(arguments)
     sys.stdout.flush()
     sys.stderr.flush()
     if os.name != "nt":

@@ -240,6 +240,21 @@ def test_grade_writes_the_table_and_says_what_it_did(tmp_path, capsys):
     assert "2 submissions" in capsys.readouterr().out
 
 
+def test_grade_hands_on_what_is_asked(monkeypatch, capsys):
+    from course.grading import grade
+
+    asked = []
+    monkeypatch.setattr(
+        grade, "grade_folder", lambda *a, **k: asked.append((a, k)) or "what it did"
+    )
+    assert cli.run(["grade", "in", "--force", "--seed", "4", "--workers", "3"]) == 0
+    ((folder, out), options) = asked[0]
+    assert (folder, out) == (Path("in"), Path("grades.csv"))
+    assert (options["force"], options["seed"], options["workers"]) == (True, 4, 3)
+    assert cli.run(["grade", "in"]) == 0 and asked[1][1]["force"] is False
+    assert "what it did" in capsys.readouterr().out
+
+
 def test_grade_of_no_folder_ends_with_2(tmp_path, capsys):
     assert (
         cli.run(
@@ -248,6 +263,81 @@ def test_grade_of_no_folder_ends_with_2(tmp_path, capsys):
         == 2
     )
     assert "nowhere" in capsys.readouterr().err
+
+
+SPY = """
+import os, sys
+with open(os.environ["SPY"], "a") as told:
+    told.write(__file__ + " ")
+"""
+SCRIPT = """
+import sys
+from course.__main__ import main
+if __name__ == "__main__":
+    sys.exit(main())
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "start, package, path",
+    [
+        (["script"], True, ""),
+        (["script"], False, os.pathsep + "."),
+        (["-P", "-m", "course"], True, ""),
+        # Without -P a folder called course in the current one is what Python runs.
+        (["-m", "course"], False, ""),
+        (["-m", "course"], False, os.pathsep),
+        (["-m", "course"], False, os.pathsep + "." + os.pathsep),
+    ],
+)
+def test_grading_the_current_folder_imports_nothing_of_it(
+    tmp_path, start, package, path
+):
+    """A student's json.py, numpy.py or course/ would run with all the rights of the grader."""
+    folder, bin_ = tmp_path / "handed in", tmp_path / "bin"
+    (folder / "course").mkdir(parents=True)
+    bin_.mkdir()
+    (bin_ / "course").write_text(SCRIPT)
+    names = ["json", "numpy", "csv", "typer", "rich", "sympy", "secrets", "runpy", "re"]
+    for name in (*names, "sitecustomize", "course/__init__", "course/__main__"):
+        if package or not name.startswith("course"):
+            (folder / f"{name}.py").write_text(SPY)
+    (folder / "ann.ipynb").write_bytes(
+        (ROOT / "solutions" / "10-impulse.ipynb").read_bytes()
+    )
+    # An empty entry of PYTHONPATH holds while Python itself starts; what starts from there is the user's.
+    if path:
+        for name in ("sitecustomize", "runpy", "re"):
+            (folder / f"{name}.py").unlink()
+    told = tmp_path / "told"
+    first = [str(bin_ / "course")] if start == ["script"] else start
+    done = subprocess.run(
+        [sys.executable, *first, "grade", ".", "--out", str(tmp_path / "grades.csv")],
+        cwd=folder, capture_output=True, text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT) + path, "SPY": str(told)},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert not told.exists(), told.read_text()
+    assert "1 marked" in done.stdout
+
+
+def test_the_project_s_own_folder_comes_last(tmp_path, monkeypatch):
+    from course.__main__ import leave_current_folder
+
+    before = [p for p in sys.path if p and Path(p).resolve() != ROOT]
+    for here, first in ((ROOT, ""), (ROOT, str(ROOT)), (tmp_path, str(tmp_path)), (tmp_path, ".")):  # fmt: skip
+        monkeypatch.chdir(here)
+        monkeypatch.setattr(sys, "path", [first, *before])
+        leave_current_folder()
+        assert sys.path == [*before, str(ROOT)]
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    monkeypatch.setattr(sys, "path", [str(gone), *before])
+    leave_current_folder()
+    assert sys.path == [str(gone), *before, str(ROOT)]
 
 
 def test_syllabus_and_demos_are_listed(capsys):

@@ -377,7 +377,7 @@ def test_going_on_leaves_other_pythons_behind(project, monkeypatch):
         environment.go_on_in(str(project / ".venv"), ["open", "10"])
     (python, command), kept = called[0]
     assert python == str(project / ".venv" / "bin" / "python")
-    assert command == [python, "-m", "course", "open", "10"]
+    assert command == [python, "-P", "-m", "course", "open", "10"]
     assert "PYTHONHOME" not in kept and "PYTHONPATH" not in kept
     assert kept["VIRTUAL_ENV"] == str(project / ".venv")
 

@@ -1,6 +1,6 @@
 """A page of feedback a submission: points, what was found, what to try next; and one a student who handed in several.
 
-Nothing is loaded from outside.
+Nothing is loaded from outside. The page for the grader, with everybody, is made in ``index``.
 """
 
 from __future__ import annotations
@@ -9,20 +9,23 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from course.exercises.message import SYMBOLS, WORDS, Part, verdict_message
 from course.grading.judge import Row
-from course.grading.report import Submission, write_whole
+from course.grading.report import Submission, told_by
+from course.grading.writing import write_whole
+
+#: The grader's page, beside the others.
+INDEX = "index.html"
 
 
 def write_page(path: Path, submission: Submission, *, seed: int) -> None:
-    """Write the page of a submission."""
-    text = page(submission, seed=seed)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, lambda file: file.write(text))
+    """Write the page of a submission, with a link to the grader's; raises ``CannotWrite``."""
+    write_whole(path, page(submission, seed=seed, index=INDEX))
 
 
-def page(submission: Submission, *, seed: int) -> str:
+def page(submission: Submission, *, seed: int, index: str = "") -> str:
     """The page as HTML; everything a student wrote is escaped."""
     from markupsafe import Markup
 
@@ -44,9 +47,10 @@ def page(submission: Submission, *, seed: int) -> str:
         for row in submission.rows
     ]
     return str(
-        _template(_PAGE).render(
+        template(_PAGE).render(
             title=f"Lesson {lesson.number}: {lesson.title}" if lesson else "This file could not be marked",
             submission=submission, sections=sections, following=_following(submission), seed=seed,
+            index=index,
         )
     )  # fmt: skip
 
@@ -54,22 +58,19 @@ def page(submission: Submission, *, seed: int) -> str:
 def write_overview(
     path: Path,
     student: str,
-    handed_in: Sequence[tuple[str, Mapping[str, str]]],
+    handed_in: Sequence[Mapping[str, str]],
     *,
     seed: int,
 ) -> None:
-    """Write a student's own page: every submission with its points, each with the name of its page and its row."""
+    """Write a student's own page: every submission with its points, from its row of the table."""
     rows = [
-        {"page": page, "file": row["file"], "lesson": row["lesson"] or row["reason"], "state": row["state"],
-         "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
-        for page, row in handed_in
+        {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
+         "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
+        for row in handed_in
     ]  # fmt: skip
-    text = str(
-        _template(_OVERVIEW).render(
-            title=f"Handed in by {student}", student=student, rows=rows, seed=seed
-        )
-    )
-    write_whole(path, lambda file: file.write(text))
+    title = f"Handed in by {student}"
+    text = template(_OVERVIEW).render(title=title, rows=rows, seed=seed, index=INDEX)
+    write_whole(path, text)
 
 
 def _points(row: Row) -> str:
@@ -87,6 +88,8 @@ def _following(submission: Submission) -> str:
     """What to try next: the first exercise that is not right, core before stretch."""
     left = [r for r in submission.rows if r.state not in ("passed", "needs a person")]
     left.sort(key=lambda row: row.exercise.level != "core")
+    if submission.again:
+        return "A person will look at it."
     if not submission.rows:
         return "Hand in the notebook itself, the file that ends in .ipynb, as JupyterLab saves it."
     if not left:
@@ -109,7 +112,8 @@ def _following(submission: Submission) -> str:
 
 
 @cache
-def _template(page: str) -> Any:
+def template(page: str) -> Any:
+    """A page's body between the common head and foot, as a template that escapes what it is given."""
     import jinja2
 
     environment = jinja2.Environment(
@@ -129,7 +133,7 @@ _HEAD = """\
 <style>
 :root { color-scheme: light dark; }
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem; }
-table.points { border-collapse: collapse; }
+table.points { border-collapse: collapse; margin-bottom: 1.5rem; }
 table.points th, table.points td { text-align: left; padding: 0.2rem 1rem 0.2rem 0; border-bottom: 1px solid #888; }
 caption { text-align: left; font-weight: 600; padding-bottom: 0.3rem; }
 pre { overflow-x: auto; }
@@ -152,6 +156,9 @@ _PAGE = """\
 {%- if submission.state == "needs a person" %}, and a person has still to look at what is marked with ?{% endif %}.</p>
 {% else %}
 <p><strong>{{ submission.reason }}</strong></p>
+{% endif %}
+{% if submission.refused %}
+<p>While it ran it was refused: {{ submission.refused | join("; ") }}. Marking works without these.</p>
 {% endif %}
 {% if following %}
 <p>{{ following }}</p>
@@ -197,7 +204,8 @@ _OVERVIEW = """\
 """
 
 _FOOT = """\
-<footer>Marked by program with the seed {{ seed }}; the same seed gives the same inputs again.</footer>
+<footer>Marked by program with the seed {{ seed }}; the same seed gives the same inputs again.
+{%- if index %} <a href="{{ index }}">For the grader: all submissions</a>{% endif %}</footer>
 </body>
 </html>
 """

@@ -2,39 +2,42 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import secrets
 import threading
 import time
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from pathlib import Path
 
 from course.exercises.definition import Lesson, all_lessons
 from course.exercises.message import SYMBOLS, WORDS, verdict_message
 from course.exercises.notebook_file import read_notebook
-from course.grading.feedback import write_overview, write_page
+from course.grading.batch import Batch, Progress, standing
+from course.grading.feedback import INDEX, write_overview
+from course.grading.fingerprint import grader_version, key_of
+from course.grading.index import write_index
 from course.grading.judge import Judge, Row
 from course.grading.limits import Limits
-from course.grading.report import (
-    Submission,
-    Table,
-    cells_of,
-    key_of,
-    read_table,
-    safe_cell,
-)
-from course.grading.sandbox import Cancelled, SandboxFailure, isolation
-from course.grading.submissions import Task, find_tasks, page_name
-
-#: Called with how many submissions are done, how many there are, and the file just done ("" at the start).
-Progress = Callable[[int, int, str], None]
+from course.grading.lock import Lock
+from course.grading.page_names import page_names
+from course.grading.report import AGAIN, safe_cell
+from course.grading.sandbox import isolation
+from course.grading.stopping import Stopping
+from course.grading.submissions import Task, find_tasks, write_marker
+from course.grading.table import Found, Table, read_table
+from course.grading.writing import CannotWrite
 
 
 @dataclass(frozen=True)
 class Summary:
-    """What a batch came to: counts of submissions by state, the seed, and how answers were shut in."""
+    """What a batch came to: counts of submissions by state, the seed, and how answers were shut in.
+
+    ``again`` of those that need a person failed by no fault of their author; the next call judges them again.
+    ``unwritten`` says of each page that could not be written which it is, why, and the cure.
+    """
 
     out: Path
     feedback: Path
@@ -46,14 +49,25 @@ class Summary:
     unusable: int
     seconds: float
     isolation: tuple[str, ...]
+    again: int = 0
+    unwritten: tuple[str, ...] = ()
 
     def __str__(self) -> str:
-        return (
+        lines = [
             f"{self.submissions} submissions in {self.seconds:.1f} s, {self.kept} of them as they were: "
-            f"{self.marked} marked, {self.needs_person} need a person, {self.unusable} cannot be used\n"
-            f"table {self.out}, pages in {self.feedback}\n"
-            f"seed {self.seed} (repeat with --seed {self.seed}); shut in by: {', '.join(self.isolation)}"
-        )
+            f"{self.marked} marked, {self.needs_person} need a person, {self.unusable} cannot be used",
+            f"table {self.out}, pages in {self.feedback}, all of them in {self.feedback / INDEX}",
+            f"seed {self.seed} (repeat with --seed {self.seed}); shut in by: {', '.join(self.isolation)}",
+        ]
+        if self.again:
+            lines.append(
+                f"{self.again} could not be marked, by no fault of their authors; the same command tries them again"
+            )
+        if self.unwritten:
+            lines.append(
+                f"{len(self.unwritten)} pages are missing: {self.unwritten[0]}"
+            )
+        return "\n".join(lines)
 
 
 @dataclass(frozen=True)
@@ -112,141 +126,124 @@ def check_notebook(
 def grade_folder(
     folder: Path, out: Path, *, seed: int | None = None, time_limit: float = 10.0, memory_mb: int = 2000,
     feedback: Path | None = None, on_progress: Progress | None = None, lessons: Sequence[Lesson] | None = None,
-    workers: int | None = None,
+    workers: int | None = None, force: bool = False,
 ) -> Summary:  # fmt: skip
     """Mark every file in a folder and below it: a table (CSV) at ``out`` and a page (HTML) a submission.
 
-    A student who handed in several gets a page of their own as well, with all of them.
+    A student who handed in several gets a page of their own as well, and the grader one of all (``index.html``).
 
     ``seed`` draws the inputs; without one, a table that is there gives its own, so that a batch cut off goes on, and
     else it is random. ``time_limit`` [s] and ``memory_mb`` hold for each exercise; ``feedback`` is the folder of the
-    pages (default: beside the table). Rows whose submission, seed and limits are as they were are kept. On
-    ``KeyboardInterrupt`` what is done is in the table, and the next call goes on from there.
+    pages (default: beside the table). Rows whose submission, seed, limits and grader are as they were are kept,
+    unless ``force``. On Ctrl-C, SIGTERM and SIGHUP (``Stopped``, a ``KeyboardInterrupt``) what is done is in the
+    table, and the next call goes on from there.
 
-    Raises ``ValueError`` for arguments that cannot be used, ``SandboxFailure`` where no answer can be run at all.
+    Raises ``ValueError`` for arguments that cannot be used and where another grader writes to the table
+    (``Locked``), ``SandboxFailure`` where no answer can be run at all, ``CannotWrite`` where the disk is full.
     """
     started = time.monotonic()
     folder, out = Path(folder), Path(out)
-    feedback = (
-        Path(feedback)
-        if feedback is not None
-        else out.with_name(f"{out.stem}-feedback")
-    )
+    beside = out.with_name(f"{out.stem}-feedback")
+    feedback = Path(feedback) if feedback is not None else beside
     limits = Limits(time_limit, memory_mb)
     _require(folder, out, feedback, seed)
-    exercises, old = read_table(out)
     known = all_lessons() if lessons is None else tuple(lessons)
-    tasks = find_tasks(folder, known, feedback, own=(out, feedback))
-    files = {safe_cell(task.file) for task in tasks}
-    if seed is None:
-        seeds = [
-            int(row["seed"])
-            for row in old
-            if row["file"] in files and row["seed"].isdigit()
-        ]
-        seed = seeds[-1] if seeds else secrets.randbelow(2**32)
-    keys = {key_of(task.digest, seed, limits): task for task in tasks}
-    kept = [
-        row for row in old if row["file"] not in files or _stands(keys.get(row["key"]))
-    ]
-    done = {row["key"] for row in kept}
-    todo = {key: task for key, task in keys.items() if key not in done}
-    shut_in = isolation(limits) if todo else ()
-    table = Table(out, _exercises(known, tasks, exercises), kept)
-    try:
-        batch = _Batch(
-            Judge(seed, limits, threading.Event()), seed, table, ", ".join(shut_in)
-        )
-        batch.mark(
-            todo, len(tasks), workers or os.cpu_count() or 1, on_progress or _quietly
-        )
-    finally:
-        table.close()
-    ours = [row for row in table.rows if row["key"] in keys]
-    _overviews(feedback, keys, {row["key"]: row for row in ours}, seed)
-    states = [row["state"] for row in ours]
+    with Stopping() as stopping, _locked(out, feedback) as locks:
+        tasks = find_tasks(folder, known, feedback, own=(out, feedback, *locks))
+        found = read_table(out)
+        seed = _seed(found, tasks) if seed is None else seed
+        version = grader_version(known)
+        keys = {key_of(task.digest, version, seed, limits): task for task in tasks}
+        stand, stale = standing(found.rows, {} if force else keys, tasks)
+        done = {row["key"] for row in stand}
+        todo = [task for key, task in keys.items() if key not in done]
+        with stopping.put_off():  # its process is ended and its folder taken away
+            shut_in = isolation(limits) if todo else ()
+        stopping.check()
+        write_marker(feedback)
+        table = Table(out, _exercises(known), stand, stale=stale, more=found.more)
+        judge = Judge(seed, limits, threading.Event())
+        batch = Batch(judge, seed, version, known, table, ", ".join(shut_in))
+        try:
+            many = workers or os.cpu_count() or 1
+            batch.mark(todo, len(tasks), many, on_progress or _quietly, stopping)
+        finally:
+            with stopping.put_off():
+                table.close()
+        rows = _rows_of(tasks, table)
+        missing = _pages_of_all(feedback, tasks, rows, known, seed)
+    states = [row["state"] for row in rows]
     return Summary(
         out, feedback, seed, len(tasks), len(tasks) - len(todo), states.count("marked"),
         states.count("needs a person"), states.count("unusable"), time.monotonic() - started,
-        shut_in or tuple(ours[0]["isolation"].split(", ")),
+        shut_in or tuple(rows[0]["isolation"].split(", ")),
+        sum(row["key"].startswith(AGAIN) for row in rows), (*batch.unwritten, *missing),
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class _Batch:
-    """What the submissions of a batch share while they are marked."""
-
-    judge: Judge
-    seed: int
-    table: Table
-    isolation: str
-
-    def mark(
-        self, todo: Mapping[str, Task], total: int, workers: int, tell: Progress
-    ) -> None:
-        """Judge several at a time; rows and pages are written here, by one thread, as they come."""
-        done = total - len(todo)
-        tell(done, total, "")
-        with ThreadPoolExecutor(workers) as pool:
-            tasks = {
-                pool.submit(self._judged, key, task): task for key, task in todo.items()
-            }
-            running = set(tasks)
+@contextlib.contextmanager
+def _locked(out: Path, feedback: Path) -> Iterator[tuple[Path, Path]]:
+    """Hold the table and the pages; gives the lock files' paths."""
+    table, pages = (path.with_name(path.name + ".lock") for path in (out, feedback))
+    with contextlib.ExitStack() as held:
+        for lock, what in ((table, out), (pages, feedback)):
             try:
-                while running:
-                    # Woken now and then: a wait without end does not hear Ctrl-C on every platform.
-                    ready, running = wait(
-                        running, timeout=0.5, return_when=FIRST_COMPLETED
-                    )
-                    for future in ready:
-                        submission = future.result()
-                        write_page(tasks[future].page, submission, seed=self.seed)
-                        self.table.add(cells_of(submission, self.seed, self.isolation))
-                        done += 1
-                        tell(done, total, submission.file)
-            except BaseException:
-                assert self.judge.cancel is not None
-                self.judge.cancel.set()
-                for future in running:
-                    future.cancel()
-                raise
-
-    def _judged(self, key: str, task: Task) -> Submission:
-        """The submission with its rows. A fault of ours with one of them is told in its row and stops no other."""
-        if task.notebook is None:
-            return Submission(task.file, task.student, key, reason=task.reason)
-        try:
-            rows = tuple(self.judge.rows(task.notebook))
-        except (SandboxFailure, Cancelled):
-            raise
-        except Exception as error:
-            reason = f"marking it failed, which is not its author's fault: {type(error).__name__}: {error}"
-            return Submission(task.file, task.student, key, reason=reason)
-        return Submission(task.file, task.student, key, task.notebook.lesson, rows)
+                lock.parent.mkdir(parents=True, exist_ok=True)
+                held.enter_context(Lock(lock, str(what)))
+            except OSError as error:
+                raise CannotWrite(lock, error) from error
+        yield table, pages
 
 
-def _stands(task: Task | None) -> bool:
-    """Whether a row found in the table is still right: its submission is there as it was, and so is its page."""
-    return task is not None and task.page.exists()
+def _exercises(lessons: Sequence[Lesson]) -> list[str]:
+    return [exercise.name for lesson in lessons for exercise in lesson.exercises]
 
 
-def _overviews(
+def _seed(found: Found, tasks: Sequence[Task]) -> int:
+    """The seed of the table's rows of these files; a random one where there is none."""
+    files = {safe_cell(task.file) for task in tasks}
+    seeds = [
+        int(row["seed"])
+        for row in found.rows
+        if row["file"] in files and row["seed"].isdigit()
+    ]
+    return seeds[-1] if seeds else secrets.randbelow(2**32)
+
+
+def _rows_of(tasks: Sequence[Task], table: Table) -> list[dict[str, str]]:
+    """The rows of these submissions, in the table's order; each submission's page is its own."""
+    pages = {safe_cell(task.page.name) for task in tasks}
+    return [row for row in table.rows if row["page"] in pages]
+
+
+def _pages_of_all(
     feedback: Path,
-    tasks: Mapping[str, Task],
-    rows: Mapping[str, Mapping[str, str]],
+    tasks: Sequence[Task],
+    rows: Sequence[Mapping[str, str]],
+    lessons: Sequence[Lesson],
     seed: int,
-) -> None:
-    """A page for every student with more than one submission; told apart by name, as their pages are."""
-    by_student: dict[str, list[tuple[str, Mapping[str, str]]]] = {}
-    for key, task in tasks.items():
-        if task.student and key in rows:
-            by_student.setdefault(task.student, []).append((task.page.name, rows[key]))
-    for student, handed_in in by_student.items():
-        if len(handed_in) > 1:
-            handed_in.sort(key=lambda one: one[1]["file"])
-            write_overview(
-                feedback / f"{page_name(student)}.html", student, handed_in, seed=seed
-            )
+) -> list[str]:
+    """Write a page for every student with several submissions and the grader's; gives what could not be written."""
+    students = {task.page.name: task.student for task in tasks}
+    by_student = defaultdict(list)
+    for row in rows:
+        by_student[students[row["page"]].identity].append(row)
+    several = [(who, own) for who, own in by_student.items() if len(own) > 1]
+    first = [students[own[0]["page"]] for _, own in several]
+    names = page_names([(s.name, s.identity) for s in first], prefix="student")
+    overviews: dict[str, str] = {}
+    missing = []
+    for student, name, (_, own) in zip(first, names, several, strict=True):
+        try:
+            write_overview(feedback / name, student.name, own, seed=seed)
+            overviews |= {row["page"]: name for row in own}
+        except CannotWrite as error:
+            missing.append(str(error))
+    try:
+        write_index(feedback / INDEX, rows, overviews, lessons, seed=seed)
+    except CannotWrite as error:
+        missing.append(str(error))
+    return missing
 
 
 def _quietly(done: int, total: int, file: str) -> None:
@@ -258,9 +255,10 @@ def _require(folder: Path, out: Path, feedback: Path, seed: int | None) -> None:
         raise ValueError(
             f"folder: expected a folder of submissions; got {folder}, which is none"
         )
-    if out.is_dir():
+    if out.exists() and not out.is_file():
+        kind = "folder" if out.is_dir() else "device"
         raise ValueError(
-            f"out: expected the name of a table, as in grades.csv; got the folder {out}"
+            f"out: expected the name of a table, as in grades.csv; got the {kind} {out}"
         )
     if feedback.exists() and not feedback.is_dir():
         raise ValueError(f"feedback: expected a folder; got the file {feedback}")
@@ -272,17 +270,4 @@ def _require(folder: Path, out: Path, feedback: Path, seed: int | None) -> None:
             with out.open("a"):
                 pass
     except OSError as error:
-        raise ValueError(
-            f"out: {error.filename} cannot be written ({error.strerror}): is it open elsewhere?"
-        ) from None
-
-
-def _exercises(
-    known: Sequence[Lesson], tasks: Sequence[Task], old: Sequence[str]
-) -> tuple[str, ...]:
-    """The exercises that get columns: of the lessons that were handed in, in their order, then those of old rows."""
-    found = {task.notebook.lesson.number for task in tasks if task.notebook}
-    names = [
-        e.name for lesson in known if lesson.number in found for e in lesson.exercises
-    ]
-    return (*names, *(name for name in old if name not in names))
+        raise CannotWrite(out, error) from None

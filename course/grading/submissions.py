@@ -1,137 +1,240 @@
-"""Find what was handed in: every file of a folder, whose it is, and which lesson it is of. Nothing is run here."""
+"""Find what was handed in: every file of a folder and whose it is. Nothing is parsed or run here."""
 
 from __future__ import annotations
 
+import hashlib
 import os
-import re
-from collections.abc import Sequence
+import stat
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from course.exercises.definition import Lesson
-from course.exercises.notebook_file import (
-    MAXIMUM_BYTES,
-    NotebookFile,
-    UnusableNotebook,
-    read_notebook,
-)
+from course.exercises.notebook_file import MAXIMUM_BYTES
+from course.grading.identity import Student, student_of, told_apart
+from course.grading.lock import FIRST_LINE
+from course.grading.page_names import page_names
 from course.grading.reply import clean
-from course.grading.report import digest_of
+from course.grading.table import is_table
+from course.grading.writing import CannotWrite, write_whole
 
-LEFT_BEHIND = frozenset({"thumbs.db", "desktop.ini", "__macosx"})
-MOODLE = re.compile(r"_\d+_assignsubmission_.*$")
+#: What systems leave behind, in small letters; nobody hands it in.
+LEFT_BEHIND = frozenset(
+    {
+        ".ds_store", "thumbs.db", "desktop.ini", "__macosx", ".ipynb_checkpoints", ".directory", ".fseventsd",
+        ".spotlight-v100", ".trashes", "$recycle.bin", "system volume information",
+    }
+)  # fmt: skip
+LEFT_BEHIND_BEGINS = ("~$", ".~lock.")
+APPLE_DOUBLE = b"\x00\x05\x16\x07"  # "._name": what a Mac knows of a file beside it
+
+#: Stands in every folder of pages that we write, so that a later batch knows it by.
+MARKER = "written-by-course-grade.txt"
+MARKER_TEXT = (
+    "Pages of feedback, written by course grade. This file says so to later batches.\n"
+)
+OURS_ENDS = (".html", ".part", ".lock")
 
 
 @dataclass(frozen=True)
 class Task:
-    """A file to mark: its name below the folder, whose it is, a digest of what is in it, and where its page goes.
+    """A file to mark: its name below the folder, where it is, whose it is, and where its page goes.
 
-    ``notebook`` is None for a file that cannot be marked, and ``reason`` says why.
+    ``reason`` says why it cannot be marked, where that can be told without parsing it. ``digest`` is of its place
+    and its content.
     """
 
     file: str
-    student: str
-    digest: str
+    path: Path
+    student: Student
     page: Path
-    notebook: NotebookFile | None = None
+    place: bytes
     reason: str = ""
+    digest: str = ""
 
 
 def find_tasks(
     folder: Path, lessons: Sequence[Lesson], feedback: Path, *, own: Sequence[Path] = ()
 ) -> list[Task]:
-    """Every file in the folder and below it, read but not run; ``own`` is our own output, which may lie there too.
+    """Every file in the folder and below it; ``own`` is our own output, which may lie there too.
 
-    Raises ``ValueError`` for a folder without any.
+    What is hidden or a link has one task that says so, and is not looked into. Raises ``ValueError`` for a folder
+    without any.
     """
-    tasks = [_task(folder, path, lessons, feedback) for path in _files(folder, own)]
-    if not tasks:
+    found = list(_found(folder, own))
+    if not found:
         raise ValueError(
             f"folder: expected submissions in {folder}; got an empty folder"
         )
-    names = [task.page.name.lower() for task in tasks]
-    return [
-        task if names.count(task.page.name.lower()) == 1 else _with_own_page(task)
-        for task in tasks
+    inside = [path.relative_to(folder) for path, _ in found]
+    students = [student_of(file, lessons) for file in inside]
+    shown = told_apart(students)
+    places = [os.fsencode(file.as_posix()) for file in inside]
+    stems = [
+        f"{student.name} {file.name.removesuffix('.ipynb')}"
+        if student.name != file.name.removesuffix(".ipynb")
+        else student.name
+        for student, file in zip(students, inside, strict=True)
     ]
+    pages = page_names(list(zip(stems, places, strict=True)))
+    return [
+        _task(Task(clean(os.fsdecode(place), 1000), path, replace(student, name=name), feedback / page, place, reason))
+        for (path, reason), student, name, place, page in zip(
+            found, students, shown, places, pages, strict=True)
+    ]  # fmt: skip
 
 
-def _with_own_page(task: Task) -> Task:
-    """The task with a page that no other submission has, though the student's name is the same."""
-    return replace(
-        task, page=task.page.with_name(f"{task.page.stem}-{task.digest[:8]}.html")
-    )
+def read_content(task: Task) -> bytes:
+    """What a submission holds; raises ``OSError`` where it cannot be read or is no longer what it was."""
+    with _opened(task.path) as file:
+        content = file.read(MAXIMUM_BYTES + 1)
+    if len(content) > MAXIMUM_BYTES:
+        raise OSError("it has grown meanwhile")
+    return content
 
 
-def _files(folder: Path, own: Sequence[Path]) -> list[Path]:
-    """Every file that was handed in, in order; what systems leave behind and our own output are left out."""
-    ours = {path.resolve() for path in own}
-    found = []
-    for place, folders, names in os.walk(folder):
-        here = Path(place)
-        folders[:] = sorted(
-            n
-            for n in folders
-            if not _left_behind(n) and (here / n).resolve() not in ours
-        )
-        found += [
-            here / n
-            for n in sorted(names)
-            if not _left_behind(n) and (here / n).resolve() not in ours
-        ]
-    return found
+def digest_of(task: Task, content: bytes) -> str:
+    """A digest of a submission by its place and its content."""
+    return hashlib.sha256(_begin(task) + content).hexdigest()
 
 
-def _left_behind(name: str) -> bool:
-    return name.startswith((".", "~$")) or name.lower() in LEFT_BEHIND
-
-
-def _task(folder: Path, path: Path, lessons: Sequence[Lesson], feedback: Path) -> Task:
-    file = clean(path.relative_to(folder).as_posix(), 1000)
-    notebook, reason, content = None, "", b""
+def write_marker(feedback: Path) -> None:
+    """Make a folder of pages, so that a later batch knows it as one; raises ``CannotWrite``."""
     try:
-        if path.is_symlink() or not path.is_file():
-            raise UnusableNotebook("not a file but a link or a device")
-        if path.stat().st_size <= MAXIMUM_BYTES:
-            content = path.read_bytes()
-        notebook = read_notebook(path, lessons)
-    except UnusableNotebook as error:
-        reason = str(error)
-    except Exception as error:  # one file that cannot be read stops no other
-        reason = f"cannot be read: {type(error).__name__}: {error}"
-    lesson = notebook.lesson if notebook else None
-    student = student_of(path.relative_to(folder), lessons)
-    ending = f"{lesson.number}-{lesson.name}" if lesson else "unusable"
-    page = feedback / f"{page_name(student or path.stem)}--{ending}.html"
-    return Task(
-        file, student, digest_of(content, file, notebook), page, notebook, reason
-    )
+        feedback.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotWrite(feedback, error) from error
+    if _first(feedback / MARKER, len(MARKER_TEXT)) != MARKER_TEXT.encode():
+        write_whole(feedback / MARKER, MARKER_TEXT)
 
 
-def student_of(file: Path, lessons: Sequence[Lesson]) -> str:
-    """Whose a file is, told from its folder (one a student) or else from its own name without the lesson's."""
-    parent = MOODLE.sub("", file.parent.name)
-    if parent and not any(_is_lesson(parent, lesson) for lesson in lessons):
-        return clean(parent, 200)
-    stem = file.name.removesuffix(".ipynb")
-    for lesson in lessons:
-        stem = re.sub(rf"{lesson.number}-{re.escape(lesson.name)}", " ", stem)
-    rest = stem.strip(" _-.,()")
-    return clean(rest if re.search(r"[^\W\d_]", rest) else file.stem, 200)
+def _task(task: Task) -> Task:
+    """The task with its digest, read in pieces, or with the reason why it cannot be read."""
+    found = hashlib.sha256(_begin(task))
+    if not task.reason:
+        try:
+            with _opened(task.path) as file:
+                while piece := file.read(1 << 20):
+                    found.update(piece)
+        except OSError as error:
+            task = replace(task, reason=f"cannot be read: {error.strerror or error}")
+            found = hashlib.sha256(_begin(task))
+    return replace(task, digest=found.hexdigest())
 
 
-def _is_lesson(name: str, lesson: Lesson) -> bool:
-    """Whether a folder is named after a lesson: "10", "lesson 10", "10-impulse"."""
-    words = re.sub(r"[\W_]+", " ", name.lower()).split()
-    named = [lesson.number, *lesson.name.lower().split("-")]
-    return words in (
-        [lesson.number],
-        ["lesson", lesson.number],
-        named,
-        ["lesson", *named],
-    )
+def _begin(task: Task) -> bytes:
+    """Where it lies and why it is not read, before the content: none can be taken for another."""
+    reason = task.reason.encode("utf-8", "replace")
+    return b"%d %d\0" % (len(task.place), len(reason)) + task.place + reason
 
 
-def page_name(name: str) -> str:
-    """A student's name as a part of a file's."""
-    return re.sub(r"[^\w.-]+", "_", name).strip("._")[:50] or "unnamed"
+def _opened(path: Path):  # type: ignore[no-untyped-def]
+    """A plain file, open for reading; a link or a pipe that was put in its place is refused, not waited for."""
+    flags = os.O_RDONLY
+    for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY", "O_CLOEXEC"):
+        flags |= getattr(os, name, 0)
+    file = os.fdopen(os.open(path, flags), "rb")
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        file.close()
+        raise OSError("not a file any more")
+    return file
+
+
+def _found(folder: Path, own: Sequence[Path]) -> Iterator[tuple[Path, str]]:
+    """Every path handed in, in order, with the reason why it cannot be marked; our own output is left out."""
+    ours = {_inode(path) for path in own} - {None}
+    waiting = [folder]
+    while waiting:
+        here = waiting.pop()
+        try:
+            names = sorted(os.listdir(here), key=os.fsencode)
+        except OSError as error:
+            if here == folder:
+                raise
+            yield here, f"a folder that cannot be opened: {error.strerror or error}"
+            continue
+        below = []
+        for path in (here / name for name in names):
+            if _left_behind(path) or _inode(path) in ours:
+                continue
+            reason = _reason(path)
+            if reason is not None:
+                if reason or not _is_output(path):
+                    yield path, reason
+            elif not _is_feedback(path):
+                below.append(path)
+        waiting += reversed(below)
+
+
+def _inode(path: Path) -> tuple[int, int] | None:
+    try:
+        found = os.lstat(path)
+    except OSError:
+        return None
+    return found.st_dev, found.st_ino
+
+
+def _reason(path: Path) -> str | None:
+    """Why a path cannot be marked; "" for a file that may be, None for a folder to look into."""
+    try:
+        found = os.lstat(path)
+    except OSError as error:
+        return f"cannot be read: {error.strerror or error}"
+    is_junction = getattr(path, "is_junction", bool)  # a link of Windows, Python 3.12
+    folder = stat.S_ISDIR(found.st_mode)
+    if stat.S_ISLNK(found.st_mode) or is_junction():
+        return "a link: not followed; hand in the file itself"
+    if path.name.startswith(".") or _hidden_on_windows(found):
+        return f"a hidden {'folder' if folder else 'file'}: not looked into"
+    if folder:
+        return None
+    if not stat.S_ISREG(found.st_mode):
+        return "not a file but a pipe or a device"
+    if found.st_size == 0:
+        return "the file is empty"
+    if found.st_size > MAXIMUM_BYTES:
+        size, most = found.st_size / 1e6, MAXIMUM_BYTES / 1e6
+        return f"{size:.0f} MB is too large for a notebook (limit {most:.0f} MB)"
+    return ""
+
+
+def _hidden_on_windows(found: os.stat_result) -> bool:
+    return bool(getattr(found, "st_file_attributes", 0) & stat.FILE_ATTRIBUTE_HIDDEN)
+
+
+def _left_behind(path: Path) -> bool:
+    name = path.name.lower()
+    if name in LEFT_BEHIND or name.startswith(LEFT_BEHIND_BEGINS):
+        return True
+    return name.startswith("._") and _first(path, 4) == APPLE_DOUBLE
+
+
+def _is_output(path: Path) -> bool:
+    """Whether a file is a table of marks or a lock, of this or an earlier batch."""
+    first = _first(path, 1 << 16)  # of a table of all lessons the header has 10 kB
+    lock = path.suffix == ".lock" and first.startswith(FIRST_LINE.encode())
+    return lock or is_table(first)
+
+
+def _is_feedback(folder: Path) -> bool:
+    """Whether a folder is our own pages and nothing else: the marker alone hides nothing that was handed in."""
+    marker = folder / MARKER
+    if _first(marker, len(MARKER_TEXT)) != MARKER_TEXT.encode():
+        return False
+    with os.scandir(folder) as entries:
+        return all(
+            entry.name == MARKER
+            or (
+                entry.name.endswith(OURS_ENDS)
+                and not entry.is_dir(follow_symlinks=False)
+            )
+            for entry in entries
+        )
+
+
+def _first(path: Path, count: int) -> bytes:
+    try:
+        with _opened(path) as file:
+            return bytes(file.read(count))
+    except OSError:
+        return b""

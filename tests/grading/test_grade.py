@@ -11,18 +11,28 @@ import time
 from types import SimpleNamespace
 
 import pytest
-from grading.toy_lessons import LESSONS, OTHER, RIGHT, blank, notebook, only, write
+from grading.toy_lessons import (
+    LESSONS,
+    OTHER,
+    RIGHT,
+    TOY,
+    blank,
+    cell,
+    notebook,
+    only,
+    write,
+)
 
 from course.exercises.notebook_file import UnusableNotebook
-from course.grading import grade as grading
 from course.grading import judge as judging
 from course.grading.grade import check_notebook, grade_folder
+from course.grading.sandbox import SandboxFailure
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 
 
 def rows_in(out):
-    with out.open(encoding="utf-8", newline="") as file:
+    with out.open(encoding="utf-8-sig", newline="") as file:
         return {row["file"]: row for row in csv.DictReader(file)}
 
 
@@ -88,13 +98,28 @@ def batch(tmp_path_factory):
 @pytest.mark.slow
 def test_who_handed_in_several_has_a_page_with_all_of_them(batch):
     pages = batch.summary.feedback
-    own = (pages / "Ben.html").read_text()
-    links = re.findall(r'<a href="([^"]+)">', own)
-    assert len(links) == len(set(links)) == 3 and all(
-        (pages / link).is_file() for link in links
-    )
-    assert "Handed in by Ben" in own and "91-other-toy" in own and "2 of" in own
-    assert not (pages / "Ann_Lee.html").exists(), "one submission is its student's page"
+    (own,) = pages.glob("student--*.html")  # the others have one submission each
+    assert re.fullmatch(r"student--Ben--[0-9a-f]{10}\.html", own.name)
+    text = own.read_text()
+    *links, index = re.findall(r'<a href="([^"]+)">', text)
+    assert len(links) == len(set(links)) == 3 and index == "index.html"
+    assert all((pages / link).is_file() for link in links)
+    assert "Handed in by Ben" in text and "91-other-toy" in text and "2 of" in text
+
+
+@pytest.mark.slow
+def test_the_grader_has_a_page_with_links_both_ways(batch):
+    pages = batch.summary.feedback
+    index = (pages / "index.html").read_text()
+    links = set(re.findall(r'<a href="([^"]+)">', index)) - {"index.html"}
+    assert links == {p.name for p in pages.glob("*--*.html")}
+    for link in links:
+        assert '<a href="index.html">' in (pages / link).read_text()
+    text = " ".join(re.sub(r"<[^>]+>", " ", index).split())
+    assert "10 marked, 6 unusable, 2 need a person." in text
+    assert "Ann Lee Ann Lee_12_assignsubmission_file_/90-toy.ipynb ✗ 0" in text
+    assert "notes.txt unusable not a notebook" in text
+    assert " =1+1 =1+1.ipynb" in text and "renamed renamed.ipynb ○ 0 ? ○ 0" in text
 
 
 STATES = {
@@ -153,7 +178,7 @@ def test_columns_and_names(batch):
         batch.rows["Ann Lee_12_assignsubmission_file_/90-toy.ipynb"],
         batch.rows["Ben/91-other-toy.ipynb"],
     )
-    assert list(ann)[:7] == [
+    assert list(ann)[:8] == [
         "file",
         "student",
         "lesson",
@@ -161,9 +186,10 @@ def test_columns_and_names(batch):
         "out_of",
         "state",
         "reason",
+        "refused",
     ]
-    assert list(ann)[-3:] == ["seed", "isolation", "key"]
-    assert list(ann)[7:-3:3] == ["twice", "split", "area", "thrice"]
+    assert list(ann)[-4:] == ["seed", "isolation", "page", "key"]
+    assert list(ann)[8:-4:3] == ["twice", "split", "area", "thrice"]
     assert (ann["student"], ann["lesson"], ann["out_of"]) == ("Ann Lee", "90-toy", "7")
     assert (ann["twice_state"], ann["split_state"], ann["thrice_state"]) == (
         "wrong",
@@ -197,20 +223,16 @@ def test_progress_is_told(batch):
 
 @pytest.mark.slow
 def test_every_submission_has_a_page_of_its_own(batch):
-    """And Ben, who handed in three, one with all of them."""
-    pages = {p.name: p.read_text() for p in batch.summary.feedback.iterdir()}
-    assert len(pages) == 18 + 1 and all(
-        p.startswith("<!DOCTYPE html>") for p in pages.values()
-    )
-    assert (
-        "Ann_Lee--90-toy.html" in pages
-        and "The sign is turned round" in pages["Ann_Lee--90-toy.html"]
-    )
-    assert "Ben--91-other-toy.html" in pages
-    assert (
-        len([name for name in pages if name.startswith("Ben--90-toy-")]) == 2
-    )  # two files of one name
-    assert "7 of 7 points" in pages["right--90-toy.html"]
+    pages = {row["page"] for row in batch.rows.values()}
+    assert len(pages) == 18
+    written = {p.name: p.read_text() for p in batch.summary.feedback.glob("*.html")}
+    assert len(written) == 18 + 2  # and Ben's, with all three of his, and the grader's
+    assert pages < set(written)
+    assert all(text.startswith("<!DOCTYPE html>") for text in written.values())
+    ann = batch.rows["Ann Lee_12_assignsubmission_file_/90-toy.ipynb"]["page"]
+    assert re.fullmatch(r"Ann_Lee_90-toy--[0-9a-f]{10}\.html", ann)
+    assert "The sign is turned round" in written[ann]
+    assert "7 of 7 points" in written[batch.rows["right.ipynb"]["page"]]
 
 
 @pytest.fixture
@@ -245,7 +267,7 @@ def test_what_changed_is_marked_again(folder, tmp_path):
     (folder / "cal.ipynb").unlink()
     write(folder / "ann.ipynb", notebook(OTHER))
     (folder / "eve.ipynb").unlink()
-    (first.feedback / "ben--90-toy.html").unlink()
+    next(first.feedback.glob("ben--*.html")).unlink()
     told = []
     again = grade_folder(
         folder, out, lessons=LESSONS, on_progress=lambda *t: told.append(t[2])
@@ -288,7 +310,8 @@ def test_what_was_done_before_an_interruption_is_kept(folder, tmp_path):
         and done.marked == 5
         and {r["seed"] for r in rows_in(out).values()} == {str(done.seed)}
     )
-    assert {f: rows_in(out)[f] for f in kept} == kept
+    now = rows_in(out)
+    assert all(now[file].items() >= row.items() for file, row in kept.items())
 
 
 INTERRUPTED = """
@@ -320,7 +343,7 @@ def test_ctrl_c_ends_a_batch_at_once_and_leaves_no_process(folder, tmp_path):
     process.send_signal(signal.SIGINT)
     started = time.monotonic()
     _, errors = process.communicate(timeout=50)
-    assert time.monotonic() - started < 20 and "KeyboardInterrupt" in errors
+    assert time.monotonic() - started < 20 and "stopped by SIGINT" in errors
     assert len(rows_in(out)) == 5
     assert list(temporary.iterdir()) == []
 
@@ -338,11 +361,13 @@ def test_a_fault_of_ours_in_one_submission_stops_no_other(
 
     monkeypatch.setattr(judging.Judge, "rows", fails)
     told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
-    assert (told.marked, told.unusable) == (4, 1)
-    assert (
-        "not its author's fault: RuntimeError: a bug"
-        in rows_in(told.out)["ben.ipynb"]["reason"]
-    )
+    assert (told.marked, told.needs_person, told.again) == (4, 1, 1)
+    reason = rows_in(told.out)["ben.ipynb"]["reason"]
+    assert "not its author's fault: RuntimeError: a bug" in reason
+    assert "the same command tries them again" in str(told)
+    monkeypatch.undo()
+    told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
+    assert (told.kept, told.marked, told.again) == (4, 5, 0)
 
 
 def test_a_machine_that_runs_no_answer_says_so_before_anything_is_marked(
@@ -352,7 +377,7 @@ def test_a_machine_that_runs_no_answer_says_so_before_anything_is_marked(
         "course.grading.sandbox.command",
         lambda where: [sys.executable, "-c", "raise SystemExit(3)"],
     )
-    with pytest.raises(grading.SandboxFailure, match="exit code 3"):
+    with pytest.raises(SandboxFailure, match="exit code 3"):
         grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
     assert not (tmp_path / "grades.csv").exists()
 
@@ -370,6 +395,7 @@ def test_output_inside_the_folder_is_no_submission(folder):
         (dict(folder="nowhere"), "folder: expected a folder of submissions"),
         (dict(folder="nothing"), "folder: expected submissions in"),
         (dict(out="in"), "out: expected the name of a table"),
+        (dict(out="/dev/null"), "out: expected the name of a table, .* device"),
         (dict(feedback="in/ann.ipynb"), "feedback: expected a folder"),
         (dict(seed=-1), "seed: expected a whole number"),
         (dict(time_limit=0.0), "time_limit: expected"),
@@ -414,3 +440,30 @@ def test_a_notebook_is_checked_on_its_own_inputs(tmp_path):
     assert "○ area   0/3  Not attempted" in str(told)
     with pytest.raises(UnusableNotebook, match="the file is empty"):
         check_notebook(write(path, ""), lessons=LESSONS)
+
+
+DOWNLOAD = [
+    "Ana_1_assignsubmission_file_/work/90-toy.ipynb", "Ana_1_assignsubmission_file_/work/deep/91-other-toy.ipynb",
+    "Ana_2_assignsubmission_file_/90-toy.ipynb", "Ana_2_assignsubmission_file_/91-other-toy.ipynb",
+    "Participant_11_assignsubmission_file_/90-toy.ipynb", "Participant_12_assignsubmission_file_/90-toy.ipynb",
+    "Dan_3_assignsubmission_file_90-toy.ipynb", "Dan_3_assignsubmission_file_91-other-toy.ipynb",
+    "Dan_30_assignsubmission_file_90-toy.ipynb",
+]  # fmt: skip
+
+
+@pytest.mark.slow
+def test_in_a_download_nobody_sees_another_s_marks(tmp_path):
+    for index, file in enumerate(DOWNLOAD):
+        lesson = OTHER if "91" in file else TOY
+        write(tmp_path / "in" / file, blank(lesson, cells=[cell(f"# {index}")]))
+    told = grade_folder(tmp_path / "in", tmp_path / "grades.csv", lessons=LESSONS)
+    rows = rows_in(told.out)
+    assert [rows[file]["student"] for file in DOWNLOAD] == [
+        *["Ana (1)"] * 2, *["Ana (2)"] * 2, "Participant 11", "Participant 12", *["Dan (3)"] * 2, "Dan (30)",
+    ]  # fmt: skip
+    for page in told.feedback.glob("*--*.html"):
+        text = page.read_text()
+        shown = {file.split("_assign")[0] for file in DOWNLOAD if file in text}
+        assert len(shown) == 1, page
+    overviews = [p.name.split("--")[1] for p in told.feedback.glob("student--*.html")]
+    assert sorted(overviews) == ["Ana_1", "Ana_2", "Dan_3"]

@@ -1,35 +1,17 @@
-"""The table and the page: cells that are no formulas, rows that survive a cut, pages that need nothing else."""
+"""A submission's row and page: cells that are no formulas, pages that need nothing else."""
 
-import csv
 import re
 from html.parser import HTMLParser
 
 import pytest
-from grading.toy_lessons import LESSONS, OTHER, TOY, TWICE
+from grading.toy_lessons import TOY, TWICE, submission
 
 from course.exercises.verdict import Verdict
 from course.grading.feedback import page
 from course.grading.judge import Row
-from course.grading.report import (
-    Submission,
-    Table,
-    cells_of,
-    columns,
-    read_table,
-    safe_cell,
-)
-from course.grading.submissions import student_of
+from course.grading.report import Submission, cells_of, columns, safe_cell
 
 KEY = "0" * 64
-
-
-def submission(*states, file="ann.ipynb", student="ann", key=KEY, lesson=TOY):
-    rows = tuple(
-        Row(e, {"passed": e.points, "needs a person": None}.get(state, 0), state, f"because {state}",
-            Verdict(e.name, state, reason=(f"because {state}",)))
-        for e, state in zip(lesson.exercises, states, strict=True)
-    )  # fmt: skip
-    return Submission(file, student, key, lesson, rows)
 
 
 @pytest.mark.parametrize(
@@ -69,52 +51,6 @@ def test_a_row_has_three_columns_an_exercise():
         "unusable",
         "",
     )
-
-
-def test_rows_are_in_the_file_as_they_come_and_a_cut_one_is_left_out(tmp_path):
-    path = tmp_path / "grades.csv"
-    table = Table(path, ["twice", "split", "area"], [])
-    for name in ("ben", "ann"):
-        done = submission(
-            "passed", "passed", "passed", file=f'{name}, "x".ipynb', key=name[0] * 64
-        )
-        table.add(cells_of(done, 4, "clock, memory"))
-    # Not closed, as after a crash: both rows are there.
-    exercises, rows = read_table(path)
-    assert exercises == ("twice", "split", "area") and [
-        r["file"][:3] for r in rows
-    ] == ["ben", "ann"]
-    whole = path.read_text()
-    for length in range(len(whole) - 2, whole.index('"ann'), -7):
-        path.write_text(whole[:length])
-        assert [r["file"][:3] for r in read_table(path)[1]] in (["ben"], []), whole[
-            :length
-        ]
-    path.write_text(whole)
-    table.close()
-    assert [r["file"][:3] for r in read_table(path)[1]] == ["ann", "ben"]
-
-
-def test_a_file_that_is_no_table_is_not_written_over(tmp_path):
-    other = tmp_path / "other.csv"
-    other.write_text("name,mark\nann,3\n")
-    with pytest.raises(
-        ValueError, match="out: expected a table of marks or a new file"
-    ):
-        read_table(other)
-    assert read_table(tmp_path / "new.csv") == ((), [])
-
-
-def test_columns_are_the_union_of_old_and_new(tmp_path):
-    path = tmp_path / "grades.csv"
-    Table(
-        path, ["thrice"], [cells_of(submission("passed", lesson=OTHER), 4, "")]
-    ).close()
-    exercises, rows = read_table(path)
-    Table(path, ["twice", *exercises], rows).close()
-    with path.open(newline="") as file:
-        (row,) = csv.DictReader(file)
-    assert (row["thrice"], row["twice"]) == ("1", "")
 
 
 class _Tags(HTMLParser):
@@ -199,17 +135,23 @@ def test_a_file_that_cannot_be_marked_has_a_page_too():
     assert "Hand in the notebook itself" in text
 
 
-@pytest.mark.parametrize(
-    "file, student",
-    [
-        ("ann.ipynb", "ann"), ("90-toy_ann_lee.ipynb", "ann_lee"), ("ann-90-toy.ipynb", "ann"),
-        ("90-toy.ipynb", "90-toy"), ("90-toy (1).ipynb", "90-toy (1)"), ("Ann Lee/90-toy.ipynb", "Ann Lee"),
-        ("Ann Lee_1234_assignsubmission_file_/90-toy.ipynb", "Ann Lee"), ("90-toy/ann.ipynb", "ann"),
-        ("lesson 90/ann.ipynb", "ann"), ("group 1/Ann/work.ipynb", "Ann"), ("Ann/91-other-toy.ipynb", "Ann"),
-        ("report.pdf", "report.pdf"), ("Žofie/a.ipynb", "Žofie"),
-    ],
-)  # fmt: skip
-def test_whose_a_file_is(file, student, tmp_path):
-    from pathlib import Path
+def test_what_was_refused_is_told_without_blame():
+    one = Submission("a.ipynb", "ann", KEY, TOY, refused=("opening a socket", "<b>"))
+    text = page(one, seed=4)
+    assert "it was refused: opening a socket; &lt;b&gt;. Marking works" in text
+    assert cells_of(one, 4, "clock")["refused"] == "opening a socket; <b>"
+    assert "refused" not in page(Submission("a.ipynb", "ann", KEY, TOY), seed=4)
 
-    assert student_of(Path(file), LESSONS) == student
+
+def test_a_fault_of_the_machine_is_a_person_s_to_look_at():
+    one = Submission("a.ipynb", "ann", KEY, reason="its process died", again=True)
+    cells = cells_of(one, 4, "clock")
+    assert (cells["state"], cells["key"]) == ("needs a person", f"again-{KEY}")
+    text = page(one, seed=4)
+    assert "A person will look at it" in text and "Hand in" not in text
+
+
+def test_a_page_leads_to_the_grader_s_where_there_is_one():
+    one = Submission("a.ipynb", "ann", KEY, TOY)
+    assert '<a href="index.html">' in page(one, seed=4, index="index.html")
+    assert "<a " not in page(one, seed=4)

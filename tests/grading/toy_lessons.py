@@ -6,6 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from course.exercises.definition import Case, Exercise, Lesson, Mistake, Value
+from course.exercises.verdict import Verdict
+from course.grading.judge import Row
+from course.grading.report import Submission
 
 X = Value("x", "(..., 3)", "m")
 POINT = {"x": np.array([1.0, 2.0, 4.0])}
@@ -101,8 +104,8 @@ def notebook(lesson=TOY, *, cells=None, told=True, **answers):
             "cells": [cell(IMPORTS, role="imports"), *(cells or ()), *own]}  # fmt: skip
 
 
-def blank(lesson=TOY):
-    return notebook(lesson, **{e.name: BLANK[e.name] for e in lesson.exercises})
+def blank(lesson=TOY, **more):
+    return notebook(lesson, **{e.name: BLANK[e.name] for e in lesson.exercises}, **more)
 
 
 def only(name, source):
@@ -116,3 +119,13 @@ def write(path: Path, content) -> Path:
         content if isinstance(content, str) else json.dumps(content), encoding="utf-8"
     )
     return path
+
+
+def submission(*states, file="ann.ipynb", student="ann", key="0" * 64, lesson=TOY):
+    """A marked submission with an exercise in each of these states."""
+    rows = tuple(
+        Row(e, {"passed": e.points, "needs a person": None}.get(state, 0), state, f"because {state}",
+            Verdict(e.name, state, reason=(f"because {state}",)))
+        for e, state in zip(lesson.exercises, states, strict=True)
+    )  # fmt: skip
+    return Submission(file, student, key, lesson, rows)

@@ -1,0 +1,169 @@
+"""Mark many submissions, several at a time: a fault with one of them, ours or its own, stops no other."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass, field
+from itertools import islice
+
+from course.exercises.definition import Lesson
+from course.exercises.notebook_file import UnusableNotebook, read_notebook
+from course.grading.feedback import write_page
+from course.grading.fingerprint import key_of
+from course.grading.judge import Judge, Row
+from course.grading.report import Submission, cells_of, safe_cell
+from course.grading.sandbox import Cancelled, SandboxFailure
+from course.grading.stopping import Stopping
+from course.grading.submissions import Task, digest_of, read_content
+from course.grading.table import Table
+from course.grading.writing import CannotWrite
+
+#: Called with how many submissions are done, how many there are, and the file just done ("" at the start).
+Progress = Callable[[int, int, str], None]
+PAUSE = 1.0  # seconds before an answer whose process did not start is tried once more
+
+
+@dataclass(frozen=True)
+class Batch:
+    """What the submissions of a batch share while they are marked; ``unwritten`` fills with pages that had no room."""
+
+    judge: Judge
+    seed: int
+    version: str
+    lessons: Sequence[Lesson]
+    table: Table
+    isolation: str
+    unwritten: list[str] = field(default_factory=list)
+
+    def key(self, digest: str) -> str:
+        """The digest of all that the marks of a submission with this digest hang on."""
+        return key_of(digest, self.version, self.seed, self.judge.limits)
+
+    def mark(
+        self,
+        todo: Sequence[Task],
+        total: int,
+        workers: int,
+        tell: Progress,
+        stopping: Stopping,
+    ) -> None:
+        """Judge several at a time; rows and pages are written here, by one thread, as they come.
+
+        No more are begun than can soon be judged, so that memory stays flat. Raises ``Stopped`` on a signal, after
+        what was running has been ended, and ``CannotWrite`` where the table has no room.
+        """
+        done = total - len(todo)
+        tell(done, total, "")
+        waiting = iter(todo)
+        running: dict[Future[Submission], Task] = {}
+        with stopping.put_off(), ThreadPoolExecutor(workers) as pool:
+            try:
+                while True:
+                    for task in islice(waiting, 2 * workers - len(running)):
+                        running[pool.submit(self._judged, task)] = task
+                    if not running:
+                        break
+                    # Woken now and then: a signal is looked for, which a wait without end may not let through.
+                    ready, _ = wait(running, timeout=0.2, return_when=FIRST_COMPLETED)
+                    for future in sorted(ready, key=list(running).index):
+                        submission = future.result()
+                        self._write(running.pop(future), submission)
+                        done += 1
+                        tell(done, total, submission.file)
+                    stopping.check()
+            except BaseException:
+                assert self.judge.cancel is not None
+                self.judge.cancel.set()
+                for future in running:
+                    future.cancel()
+                raise
+
+    def _write(self, task: Task, submission: Submission) -> None:
+        """The page and then the row: a row without its page is made again by the next call."""
+        try:
+            write_page(task.page, submission, seed=self.seed)
+        except CannotWrite as error:
+            self.unwritten.append(str(error))
+        except Exception as error:
+            told = f"{task.page} could not be made: {type(error).__name__}: {error}"
+            self.unwritten.append(told)
+        self.table.add(cells_of(submission, self.seed, self.isolation, task.page.name))
+
+    def _judged(self, task: Task) -> Submission:
+        """The submission with its rows, or with the reason why there are none."""
+        made = Submission(
+            task.file, task.student.name, self.key(task.digest), reason=task.reason
+        )
+        if task.reason:
+            return made
+        problem = ""
+        for pause in (PAUSE, 0.0):
+            try:
+                return self._with_rows(task)
+            except UnusableNotebook as error:
+                return _but(made, str(error))
+            except Cancelled:
+                raise
+            except SandboxFailure as error:
+                problem = str(error)
+                time.sleep(pause)
+            except OSError as error:
+                told = f"cannot be read: {error.strerror or error}"
+                return _but(made, told, again=True)
+            except Exception as error:
+                problem = f"{type(error).__name__}: {error}"
+                break
+        told = f"marking it failed, which is not its author's fault: {problem}"
+        return _but(made, told, again=True)
+
+    def _with_rows(self, task: Task) -> Submission:
+        content = read_content(task)
+        lesson, rows, refused = judged(self.judge, task, self.lessons)
+        key = self.key(digest_of(task, content))
+        return Submission(
+            task.file, task.student.name, key, lesson, rows, refused=refused
+        )
+
+
+def judged(
+    judge: Judge, task: Task, lessons: Sequence[Lesson]
+) -> tuple[Lesson, tuple[Row, ...], tuple[str, ...]]:
+    """What the judge says of a submission: its lesson, the rows, and what its code was refused."""
+    notebook = read_notebook(task.path, lessons)
+    return notebook.lesson, tuple(judge.rows(notebook)), ()
+
+
+def _but(made: Submission, reason: str, *, again: bool = False) -> Submission:
+    return Submission(made.file, made.student, made.key, reason=reason, again=again)
+
+
+def standing(
+    rows: Sequence[Mapping[str, str]],
+    keys: Mapping[str, Task],
+    tasks: Iterable[Task],
+) -> tuple[list[dict[str, str]], list[dict[str, str]]]:
+    """The rows of an old table that stand, and those whose submission is to be marked again.
+
+    A row stands whose key is one of ``keys`` and whose page is there, and one whose file is none of these ``tasks``.
+    """
+    files = {safe_cell(task.file) for task in tasks}
+    stand, stale = [], []
+    for row in rows:
+        task = keys.get(row["key"])
+        if task is not None and task.page.exists():
+            # A spreadsheet may have made a date or a number of a name.
+            stand.append(_named(row, task))
+        elif task is not None or row["file"] in files:
+            stale.append(dict(row))
+        else:
+            stand.append(dict(row))
+    return stand, stale
+
+
+def _named(row: Mapping[str, str], task: Task) -> dict[str, str]:
+    return {
+        **row, "file": safe_cell(task.file), "student": safe_cell(task.student.name),
+        "page": safe_cell(task.page.name),
+    }  # fmt: skip

@@ -1,0 +1,126 @@
+"""Whose a file is, told from where a download put it.
+
+Students are told apart by what the download says (a name and a number in Moodle's), else by their folder's path; a
+name alone makes nobody the same person.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import unicodedata
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from course.exercises.definition import Lesson
+from course.grading.reply import clean
+
+#: "Ann Lee_101_assignsubmission_file_" is a folder; in a download without folders a file's name goes on after it.
+MOODLE = re.compile(r"(.*?)_(\d+)_assignsubmission_[a-z]+_?(.*)", re.DOTALL)
+#: What Moodle calls everybody where names are hidden, in a few languages.
+NOBODY = re.compile(r"(participa|teilnehm|deelnem)\w*", re.IGNORECASE)
+#: Folders that a student makes inside their own, and folders that hold several students.
+WORK = frozenset("work src notebook notebooks final solution abgabe".split())
+SEVERAL = re.compile(
+    r"(group|gruppe|class|section|tutorial|team|week|lessons?|submissions?|submitted|handed in)[\s_-]*\w{0,3}",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True)
+class Student:
+    """Whose a file is: the name to show, what tells them apart, and what to add where two have one name."""
+
+    name: str
+    identity: bytes
+    more: tuple[str, ...] = ()
+
+
+def student_of(file: PurePath, lessons: Sequence[Lesson]) -> Student:
+    """Whose a file is: by Moodle's name and number, else its folder (one a student), else its own name."""
+    for depth, part in enumerate(file.parts):
+        moodle = MOODLE.fullmatch(part)
+        if moodle:
+            return _of_moodle(file.parts[:depth], moodle[1], moodle[2])
+    folders = list(file.parts[:-1])
+    while folders and (folders[-1].lower() in WORK or _is_lesson(folders[-1], lessons)):
+        folders.pop()
+    if folders:
+        return _of_folder(tuple(folders), lessons)
+    return _of_file(file, lessons)
+
+
+def told_apart(students: Sequence[Student]) -> list[str]:
+    """The names to show: where different students have one name, with what tells them apart."""
+    names = [student.name for student in students]
+    for more in range(2):
+        people = defaultdict(set)
+        for name, student in zip(names, students, strict=True):
+            people[_same(name)].add(student.identity)
+        names = [
+            f"{name} ({student.more[more]})"
+            if len(people[_same(name)]) > 1 and more < len(student.more)
+            else name
+            for name, student in zip(names, students, strict=True)
+        ]
+    return names
+
+
+def _same(name: str) -> str:
+    return unicodedata.normalize("NFC", name).casefold()
+
+
+def _of_moodle(above: tuple[str, ...], name: str, number: str) -> Student:
+    shown = clean(name, 200) or "Participant"
+    if NOBODY.fullmatch(name) or not name:
+        shown = f"{shown} {number}"
+    return Student(
+        shown, _identity("moodle", *above, name, number), (number, _path(above))
+    )
+
+
+def _of_folder(folders: tuple[str, ...], lessons: Sequence[Lesson]) -> Student:
+    named = [
+        part
+        for part in folders[:-1]
+        if not SEVERAL.fullmatch(part) and not _is_lesson(part, lessons)
+    ]
+    shown = _path((*named, folders[-1]))
+    return Student(shown, _identity("folder", *folders), (_path(folders),))
+
+
+def _of_file(file: PurePath, lessons: Sequence[Lesson]) -> Student:
+    stem = file.name.removesuffix(".ipynb")
+    for lesson in lessons:
+        stem = re.sub(rf"{lesson.number}-{re.escape(lesson.name)}", " ", stem)
+    rest = stem.strip(" _-.,()")
+    named = rest if re.search(r"[^\W\d_]", rest) else file.stem
+    place = file.parts[:-1]
+    return Student(
+        clean(named, 200), _identity("file", *place, named), (_path((*place, named)),)
+    )
+
+
+def _path(parts: Sequence[str]) -> str:
+    return clean("/".join(parts), 200)
+
+
+def _identity(*parts: str) -> bytes:
+    return os.fsencode("\0".join(parts))
+
+
+def _is_lesson(name: str, lessons: Sequence[Lesson]) -> bool:
+    """Whether a folder is named after a lesson: "10", "lesson 10", "10-impulse"."""
+    words = re.sub(r"[\W_]+", " ", name.lower()).split()
+    for lesson in lessons:
+        named = [lesson.number, *lesson.name.lower().split("-")]
+        if words in (
+            [lesson.number],
+            ["lesson", lesson.number],
+            named,
+            ["lesson", *named],
+        ):
+            return True
+    return False
