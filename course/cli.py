@@ -132,7 +132,7 @@ def check(
 ) -> None:
     """Check a notebook's exercises. Exit code 1 unless all are right, 2 if the file cannot be used."""
     from course.grading.grade import check_notebook
-    from course.grading.sandbox import SandboxFailure
+    from course.sandbox.running import SandboxFailure
 
     with plainly(SandboxFailure), bar("checking") as advance:
         done: list[str] = []
@@ -187,6 +187,7 @@ def grade(
     time_limit: Annotated[float, typer.Option(min=0.1, help="Seconds an exercise may take.")] = 10.0,
     memory: Annotated[int, typer.Option(min=100, help="Megabytes an exercise may take.")] = 2000,
     workers: Annotated[int | None, typer.Option(min=1, help="Notebooks at a time; default: one a processor.")] = None,
+    require_sandbox: Annotated[bool, typer.Option("--require-sandbox", help="Run nothing without a box.")] = False,
     force: Annotated[bool, typer.Option("--force", help="Mark all again, also what is as it was.")] = False,
 ) -> None:  # fmt: skip
     """Grade every notebook in a folder: a CSV table, and a page of feedback a student. A batch cut off goes on.
@@ -194,13 +195,14 @@ def grade(
     Ends with 130, 129 or 143 where Ctrl-C, SIGHUP or SIGTERM cut it off.
     """
     from course.grading.grade import grade_folder
-    from course.grading.sandbox import SandboxFailure
     from course.grading.stopping import Stopped
+    from course.sandbox.running import SandboxFailure
 
     try:
         with plainly(SandboxFailure), bar("grading") as advance:
             summary = grade_folder(folder, out, feedback=feedback, seed=seed, time_limit=time_limit, memory_mb=memory,
-                                   workers=workers, force=force, on_progress=advance)  # fmt: skip
+                                   workers=workers, force=force, require_sandbox=require_sandbox,
+                                   on_progress=advance)  # fmt: skip
     except Stopped as stop:
         with suppress(OSError):  # the terminal may be gone
             typer.echo(

@@ -9,16 +9,16 @@ from dataclasses import dataclass, field
 from itertools import islice
 
 from course.exercises.definition import Lesson
-from course.exercises.notebook_file import UnusableNotebook, read_notebook
+from course.exercises.notebook_file import UnusableNotebook
 from course.grading.feedback import write_page
 from course.grading.fingerprint import key_of
 from course.grading.judge import Judge, Row
 from course.grading.report import Submission, cells_of, safe_cell
-from course.grading.sandbox import Cancelled, SandboxFailure
 from course.grading.stopping import Stopping
 from course.grading.submissions import Task, digest_of, read_content
 from course.grading.table import Table
 from course.grading.writing import CannotWrite
+from course.sandbox.running import Cancelled, SandboxFailure
 
 #: Called with how many submissions are done, how many there are, and the file just done ("" at the start).
 Progress = Callable[[int, int, str], None]
@@ -32,14 +32,13 @@ class Batch:
     judge: Judge
     seed: int
     version: str
-    lessons: Sequence[Lesson]
     table: Table
     isolation: str
     unwritten: list[str] = field(default_factory=list)
 
     def key(self, digest: str) -> str:
         """The digest of all that the marks of a submission with this digest hang on."""
-        return key_of(digest, self.version, self.seed, self.judge.limits)
+        return key_of(digest, self.version, self.seed, self.judge.sandbox.limits)
 
     def mark(
         self,
@@ -74,8 +73,8 @@ class Batch:
                         tell(done, total, submission.file)
                     stopping.check()
             except BaseException:
-                assert self.judge.cancel is not None
-                self.judge.cancel.set()
+                assert self.judge.sandbox.cancel is not None
+                self.judge.sandbox.cancel.set()
                 for future in running:
                     future.cancel()
                 raise
@@ -83,7 +82,7 @@ class Batch:
     def _write(self, task: Task, submission: Submission) -> None:
         """The page and then the row: a row without its page is made again by the next call."""
         try:
-            write_page(task.page, submission, seed=self.seed)
+            write_page(task.page, submission, seed=self.seed, isolation=self.isolation)
         except CannotWrite as error:
             self.unwritten.append(str(error))
         except Exception as error:
@@ -120,7 +119,7 @@ class Batch:
 
     def _with_rows(self, task: Task) -> Submission:
         content = read_content(task)
-        lesson, rows, refused = judged(self.judge, task, self.lessons)
+        lesson, rows, refused = judged(self.judge, task, content)
         key = self.key(digest_of(task, content))
         return Submission(
             task.file, task.student.name, key, lesson, rows, refused=refused
@@ -128,11 +127,12 @@ class Batch:
 
 
 def judged(
-    judge: Judge, task: Task, lessons: Sequence[Lesson]
+    judge: Judge, task: Task, content: bytes
 ) -> tuple[Lesson, tuple[Row, ...], tuple[str, ...]]:
     """What the judge says of a submission: its lesson, the rows, and what its code was refused."""
-    notebook = read_notebook(task.path, lessons)
-    return notebook.lesson, tuple(judge.rows(notebook)), ()
+    lesson, found = judge.rows(content, task.file)
+    rows = tuple(found)
+    return lesson, rows, tuple(dict.fromkeys(r for row in rows for r in row.refused))
 
 
 def _but(made: Submission, reason: str, *, again: bool = False) -> Submission:

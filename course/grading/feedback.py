@@ -5,7 +5,7 @@ Nothing is loaded from outside. The page for the grader, with everybody, is made
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -13,19 +13,23 @@ from urllib.parse import quote
 
 from course.exercises.message import SYMBOLS, WORDS, Part, verdict_message
 from course.grading.judge import Row
-from course.grading.report import Submission, told_by
+from course.grading.report import TRUSTED, TRUSTED_MEANS, Submission, told_by
 from course.grading.writing import write_whole
 
 #: The grader's page, beside the others.
 INDEX = "index.html"
 
 
-def write_page(path: Path, submission: Submission, *, seed: int) -> None:
+def write_page(
+    path: Path, submission: Submission, *, seed: int, isolation: str = ""
+) -> None:
     """Write the page of a submission, with a link to the grader's; raises ``CannotWrite``."""
-    write_whole(path, page(submission, seed=seed, index=INDEX))
+    write_whole(path, page(submission, seed=seed, index=INDEX, isolation=isolation))
 
 
-def page(submission: Submission, *, seed: int, index: str = "") -> str:
+def page(
+    submission: Submission, *, seed: int, index: str = "", isolation: str = ""
+) -> str:
     """The page as HTML; everything a student wrote is escaped."""
     from markupsafe import Markup
 
@@ -50,7 +54,7 @@ def page(submission: Submission, *, seed: int, index: str = "") -> str:
         template(_PAGE).render(
             title=f"Lesson {lesson.number}: {lesson.title}" if lesson else "This file could not be marked",
             submission=submission, sections=sections, following=_following(submission), seed=seed,
-            index=index,
+            index=index, trusted=trusted([isolation]),
         )
     )  # fmt: skip
 
@@ -69,8 +73,16 @@ def write_overview(
         for row in handed_in
     ]  # fmt: skip
     title = f"Handed in by {student}"
-    text = template(_OVERVIEW).render(title=title, rows=rows, seed=seed, index=INDEX)
+    told = trusted([row["isolation"] for row in handed_in])
+    text = template(_OVERVIEW).render(
+        title=title, rows=rows, seed=seed, index=INDEX, trusted=told
+    )
     write_whole(path, text)
+
+
+def trusted(isolations: Iterable[str]) -> str:
+    """What is said where one of these submissions could do whatever the grader can."""
+    return TRUSTED_MEANS if any(i.startswith(TRUSTED) for i in isolations) else ""
 
 
 def _points(row: Row) -> str:
@@ -205,6 +217,7 @@ _OVERVIEW = """\
 
 _FOOT = """\
 <footer>Marked by program with the seed {{ seed }}; the same seed gives the same inputs again.
+{%- if trusted %} {{ trusted }}{% endif %}
 {%- if index %} <a href="{{ index }}">For the grader: all submissions</a>{% endif %}</footer>
 </body>
 </html>

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Lesson
-from course.grading.limits import Limits
+from course.sandbox.limits import Limits
 
 PACKAGE = Path(__file__).resolve().parents[1]
 #: What no mark hangs on: the lessons' figures and widgets, and the command line.

@@ -14,21 +14,25 @@ from pathlib import Path
 
 from course.exercises.definition import Lesson, all_lessons
 from course.exercises.message import SYMBOLS, WORDS, verdict_message
-from course.exercises.notebook_file import read_notebook
 from course.grading.batch import Batch, Progress, standing
 from course.grading.feedback import INDEX, write_overview
 from course.grading.fingerprint import grader_version, key_of
 from course.grading.index import write_index
 from course.grading.judge import Judge, Row
-from course.grading.limits import Limits
 from course.grading.lock import Lock
 from course.grading.page_names import page_names
-from course.grading.report import AGAIN, safe_cell
-from course.grading.sandbox import isolation
+from course.grading.report import AGAIN, TRUSTED, TRUSTED_MEANS, safe_cell
 from course.grading.stopping import Stopping
-from course.grading.submissions import Task, find_tasks, write_marker
+from course.grading.submissions import (
+    Task,
+    find_tasks,
+    read_plain_file,
+    write_marker,
+)
 from course.grading.table import Found, Table, read_table
 from course.grading.writing import CannotWrite
+from course.sandbox.limits import Limits
+from course.sandbox.running import Sandbox, SandboxFailure, find_isolation
 
 
 @dataclass(frozen=True)
@@ -48,7 +52,7 @@ class Summary:
     needs_person: int
     unusable: int
     seconds: float
-    isolation: tuple[str, ...]
+    isolation: str
     again: int = 0
     unwritten: tuple[str, ...] = ()
 
@@ -57,8 +61,10 @@ class Summary:
             f"{self.submissions} submissions in {self.seconds:.1f} s, {self.kept} of them as they were: "
             f"{self.marked} marked, {self.needs_person} need a person, {self.unusable} cannot be used",
             f"table {self.out}, pages in {self.feedback}, all of them in {self.feedback / INDEX}",
-            f"seed {self.seed} (repeat with --seed {self.seed}); shut in by: {', '.join(self.isolation)}",
+            f"seed {self.seed} (repeat with --seed {self.seed}); shut in by: {self.isolation}",
         ]
+        if self.isolation.startswith(TRUSTED):
+            lines.append(TRUSTED_MEANS)
         if self.again:
             lines.append(
                 f"{self.again} could not be marked, by no fault of their authors; the same command tries them again"
@@ -113,20 +119,24 @@ def check_notebook(
 
     Raises ``UnusableNotebook`` (a ``ValueError``) where the file cannot be marked.
     """
-    judge = Judge(None, Limits(time_limit, memory_mb))
-    notebook = read_notebook(Path(path), lessons)
+    limits = Limits(time_limit, memory_mb)
+    known = all_lessons() if lessons is None else tuple(lessons)
+    path = Path(path)
+    content = read_plain_file(path)
+    judge = Judge(None, Sandbox(limits, find_isolation(limits).boxed), known)
+    lesson, found = judge.rows(content, path.name)
     rows = []
-    for row in judge.rows(notebook):
+    for row in found:
         rows.append(row)
         if on_row is not None:
             on_row(row)
-    return Check(notebook.lesson, tuple(rows))
+    return Check(lesson, tuple(rows))
 
 
 def grade_folder(
     folder: Path, out: Path, *, seed: int | None = None, time_limit: float = 10.0, memory_mb: int = 2000,
     feedback: Path | None = None, on_progress: Progress | None = None, lessons: Sequence[Lesson] | None = None,
-    workers: int | None = None, force: bool = False,
+    workers: int | None = None, force: bool = False, require_sandbox: bool = False,
 ) -> Summary:  # fmt: skip
     """Mark every file in a folder and below it: a table (CSV) at ``out`` and a page (HTML) a submission.
 
@@ -135,8 +145,10 @@ def grade_folder(
     ``seed`` draws the inputs; without one, a table that is there gives its own, so that a batch cut off goes on, and
     else it is random. ``time_limit`` [s] and ``memory_mb`` hold for each exercise; ``feedback`` is the folder of the
     pages (default: beside the table). Rows whose submission, seed, limits and grader are as they were are kept,
-    unless ``force``. On Ctrl-C, SIGTERM and SIGHUP (``Stopped``, a ``KeyboardInterrupt``) what is done is in the
-    table, and the next call goes on from there.
+    unless ``force``. With ``require_sandbox`` nothing is run where submissions would have to be trusted.
+
+    On Ctrl-C, SIGTERM and SIGHUP (``Stopped``, a ``KeyboardInterrupt``) what is done is in the table, and the next
+    call goes on from there.
 
     Raises ``ValueError`` for arguments that cannot be used and where another grader writes to the table
     (``Locked``), ``SandboxFailure`` where no answer can be run at all, ``CannotWrite`` where the disk is full.
@@ -158,12 +170,17 @@ def grade_folder(
         done = {row["key"] for row in stand}
         todo = [task for key, task in keys.items() if key not in done]
         with stopping.put_off():  # its process is ended and its folder taken away
-            shut_in = isolation(limits) if todo else ()
+            shut_in = find_isolation(limits) if todo or require_sandbox else None
         stopping.check()
+        if require_sandbox and shut_in and not shut_in.boxed:
+            raise SandboxFailure(
+                f"no box for submissions ({shut_in.reason}), and --require-sandbox was given"
+            )
         write_marker(feedback)
         table = Table(out, _exercises(known), stand, stale=stale, more=found.more)
-        judge = Judge(seed, limits, threading.Event())
-        batch = Batch(judge, seed, version, known, table, ", ".join(shut_in))
+        boxed = shut_in is not None and shut_in.boxed
+        judge = Judge(seed, Sandbox(limits, boxed, threading.Event()), known)
+        batch = Batch(judge, seed, version, table, str(shut_in or ""))
         try:
             many = workers or os.cpu_count() or 1
             batch.mark(todo, len(tasks), many, on_progress or _quietly, stopping)
@@ -176,7 +193,7 @@ def grade_folder(
     return Summary(
         out, feedback, seed, len(tasks), len(tasks) - len(todo), states.count("marked"),
         states.count("needs a person"), states.count("unusable"), time.monotonic() - started,
-        shut_in or tuple(rows[0]["isolation"].split(", ")),
+        str(shut_in) if shut_in else rows[0]["isolation"],
         sum(row["key"].startswith(AGAIN) for row in rows), (*batch.unwritten, *missing),
     )  # fmt: skip
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from course.exercises.definition import Lesson
-from course.grading.reply import clean
+from course.sandbox.reply import clean
 
 #: "Ann Lee_101_assignsubmission_file_" is a folder; in a download without folders a file's name goes on after it.
 MOODLE = re.compile(r"(.*?)_(\d+)_assignsubmission_[a-z]+_?(.*)", re.DOTALL)

@@ -10,7 +10,7 @@ from urllib.parse import quote
 
 from course.exercises.definition import Lesson
 from course.exercises.message import SYMBOLS
-from course.grading.feedback import template
+from course.grading.feedback import template, trusted
 from course.grading.report import exercises_of, told_by
 from course.grading.writing import write_whole
 
@@ -40,6 +40,7 @@ def write_index(
                 for state, n in Counter(row["state"] for row in rows).most_common()],
         lessons=[lesson for lesson in by_lesson if lesson["rows"]], mistakes=commonest_mistakes(rows),
         others=[_line(row, overviews) for row in rows if quote(row["page"]) not in marked],
+        trusted=trusted(row["isolation"] for row in rows),
         refused=[_line(row, overviews) for row in rows if row["refused"]],
     )  # fmt: skip
     write_whole(path, text)

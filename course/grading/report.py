@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from course.exercises.definition import Lesson
 from course.grading.judge import Row
-from course.grading.reply import clean
+from course.sandbox.reply import clean
 
 FIRST = (
     "file", "student", "lesson", "total", "out_of", "state", "reason", "refused"
@@ -19,6 +19,12 @@ AGAIN = "again-"
 #: A spreadsheet takes a cell that begins with one of these (full-width forms too) for a formula.
 FORMULA = tuple("=+-@\t\r\n\uff1d\uff0b\uff0d\uff20")
 CELL_LIMIT = 2_000
+#: How the isolation of a row begins whose submission could do whatever the grader can.
+TRUSTED = "trusted"
+TRUSTED_MEANS = (
+    "Submissions were trusted: nothing but a hook stood between them "
+    "and what the grader may read and write."
+)
 
 State = Literal["marked", "needs a person", "unusable"]
 

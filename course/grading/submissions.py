@@ -10,13 +10,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from course.exercises.definition import Lesson
-from course.exercises.notebook_file import MAXIMUM_BYTES
+from course.exercises.notebook_file import MAXIMUM_BYTES, UnusableNotebook, too_large
 from course.grading.identity import Student, student_of, told_apart
 from course.grading.lock import FIRST_LINE
 from course.grading.page_names import page_names
-from course.grading.reply import clean
 from course.grading.table import is_table
 from course.grading.writing import CannotWrite, write_whole
+from course.sandbox.reply import clean
 
 #: What systems leave behind, in small letters; nobody hands it in.
 LEFT_BEHIND = frozenset(
@@ -91,6 +91,17 @@ def read_content(task: Task) -> bytes:
     if len(content) > MAXIMUM_BYTES:
         raise OSError("it has grown meanwhile")
     return content
+
+
+def read_plain_file(path: Path) -> bytes:
+    """What one notebook holds; raises ``UnusableNotebook`` with the reason where it cannot be read."""
+    if not path.exists():
+        raise UnusableNotebook("no such file")
+    reason = _reason(path.resolve())
+    if reason != "":
+        raise UnusableNotebook(reason or "not a file")
+    with _opened(path.resolve()) as file:
+        return bytes(file.read(MAXIMUM_BYTES + 1))
 
 
 def digest_of(task: Task, content: bytes) -> str:
@@ -193,8 +204,7 @@ def _reason(path: Path) -> str | None:
     if found.st_size == 0:
         return "the file is empty"
     if found.st_size > MAXIMUM_BYTES:
-        size, most = found.st_size / 1e6, MAXIMUM_BYTES / 1e6
-        return f"{size:.0f} MB is too large for a notebook (limit {most:.0f} MB)"
+        return too_large(found.st_size)
     return ""
 
 

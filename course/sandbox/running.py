@@ -140,13 +140,16 @@ class Session:
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, close_fds=True, **own_group,
         )  # fmt: skip
         self._inbox: queue.SimpleQueue[tuple[bytes, bytes] | None] = queue.SimpleQueue()
-        threading.Thread(target=self._listen, daemon=True).start()
+        self._listener = threading.Thread(target=self._listen, daemon=True)
+        self._listener.start()
+        self._ready = False
         self.reading = Reading("", ())
 
     def read(self, content: bytes, file: str, lessons: Sequence[Outline]) -> None:
         """Have the notebook read; afterwards ``reading`` says what it is."""
         if self._next(START_SECONDS) != (messages.READY, b""):
             raise SandboxFailure(f"the process did not start: {self._last_words()}")
+        self._ready = True
         outlines = [[lesson.number, list(lesson.exercises)] for lesson in lessons]
         request = {"notebook": np.frombuffer(content, np.uint8), "file": file,
                    "lessons": outlines, "limits": list(asdict(self._sandbox.limits).values())}  # fmt: skip
@@ -177,23 +180,25 @@ class Session:
             yield _run(seen, question, cells)
 
     def close(self) -> None:
-        """End the process and all that it started."""
+        """End the process and all that it started.
+
+        It ends by itself when it sees that nobody asks it any more. It is killed only where it does not, and not
+        while it starts: a box that loses its maker half built would wait for it for ever.
+        """
         with contextlib.suppress(OSError):
             if self._process.stdin:
                 self._process.stdin.close()
-        if (
-            not self._sandbox.boxed
-        ):  # it ends what it started itself, when it sees that we are gone
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                self._process.wait(2.0)
-            if sys.platform != "win32":
-                with contextlib.suppress(ProcessLookupError, PermissionError):
-                    os.killpg(self._process.pid, signal.SIGKILL)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(1.0 if self._ready else START_SECONDS)
+        if not self._sandbox.boxed and sys.platform != "win32":
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(self._process.pid, signal.SIGKILL)
         self._process.kill()
         self._process.wait()
-        for pipe in (self._process.stdout, self._process.stderr):
-            if pipe:
-                with contextlib.suppress(OSError, ValueError):
+        self._listener.join(1.0)
+        if not self._listener.is_alive():  # to close what it reads would wait for it
+            for pipe in (self._process.stdout, self._process.stderr):
+                if pipe:
                     pipe.close()
 
     def _seen(self, patience: float) -> dict[str, Any] | None:
@@ -246,7 +251,9 @@ class Session:
 
     def _last_words(self) -> str:
         self._process.kill()
-        _, errors = self._process.communicate()
+        self._process.wait()
+        assert self._process.stderr is not None
+        errors = self._process.stderr.read()
         words = errors[-2000:].decode("utf-8", "replace").strip()
         return f"exit code {self._process.returncode}: {words}"
 

@@ -16,7 +16,7 @@ from course.grading import batch as batching
 from course.grading import fingerprint as printing
 from course.grading.fingerprint import fingerprint, grader_version, source_digest
 from course.grading.grade import grade_folder
-from course.grading.sandbox import SandboxFailure
+from course.sandbox.running import SandboxFailure
 
 
 def times(factor):
@@ -153,11 +153,11 @@ def test_a_process_that_does_not_start_ends_no_batch(
     """Once: it is tried again. Twice: a person has to look, and the next call tries it again."""
     judged, tried = batching.judged, []
 
-    def failing(judge, task, lessons):
+    def failing(judge, task, content):
         tried.append(task.file)
         if task.file == "ben.ipynb" and tried.count(task.file) <= fails:
             raise SandboxFailure("no process for an answer: out of memory")
-        return judged(judge, task, lessons)
+        return judged(judge, task, content)
 
     monkeypatch.setattr(batching, "PAUSE", 0.0)
     monkeypatch.setattr(batching, "judged", failing)
@@ -173,8 +173,8 @@ def test_a_process_that_does_not_start_ends_no_batch(
 def test_what_was_not_let_is_a_column_and_on_the_pages(folder, tmp_path, monkeypatch):
     judged = batching.judged
 
-    def refusing(judge, task, lessons):
-        lesson, rows, _ = judged(judge, task, lessons)
+    def refusing(judge, task, content):
+        lesson, rows, _ = judged(judge, task, content)
         refused = ("opening a socket",) if task.file == "ben.ipynb" else ()
         return lesson, rows, refused
 

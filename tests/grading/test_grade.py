@@ -26,7 +26,9 @@ from grading.toy_lessons import (
 from course.exercises.notebook_file import UnusableNotebook
 from course.grading import judge as judging
 from course.grading.grade import check_notebook, grade_folder
-from course.grading.sandbox import SandboxFailure
+from course.sandbox import running
+from course.sandbox.box import Start
+from course.sandbox.running import SandboxFailure
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 
@@ -249,7 +251,7 @@ def test_a_batch_that_is_done_is_not_done_again(folder, tmp_path, monkeypatch):
     out = tmp_path / "new" / "grades.csv"
     first = grade_folder(folder, out, lessons=LESSONS)
     text, pages = out.read_text(), sorted(first.feedback.iterdir())
-    monkeypatch.setattr(judging, "run_job", None)
+    monkeypatch.setattr(judging.Judge, "rows", None)
     again = grade_folder(folder, out, lessons=LESSONS)
     assert (again.kept, again.seed, again.marked, again.isolation) == (
         5,
@@ -354,10 +356,10 @@ def test_a_fault_of_ours_in_one_submission_stops_no_other(
 ):
     rows = judging.Judge.rows
 
-    def fails(self, read):
-        if read.path.name == "ben.ipynb":
+    def fails(self, content, file):
+        if file == "ben.ipynb":
             raise RuntimeError("a bug")
-        return rows(self, read)
+        return rows(self, content, file)
 
     monkeypatch.setattr(judging.Judge, "rows", fails)
     told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
@@ -373,10 +375,9 @@ def test_a_fault_of_ours_in_one_submission_stops_no_other(
 def test_a_machine_that_runs_no_answer_says_so_before_anything_is_marked(
     folder, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr(
-        "course.grading.sandbox.command",
-        lambda where: [sys.executable, "-c", "raise SystemExit(3)"],
-    )
+    broken = (sys.executable, "-c", "raise SystemExit(3)")
+    for way in ("start_plain", "start_in_box"):
+        monkeypatch.setattr(running, way, lambda *_: Start(broken, {}, "."))
     with pytest.raises(SandboxFailure, match="exit code 3"):
         grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
     assert not (tmp_path / "grades.csv").exists()
