@@ -247,7 +247,7 @@ def test_what_a_spreadsheet_makes_of_names_is_put_right(tmp_path):
     grade_folder(tmp_path / "in", out, lessons=LESSONS)
     before = out.read_text(encoding="utf-8-sig")
     assert "\n1-2,1-2," in before
-    saved = before.replace("\n1-2,1-2,", "\n01. Feb,01. Feb,").replace(",", ";")
+    saved = before.replace("\n1-2,1-2,", "\n01. Feb,01. Feb,")
     out.write_bytes(saved.replace("\n", "\r\n").encode("utf-8-sig"))
     again = grade_folder(tmp_path / "in", out, lessons=LESSONS)
     assert again.kept == 2 and out.read_text(encoding="utf-8-sig") == before

@@ -1,6 +1,5 @@
 """A folder of submissions of every kind: each gets its row, the batch goes on, and a cut-off batch continues."""
 
-import csv
 import json
 import os
 import re
@@ -20,6 +19,7 @@ from grading.toy_lessons import (
     cell,
     notebook,
     only,
+    rows_in,
     write,
 )
 
@@ -29,11 +29,6 @@ from course.grading.grade import check_notebook, grade_folder
 from course.grading.sandbox import SandboxFailure
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
-
-
-def rows_in(out):
-    with out.open(encoding="utf-8-sig", newline="") as file:
-        return {row["file"]: row for row in csv.DictReader(file)}
 
 
 def fill(folder):

@@ -1,7 +1,6 @@
 """Batches that are ended from outside, in every way: what was told as done is in the table, and the rest goes on."""
 
 import contextlib
-import csv
 import os
 import re
 import signal
@@ -11,7 +10,16 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from grading.toy_lessons import LESSONS, OTHER, RIGHT, blank, notebook, only, write
+from grading.toy_lessons import (
+    LESSONS,
+    OTHER,
+    RIGHT,
+    blank,
+    notebook,
+    only,
+    rows_in,
+    write,
+)
 
 from course.grading.grade import grade_folder
 from course.grading.lock import Lock, Locked
@@ -41,11 +49,6 @@ sys.exit(cli.run(["grade", *sys.argv[2:]]))
 """
 SLEEPS = "import time\ndef twice(x):\n    time.sleep(4)"
 NEVER = "def twice(x):\n    while True: pass"
-
-
-def rows_in(out):
-    with out.open(encoding="utf-8-sig", newline="") as file:
-        return {row["file"]: row for row in csv.DictReader(file)}
 
 
 @pytest.fixture

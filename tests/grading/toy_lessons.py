@@ -1,5 +1,6 @@
 """Two small lessons, and notebooks of them, for the tests of grading."""
 
+import csv
 import json
 from pathlib import Path
 
@@ -129,3 +130,9 @@ def submission(*states, file="ann.ipynb", student="ann", key="0" * 64, lesson=TO
         for e, state in zip(lesson.exercises, states, strict=True)
     )  # fmt: skip
     return Submission(file, student, key, lesson, rows)
+
+
+def rows_in(out: Path) -> dict:
+    """The rows of a table of marks by file, as a spreadsheet sees them."""
+    with out.open(encoding="utf-8-sig", newline="") as file:
+        return {row["file"]: row for row in csv.DictReader(file)}
