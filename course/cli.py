@@ -301,7 +301,7 @@ def bar(what: str) -> Iterator[Callable[[int, int | None, str], None]]:
 
 
 class _MayBeGone:
-    """A stream to a terminal that may be closed meanwhile: a bar that nobody sees is no reason to fail."""
+    """A stream to a terminal that may be closed meanwhile: a bar is no reason to fail."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream

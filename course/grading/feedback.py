@@ -1,6 +1,8 @@
-"""A page of feedback a submission: points, what was found, what to try next; and one a student who handed in several.
+"""A page of feedback a submission: points, what was found, what to try next; and one a
+student who handed in several.
 
-Nothing is loaded from outside. The page for the grader, with everybody, is made in ``index``.
+Nothing is loaded from outside. The page for the grader, with everybody, is made in
+``index``.
 """
 
 from __future__ import annotations
@@ -21,7 +23,9 @@ INDEX = "index.html"
 
 
 def write_page(path: Path, submission: Submission, *, seed: int) -> None:
-    """Write the page of a submission, with a link to the grader's; raises ``CannotWrite``."""
+    """Write the page of a submission, with a link to the grader's; raises
+    ``CannotWrite``.
+    """
     write_whole(path, page(submission, seed=seed, index=INDEX))
 
 
@@ -62,7 +66,9 @@ def write_overview(
     *,
     seed: int,
 ) -> None:
-    """Write a student's own page: every submission with its points, from its row of the table."""
+    """Write a student's own page: every submission with its points, from its row of the
+    table.
+    """
     rows = [
         {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
          "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
@@ -113,7 +119,9 @@ def _following(submission: Submission) -> str:
 
 @cache
 def template(page: str) -> Any:
-    """A page's body between the common head and foot, as a template that escapes what it is given."""
+    """A page's body between the common head and foot, as a template that escapes what
+    it is given.
+    """
     import jinja2
 
     environment = jinja2.Environment(

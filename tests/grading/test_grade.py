@@ -1,4 +1,6 @@
-"""A folder of submissions of every kind: each gets its row, the batch goes on, and a cut-off batch continues."""
+"""A folder of submissions of every kind: each gets its row, the batch goes on, and a
+cut-off batch continues.
+"""
 
 import json
 import os

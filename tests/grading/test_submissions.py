@@ -1,4 +1,6 @@
-"""A folder of submissions: what is hidden or a link is told, no page is another's, our own output is none."""
+"""A folder of submissions: what is hidden or a link is told, no page is another's, our
+own output is none.
+"""
 
 import os
 import sys
@@ -78,7 +80,9 @@ def test_what_cannot_be_opened_is_told(tmp_path, monkeypatch):
 
 
 def test_nothing_is_parsed(tmp_path, monkeypatch):
-    """Parsing what a stranger wrote can take hours; it is done one at a time, under a limit."""
+    """Parsing what a stranger wrote can take hours; it is done one at a time, under a
+    limit.
+    """
     write(tmp_path / "deep.ipynb", "[" * 100_000)
     monkeypatch.setattr("json.loads", None)
     monkeypatch.setattr("ast.parse", None)
@@ -111,7 +115,9 @@ STRANGE = [
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="names that Windows refuses")
 def test_no_page_is_ever_written_over_another_s(tmp_path):
-    """On the folder's own file system, and as the names would be on one without case and normal forms."""
+    """On the folder's own file system, and as the names would be on one without case
+    and normal forms.
+    """
     folder = tmp_path / "in"
     names = [*STRANGE, os.fsdecode(b"raw\xff"), os.fsdecode(b"raw\xfe")]
     for name in names:

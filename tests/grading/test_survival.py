@@ -1,4 +1,6 @@
-"""Batches that are ended from outside, in every way: what was told as done is in the table, and the rest goes on."""
+"""Batches that are ended from outside, in every way: what was told as done is in the
+table, and the rest goes on.
+"""
 
 import contextlib
 import os

@@ -97,7 +97,9 @@ def cell(source, **course):
 
 
 def notebook(lesson=TOY, *, cells=None, told=True, **answers):
-    """A notebook of the lesson: the right answers but for those given; an answer None leaves the cell out."""
+    """A notebook of the lesson: the right answers but for those given; an answer None
+    leaves the cell out.
+    """
     sources = {e.name: RIGHT[e.name] for e in lesson.exercises} | answers
     own = [cell(s, exercise=name) for name, s in sources.items() if s is not None]
     metadata = {"course": {"lesson": lesson.number}} if told else {}
@@ -110,7 +112,9 @@ def blank(lesson=TOY, **more):
 
 
 def only(name, source):
-    """A notebook of the first lesson with one exercise tried and the others as handed out."""
+    """A notebook of the first lesson with one exercise tried and the others as handed
+    out.
+    """
     return notebook(**{e.name: BLANK[e.name] for e in TOY.exercises} | {name: source})
 
 
