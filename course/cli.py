@@ -191,7 +191,9 @@ def grade(
 ) -> None:  # fmt: skip
     """Grade every notebook in a folder: a CSV table, and a page of feedback a student. A batch cut off goes on.
 
-    Ends with 130, 129 or 143 where Ctrl-C, SIGHUP or SIGTERM cut it off.
+    Exit code 1 where the same command has something to make up for (a page that had no
+    room, a process that did not start); 130, 129, 143 where Ctrl-C, SIGHUP or SIGTERM
+    cut it off.
     """
     from course.grading.grade import grade_folder
     from course.grading.sandbox import SandboxFailure
@@ -209,6 +211,7 @@ def grade(
             )
         raise typer.Exit(128 + stop.number) from None
     typer.echo(str(summary))
+    raise typer.Exit(1 if summary.again or summary.unwritten else 0)
 
 
 @app.command()

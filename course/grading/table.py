@@ -171,7 +171,7 @@ class Table:
         row = {**cells, **{name: before.get(name, "") for name in self.more}}
         self.rows.append(row)
         try:
-            if set(exercises_of(row)) <= set(self.columns):
+            if set(exercises_of(row)) <= set(self.columns) and self._is_there():
                 self._append(self._text([row]).encode("utf-8", "replace"))
             else:
                 self._write_whole()
@@ -193,6 +193,15 @@ class Table:
             pass  # every row is in it, in the order of their coming
         finally:
             self._let_go()
+
+    def _is_there(self) -> bool:
+        """Whether the open file is still the one of this name: an editor that saves may
+        put another in its place, or somebody take it away.
+        """
+        try:
+            return os.path.samestat(os.stat(self.path), os.fstat(self._number))
+        except OSError:
+            return False
 
     def _append(self, line: bytes) -> None:
         """Write a line or nothing of it."""

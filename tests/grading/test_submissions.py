@@ -173,3 +173,18 @@ def test_earlier_output_in_the_folder_is_no_submission(tmp_path):
     assert set(found(folder)) >= {"eve/90-toy.ipynb", f"eve/{MARKER}", "eve/page.html"}
     write(folder / "marks.csv", "file,student,lesson\nmine,x,y\n")
     assert "marks.csv" in found(folder)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="paths of POSIX")
+def test_folders_deeper_than_a_path_can_be_are_told(tmp_path):
+    write(tmp_path / "in" / "ann.ipynb", blank())
+    here = os.open(tmp_path / "in", os.O_RDONLY)
+    for _ in range(60):
+        os.mkdir("d" * 100, dir_fd=here)
+        below = os.open("d" * 100, os.O_RDONLY, dir_fd=here)
+        os.close(here)
+        here = below
+    os.close(here)
+    told = found(tmp_path / "in")
+    assert len(told) == 2 and told["ann.ipynb"] == ""
+    assert "cannot be read: File name too long" in told.values()

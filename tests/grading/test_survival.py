@@ -265,7 +265,7 @@ def test_a_full_disk_under_the_pages(tmp_path, temporary):
         options = ("--feedback", str(disk / "pages"), "--workers", "1")
         process = start(tmp_path / "in", out, temporary, *options)
         told, errors = process.communicate(timeout=60)
-        assert process.returncode == 0, errors
+        assert process.returncode == 1, errors
         missing = int(re.search(r"(\d+) pages are missing: ", told)[1])
         assert 2 < missing < 12
         assert re.search(r"disk/pages/\d\d--\w+.html cannot be written \(No sp", told)
