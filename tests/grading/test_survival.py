@@ -135,7 +135,7 @@ def test_killed_again_and_again_a_batch_comes_to_its_end(tmp_path, temporary):
     for moment in range(40):
         process = start(tmp_path / "in", out, temporary, *options)
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.communicate(timeout=1.0 + 0.15 * moment)
+            process.communicate(timeout=0.4 + 0.15 * moment)
         process.kill()
         process.communicate()
         if not out.exists():
