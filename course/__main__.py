@@ -9,7 +9,9 @@ import sys
 
 
 def main(arguments=None):
-    """Run the command line and return its exit code (the ``course`` script and ``-m course``)."""
+    """Run the command line and return its exit code (the ``course`` script and ``-m
+    course``).
+    """
     leave_current_folder()
     if sys.version_info < (3, 6):
         sys.stderr.write(
@@ -36,9 +38,10 @@ def main(arguments=None):
 def leave_current_folder():
     """Take the current folder out of the places that modules are imported from.
 
-    ``python3 -m`` puts it first, and so does an empty entry in PYTHONPATH; a grader's holds the files of students, and
-    none of these may be imported (``json.py``, ``numpy.py``). The folder that this package is in comes last instead:
-    it may be the current one.
+    ``python3 -m`` puts it first, and so does an empty entry in PYTHONPATH; a grader's
+    holds the files of students, and none of these may be imported (``json.py``,
+    ``numpy.py``). The folder that this package is in comes last instead: it may be the
+    current one.
     """
     before = list(sys.path)
     # What is imported here must not be found there either.

@@ -192,7 +192,9 @@ def grade(
 ) -> None:  # fmt: skip
     """Grade every notebook in a folder: a CSV table, and a page of feedback a student. A batch cut off goes on.
 
-    Ends with 130, 129 or 143 where Ctrl-C, SIGHUP or SIGTERM cut it off.
+    Exit code 1 where the same command has something to make up for (a page that had no
+    room, a process that did not start); 130, 129, 143 where Ctrl-C, SIGHUP or SIGTERM
+    cut it off.
     """
     from course.grading.grade import grade_folder
     from course.grading.stopping import Stopped
@@ -211,6 +213,7 @@ def grade(
             )
         raise typer.Exit(128 + stop.number) from None
     typer.echo(str(summary))
+    raise typer.Exit(1 if summary.again or summary.unwritten else 0)
 
 
 @app.command()
@@ -303,7 +306,7 @@ def bar(what: str) -> Iterator[Callable[[int, int | None, str], None]]:
 
 
 class _MayBeGone:
-    """A stream to a terminal that may be closed meanwhile: a bar that nobody sees is no reason to fail."""
+    """A stream to a terminal that may be closed meanwhile: a bar is no reason to fail."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream

@@ -283,7 +283,8 @@ def go_on_in(venv, arguments):
         os.environ.pop(
             leak, None
         )  # they would mix another Python's packages into the locked ones
-    # -P: the current folder may hold a student's json.py. Python 3.11, which .venv has at least, knows it.
+    # -P: the current folder may hold a student's json.py. The Python of .venv is new
+    # enough to know it.
     command = [venv_python(venv), "-P", "-m", "course"] + list(arguments)
     sys.stdout.flush()
     sys.stderr.flush()

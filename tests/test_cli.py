@@ -243,16 +243,18 @@ def test_grade_writes_the_table_and_says_what_it_did(tmp_path, capsys):
 def test_grade_hands_on_what_is_asked(monkeypatch, capsys):
     from course.grading import grade
 
-    asked = []
+    asked, told = [], [(0, ()), (0, ()), (1, ()), (0, ("a page has no room",))]
+    Told = namedtuple("Told", "again unwritten")
     monkeypatch.setattr(
-        grade, "grade_folder", lambda *a, **k: asked.append((a, k)) or "what it did"
-    )
+        grade, "grade_folder", lambda *a, **k: asked.append((a, k)) or Told(*told.pop(0))
+    )  # fmt: skip
     assert cli.run(["grade", "in", "--force", "--seed", "4", "--workers", "3"]) == 0
     ((folder, out), options) = asked[0]
     assert (folder, out) == (Path("in"), Path("grades.csv"))
     assert (options["force"], options["seed"], options["workers"]) == (True, 4, 3)
     assert cli.run(["grade", "in"]) == 0 and asked[1][1]["force"] is False
-    assert "what it did" in capsys.readouterr().out
+    assert [cli.run(["grade", "in"]), cli.run(["grade", "in"])] == [1, 1]
+    assert "Told(again=1, unwritten=())" in capsys.readouterr().out
 
 
 def test_grade_of_no_folder_ends_with_2(tmp_path, capsys):

@@ -1,4 +1,6 @@
-"""Mark many submissions, several at a time: a fault with one of them, ours or its own, stops no other."""
+"""Mark many submissions, several at a time: a fault with one of them, ours or its own,
+stops no other.
+"""
 
 from __future__ import annotations
 
@@ -20,14 +22,17 @@ from course.grading.table import Table
 from course.grading.writing import CannotWrite
 from course.sandbox.running import Cancelled, SandboxFailure
 
-#: Called with how many submissions are done, how many there are, and the file just done ("" at the start).
+#: Called with how many submissions are done, how many there are, and the file just done
+#: ("" at the start).
 Progress = Callable[[int, int, str], None]
 PAUSE = 1.0  # seconds before an answer whose process did not start is tried once more
 
 
 @dataclass(frozen=True)
 class Batch:
-    """What the submissions of a batch share while they are marked; ``unwritten`` fills with pages that had no room."""
+    """What the submissions of a batch share while they are marked; ``unwritten`` fills
+    with pages that had no room.
+    """
 
     judge: Judge
     seed: int
@@ -48,10 +53,12 @@ class Batch:
         tell: Progress,
         stopping: Stopping,
     ) -> None:
-        """Judge several at a time; rows and pages are written here, by one thread, as they come.
+        """Judge several at a time; rows and pages are written here, by one thread, as
+        they come.
 
-        No more are begun than can soon be judged, so that memory stays flat. Raises ``Stopped`` on a signal, after
-        what was running has been ended, and ``CannotWrite`` where the table has no room.
+        No more are begun than can soon be judged, so that memory stays flat. Raises
+        ``Stopped`` on a signal, after what was running has been ended, and
+        ``CannotWrite`` where the table has no room.
         """
         done = total - len(todo)
         tell(done, total, "")
@@ -64,7 +71,8 @@ class Batch:
                         running[pool.submit(self._judged, task)] = task
                     if not running:
                         break
-                    # Woken now and then: a signal is looked for, which a wait without end may not let through.
+                    # Woken now and then: a signal is looked for, which a wait without
+                    # end may not let through.
                     ready, _ = wait(running, timeout=0.2, return_when=FIRST_COMPLETED)
                     for future in sorted(ready, key=list(running).index):
                         submission = future.result()
@@ -80,7 +88,9 @@ class Batch:
                 raise
 
     def _write(self, task: Task, submission: Submission) -> None:
-        """The page and then the row: a row without its page is made again by the next call."""
+        """The page and then the row: a row without its page is made again by the next
+        call.
+        """
         try:
             write_page(task.page, submission, seed=self.seed, isolation=self.isolation)
         except CannotWrite as error:
@@ -144,9 +154,11 @@ def standing(
     keys: Mapping[str, Task],
     tasks: Iterable[Task],
 ) -> tuple[list[dict[str, str]], list[dict[str, str]]]:
-    """The rows of an old table that stand, and those whose submission is to be marked again.
+    """The rows of an old table that stand, and those whose submission is to be marked
+    again.
 
-    A row stands whose key is one of ``keys`` and whose page is there, and one whose file is none of these ``tasks``.
+    A row stands whose key is one of ``keys`` and whose page is there, and one whose
+    file is none of these ``tasks``.
     """
     files = {safe_cell(task.file) for task in tasks}
     stand, stale = [], []

@@ -1,6 +1,8 @@
-"""A page of feedback a submission: points, what was found, what to try next; and one a student who handed in several.
+"""A page of feedback a submission: points, what was found, what to try next; and one a
+student who handed in several.
 
-Nothing is loaded from outside. The page for the grader, with everybody, is made in ``index``.
+Nothing is loaded from outside. The page for the grader, with everybody, is made in
+``index``.
 """
 
 from __future__ import annotations
@@ -66,7 +68,9 @@ def write_overview(
     *,
     seed: int,
 ) -> None:
-    """Write a student's own page: every submission with its points, from its row of the table."""
+    """Write a student's own page: every submission with its points, from its row of the
+    table.
+    """
     rows = [
         {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
          "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
@@ -125,7 +129,9 @@ def _following(submission: Submission) -> str:
 
 @cache
 def template(page: str) -> Any:
-    """A page's body between the common head and foot, as a template that escapes what it is given."""
+    """A page's body between the common head and foot, as a template that escapes what
+    it is given.
+    """
     import jinja2
 
     environment = jinja2.Environment(

@@ -1,4 +1,6 @@
-"""A digest of everything that marks hang on but the submission: the grader's own source, its libraries, the lessons."""
+"""A digest of everything that marks hang on but the submission: the grader's own
+source, its libraries, the lessons.
+"""
 
 from __future__ import annotations
 
@@ -26,13 +28,17 @@ NO_MATTER = frozenset(
 
 
 def grader_version(lessons: Sequence[Lesson]) -> str:
-    """A digest of the program, of the libraries that the references call, and of the lessons judged by."""
+    """A digest of the program, of the libraries that the references call, and of the
+    lessons judged by.
+    """
     libraries = [sys.version_info[:2], np.__version__, _version_of_sympy()]
     return _digest(source_digest(PACKAGE), libraries, fingerprint(tuple(lessons)))
 
 
 def key_of(submission: str, version: str, seed: int, limits: Limits) -> str:
-    """A digest of all that a submission's marks hang on: itself, the grader's version, the seed and the limits."""
+    """A digest of all that a submission's marks hang on: itself, the grader's version,
+    the seed and the limits.
+    """
     return _digest(submission, version, seed, sorted(asdict(limits).items()))
 
 
@@ -49,7 +55,9 @@ def source_digest(package: Path) -> str:
 
 
 def fingerprint(value: Any) -> str:
-    """A digest of a value by what it says, the same in every process: functions by their code and what they hold."""
+    """A digest of a value by what it says, the same in every process: functions by
+    their code and what they hold.
+    """
     return _digest(_plain(value, ()))
 
 

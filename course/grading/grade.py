@@ -1,4 +1,6 @@
-"""Mark a folder of submissions, or check one notebook: what ``course grade`` and ``course check`` call."""
+"""Mark a folder of submissions, or check one notebook: what ``course grade`` and
+``course check`` call.
+"""
 
 from __future__ import annotations
 
@@ -37,10 +39,12 @@ from course.sandbox.running import Sandbox, SandboxFailure, find_isolation
 
 @dataclass(frozen=True)
 class Summary:
-    """What a batch came to: counts of submissions by state, the seed, and how answers were shut in.
+    """What a batch came to: counts of submissions by state, the seed, and how answers
+    were shut in.
 
-    ``again`` of those that need a person failed by no fault of their author; the next call judges them again.
-    ``unwritten`` says of each page that could not be written which it is, why, and the cure.
+    ``again`` of those that need a person failed by no fault of their author; the next
+    call judges them again. ``unwritten`` says of each page that could not be written
+    which it is, why, and the cure.
     """
 
     out: Path
@@ -115,7 +119,8 @@ def check_notebook(
     path: Path, *, time_limit: float = 10.0, memory_mb: int = 2000, lessons: Sequence[Lesson] | None = None,
     on_row: Callable[[Row], None] | None = None,
 ) -> Check:  # fmt: skip
-    """Run a notebook's exercises on the inputs of its own check; ``on_row`` sees each row as it is found out.
+    """Run a notebook's exercises on the inputs of its own check; ``on_row`` sees each
+    row as it is found out.
 
     Raises ``UnusableNotebook`` (a ``ValueError``) where the file cannot be marked.
     """
@@ -138,9 +143,11 @@ def grade_folder(
     feedback: Path | None = None, on_progress: Progress | None = None, lessons: Sequence[Lesson] | None = None,
     workers: int | None = None, force: bool = False, require_sandbox: bool = False,
 ) -> Summary:  # fmt: skip
-    """Mark every file in a folder and below it: a table (CSV) at ``out`` and a page (HTML) a submission.
+    """Mark every file in a folder and below it: a table (CSV) at ``out`` and a page
+    (HTML) a submission.
 
-    A student who handed in several gets a page of their own as well, and the grader one of all (``index.html``).
+    A student who handed in several gets a page of their own as well, and the grader one
+    of all (``index.html``).
 
     ``seed`` draws the inputs; without one, a table that is there gives its own, so that a batch cut off goes on, and
     else it is random. ``time_limit`` [s] and ``memory_mb`` hold for each exercise; ``feedback`` is the folder of the
@@ -150,8 +157,9 @@ def grade_folder(
     On Ctrl-C, SIGTERM and SIGHUP (``Stopped``, a ``KeyboardInterrupt``) what is done is in the table, and the next
     call goes on from there.
 
-    Raises ``ValueError`` for arguments that cannot be used and where another grader writes to the table
-    (``Locked``), ``SandboxFailure`` where no answer can be run at all, ``CannotWrite`` where the disk is full.
+    Raises ``ValueError`` for arguments that cannot be used and where another grader
+    writes to the table (``Locked``), ``SandboxFailure`` where no answer can be run at
+    all, ``CannotWrite`` where the disk is full.
     """
     started = time.monotonic()
     folder, out = Path(folder), Path(out)
@@ -228,7 +236,9 @@ def _seed(found: Found, tasks: Sequence[Task]) -> int:
 
 
 def _rows_of(tasks: Sequence[Task], table: Table) -> list[dict[str, str]]:
-    """The rows of these submissions, in the table's order; each submission's page is its own."""
+    """The rows of these submissions, in the table's order; each submission's page is
+    its own.
+    """
     pages = {safe_cell(task.page.name) for task in tasks}
     return [row for row in table.rows if row["page"] in pages]
 
@@ -240,7 +250,9 @@ def _pages_of_all(
     lessons: Sequence[Lesson],
     seed: int,
 ) -> list[str]:
-    """Write a page for every student with several submissions and the grader's; gives what could not be written."""
+    """Write a page for every student with several submissions and the grader's; gives
+    what could not be written.
+    """
     students = {task.page.name: task.student for task in tasks}
     by_student = defaultdict(list)
     for row in rows:

@@ -1,4 +1,6 @@
-"""The grader's page: every student's points by exercise, the commonest mistakes, links to all pages."""
+"""The grader's page: every student's points by exercise, the commonest mistakes, links
+to all pages.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,8 @@ from course.grading.feedback import template, trusted
 from course.grading.report import exercises_of, told_by
 from course.grading.writing import write_whole
 
-#: What a reason says of one run and not of a mistake: parts of it that begin so are not counted.
+#: What a reason says of one run and not of a mistake: parts of it that begin so are not
+#: counted.
 OF_ONE_RUN = ("case: ", "expected: ", "got: ")
 COMMONEST = 12
 WORDS_FOR_MANY = {"needs a person": "need a person"}
@@ -28,7 +31,8 @@ def write_index(
     *,
     seed: int,
 ) -> None:
-    """Write the page from the table's rows; ``overviews`` are the pages of students by the page of a submission.
+    """Write the page from the table's rows; ``overviews`` are the pages of students by
+    the page of a submission.
 
     Raises ``CannotWrite``.
     """
@@ -49,7 +53,9 @@ def write_index(
 def commonest_mistakes(
     rows: Sequence[Mapping[str, str]],
 ) -> list[tuple[int, str, str]]:
-    """(how many, exercise, what is said of it), the most frequent first, of what was said more than once."""
+    """(how many, exercise, what is said of it), the most frequent first, of what was
+    said more than once.
+    """
     count: Counter[tuple[str, str]] = Counter()
     for row in rows:
         for name in exercises_of(row):

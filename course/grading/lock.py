@@ -1,7 +1,9 @@
-"""A lock beside a table: two graders that write to one table would lose each other's rows.
+"""A lock beside a table: two graders that write to one table would lose each other's
+rows.
 
-Where the system has locks (``fcntl``, ``msvcrt``), it gives the lock back when its holder dies, however it dies.
-Where a file system has none, the file itself is the lock, and one whose process is gone is taken over.
+Where the system has locks (``fcntl``, ``msvcrt``), it gives the lock back when its
+holder dies, however it dies. Where a file system has none, the file itself is the lock,
+and one whose process is gone is taken over.
 """
 
 from __future__ import annotations
@@ -15,7 +17,8 @@ from pathlib import Path
 from types import TracebackType
 
 FIRST_LINE = "lock of course grade"
-#: Windows locks bytes, not files: one far behind the text, so that others can read who holds it.
+#: Windows locks bytes, not files: one far behind the text, so that others can read who
+#: holds it.
 FAR_BYTE = 1 << 20
 NEW_SECONDS = 0.2
 HELD, TAKEN, UNKNOWN = "held by another", "taken", "no locks here"
@@ -26,7 +29,9 @@ class Locked(ValueError):
 
 
 class Lock:
-    """``with Lock(path):`` one grader at a time; raises ``Locked`` at once where another is at work."""
+    """``with Lock(path):`` one grader at a time; raises ``Locked`` at once where
+    another is at work.
+    """
 
     def __init__(self, path: Path, what: str) -> None:
         self.path, self.what = Path(path), what
@@ -70,7 +75,9 @@ class Lock:
             os.close(self._number)
 
     def _is_ours(self, number: int, *, made: bool) -> bool:
-        """Whether the lock could be taken; False where its file was taken away meanwhile: try again."""
+        """Whether the lock could be taken; False where its file was taken away
+        meanwhile: try again.
+        """
         state = _take(number)
         lines = _read(number).decode("utf-8", "replace").splitlines()
         if state == HELD or (lines and _may_live(lines, locked=state == TAKEN)):

@@ -1,4 +1,6 @@
-"""File names of pages: readable, and by a digest each submission's own on every file system."""
+"""File names of pages: readable, and by a digest each submission's own on every file
+system.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,9 @@ SHORT_DIGEST = 10
 
 
 def readable(text: str) -> str:
-    """A name as a part of a file's: letters, digits, single hyphens; it holds no ``--``."""
+    """A name as a part of a file's: letters, digits, single hyphens; it holds no
+    ``--``.
+    """
     plain = unicodedata.normalize("NFC", text[:500])
     plain = plain.encode("utf-8", "replace").decode()
     plain = re.sub(r"-{2,}", "-", re.sub(r"[^\w.-]+", "_", plain))
@@ -24,10 +28,11 @@ def readable(text: str) -> str:
 def page_names(
     named: Sequence[tuple[str, bytes]], *, prefix: str = ""
 ) -> tuple[str, ...]:
-    """A file name for each (readable text, bytes that are its own): ``Ann_Lee--0123456789.html``.
+    """A file name for each (readable text, bytes that are its own):
+    ``Ann_Lee--0123456789.html``.
 
-    Names with a ``prefix`` (``student``) never meet those without. Where two would be one on a file system that takes
-    no notice of case, both get their digest in full.
+    Names with a ``prefix`` (``student``) never meet those without. Where two would be
+    one on a file system that takes no notice of case, both get their digest in full.
     """
     begin = f"{prefix}--" if prefix else ""
     stems = [begin + readable(text) for text, _ in named]

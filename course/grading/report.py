@@ -14,9 +14,11 @@ FIRST = (
     "file", "student", "lesson", "total", "out_of", "state", "reason", "refused"
 )  # fmt: skip
 LAST = ("seed", "isolation", "page", "key")
-#: Before the key of a row whose submission the next call judges again: the fault was the machine's.
+#: Before the key of a row whose submission the next call judges again: the fault was
+#: the machine's.
 AGAIN = "again-"
-#: A spreadsheet takes a cell that begins with one of these (full-width forms too) for a formula.
+#: A spreadsheet takes a cell that begins with one of these (full-width forms too) for a
+#: formula.
 FORMULA = tuple("=+-@\t\r\n\uff1d\uff0b\uff0d\uff20")
 CELL_LIMIT = 2_000
 #: How the isolation of a row begins whose submission could do whatever the grader can.
@@ -31,11 +33,12 @@ State = Literal["marked", "needs a person", "unusable"]
 
 @dataclass(frozen=True)
 class Submission:
-    """One file that was handed in: whose it is, which lesson, and the rows of its exercises.
+    """One file that was handed in: whose it is, which lesson, and the rows of its
+    exercises.
 
-    A file that cannot be marked has no lesson and no rows, and ``reason`` says why. ``refused`` is what its code tried
-    and was not let. With ``again`` a fault of this machine stood in the way: a person has to look, or the next call
-    judges it again.
+    A file that cannot be marked has no lesson and no rows, and ``reason`` says why.
+    ``refused`` is what its code tried and was not let. With ``again`` a fault of this
+    machine stood in the way: a person has to look, or the next call judges it again.
     """
 
     file: str
@@ -66,7 +69,9 @@ class Submission:
 
 
 def columns(exercises: Iterable[str], more: Iterable[str] = ()) -> tuple[str, ...]:
-    """The table's columns: points, state and reason of each exercise between the others; ``more`` are a person's."""
+    """The table's columns: points, state and reason of each exercise between the
+    others; ``more`` are a person's.
+    """
     own = [
         column
         for name in exercises
@@ -102,7 +107,9 @@ def cells_of(
 
 
 def safe_cell(value: Any) -> str:
-    """A value as a cell's text: on one line, and never a formula (a leading apostrophe makes it text)."""
+    """A value as a cell's text: on one line, and never a formula (a leading apostrophe
+    makes it text).
+    """
     if isinstance(value, int):
         return str(value)
     text = clean(" ".join(str(value).split()), CELL_LIMIT)
@@ -110,5 +117,7 @@ def safe_cell(value: Any) -> str:
 
 
 def told_by(cell: str) -> str:
-    """The text of a cell without the apostrophe that keeps a spreadsheet from reckoning with it."""
+    """The text of a cell without the apostrophe that keeps a spreadsheet from reckoning
+    with it.
+    """
     return cell[1:] if cell[:1] == "'" and cell[1:].startswith(FORMULA) else cell

@@ -19,10 +19,11 @@ class Stopped(KeyboardInterrupt):
 
 
 class Stopping:
-    """While entered, a signal to stop raises ``Stopped``; inside ``put_off`` only where ``check`` is called.
+    """While entered, a signal to stop raises ``Stopped``; inside ``put_off`` only where
+    ``check`` is called.
 
-    A second Ctrl-C is not put off. Signals that are ignored (``nohup``) stay so, and outside the main thread, where
-    Python cannot catch any, nothing is done.
+    A second Ctrl-C is not put off. Signals that are ignored (``nohup``) stay so, and
+    outside the main thread, where Python cannot catch any, nothing is done.
     """
 
     def __init__(self) -> None:
@@ -44,7 +45,9 @@ class Stopping:
 
     @contextmanager
     def put_off(self) -> Iterator[None]:
-        """Let no signal in until the end of the block, except where ``check`` is called."""
+        """Let no signal in until the end of the block, except where ``check`` is
+        called.
+        """
         self._put_off = True
         try:
             yield

@@ -1,4 +1,6 @@
-"""Find what was handed in: every file of a folder and whose it is. Nothing is parsed or run here."""
+"""Find what was handed in: every file of a folder and whose it is. Nothing is parsed or
+run here.
+"""
 
 from __future__ import annotations
 
@@ -38,10 +40,11 @@ OURS_ENDS = (".html", ".part", ".lock")
 
 @dataclass(frozen=True)
 class Task:
-    """A file to mark: its name below the folder, where it is, whose it is, and where its page goes.
+    """A file to mark: its name below the folder, where it is, whose it is, and where
+    its page goes.
 
-    ``reason`` says why it cannot be marked, where that can be told without parsing it. ``digest`` is of its place
-    and its content.
+    ``reason`` says why it cannot be marked, where that can be told without parsing it.
+    ``digest`` is of its place and its content.
     """
 
     file: str
@@ -56,10 +59,11 @@ class Task:
 def find_tasks(
     folder: Path, lessons: Sequence[Lesson], feedback: Path, *, own: Sequence[Path] = ()
 ) -> list[Task]:
-    """Every file in the folder and below it; ``own`` is our own output, which may lie there too.
+    """Every file in the folder and below it; ``own`` is our own output, which may lie
+    there too.
 
-    What is hidden or a link has one task that says so, and is not looked into. Raises ``ValueError`` for a folder
-    without any.
+    What is hidden or a link has one task that says so, and is not looked into. Raises
+    ``ValueError`` for a folder without any.
     """
     found = list(_found(folder, own))
     if not found:
@@ -85,7 +89,9 @@ def find_tasks(
 
 
 def read_content(task: Task) -> bytes:
-    """What a submission holds; raises ``OSError`` where it cannot be read or is no longer what it was."""
+    """What a submission holds; raises ``OSError`` where it cannot be read or is no
+    longer what it was.
+    """
     with _opened(task.path) as file:
         content = file.read(MAXIMUM_BYTES + 1)
     if len(content) > MAXIMUM_BYTES:
@@ -110,7 +116,9 @@ def digest_of(task: Task, content: bytes) -> str:
 
 
 def write_marker(feedback: Path) -> None:
-    """Make a folder of pages, so that a later batch knows it as one; raises ``CannotWrite``."""
+    """Make a folder of pages, so that a later batch knows it as one; raises
+    ``CannotWrite``.
+    """
     try:
         feedback.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -120,7 +128,9 @@ def write_marker(feedback: Path) -> None:
 
 
 def _task(task: Task) -> Task:
-    """The task with its digest, read in pieces, or with the reason why it cannot be read."""
+    """The task with its digest, read in pieces, or with the reason why it cannot be
+    read.
+    """
     found = hashlib.sha256(_begin(task))
     if not task.reason:
         try:
@@ -134,13 +144,17 @@ def _task(task: Task) -> Task:
 
 
 def _begin(task: Task) -> bytes:
-    """Where it lies and why it is not read, before the content: none can be taken for another."""
+    """Where it lies and why it is not read, before the content: none can be taken for
+    another.
+    """
     reason = task.reason.encode("utf-8", "replace")
     return b"%d %d\0" % (len(task.place), len(reason)) + task.place + reason
 
 
 def _opened(path: Path):  # type: ignore[no-untyped-def]
-    """A plain file, open for reading; a link or a pipe that was put in its place is refused, not waited for."""
+    """A plain file, open for reading; a link or a pipe that was put in its place is
+    refused, not waited for.
+    """
     flags = os.O_RDONLY
     for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY", "O_CLOEXEC"):
         flags |= getattr(os, name, 0)
@@ -152,7 +166,9 @@ def _opened(path: Path):  # type: ignore[no-untyped-def]
 
 
 def _found(folder: Path, own: Sequence[Path]) -> Iterator[tuple[Path, str]]:
-    """Every path handed in, in order, with the reason why it cannot be marked; our own output is left out."""
+    """Every path handed in, in order, with the reason why it cannot be marked; our own
+    output is left out.
+    """
     ours = {_inode(path) for path in own} - {None}
     waiting = [folder]
     while waiting:
@@ -186,7 +202,9 @@ def _inode(path: Path) -> tuple[int, int] | None:
 
 
 def _reason(path: Path) -> str | None:
-    """Why a path cannot be marked; "" for a file that may be, None for a folder to look into."""
+    """Why a path cannot be marked; "" for a file that may be, None for a folder to look
+    into.
+    """
     try:
         found = os.lstat(path)
     except OSError as error:
@@ -227,7 +245,9 @@ def _is_output(path: Path) -> bool:
 
 
 def _is_feedback(folder: Path) -> bool:
-    """Whether a folder is our own pages and nothing else: the marker alone hides nothing that was handed in."""
+    """Whether a folder is our own pages and nothing else: the marker alone hides
+    nothing that was handed in.
+    """
     marker = folder / MARKER
     if _first(marker, len(MARKER_TEXT)) != MARKER_TEXT.encode():
         return False

@@ -1,8 +1,10 @@
-"""The table of marks on disk: one row a submission, written as each is judged, so that a batch cut off keeps them.
+"""The table of marks on disk: one row a submission, written as each is judged, so that
+a batch cut off keeps them.
 
-The table is its own memory: its last column, ``key``, is a digest of everything the marks hang on, and a row whose key
-still fits is not made again. A row that was told as done survives the end of the program in any form, ``kill -9``
-too; a failure of power may take the last ones, for rows are not waited for until they are on the disk.
+The table is its own memory: its last column, ``key``, is a digest of everything the
+marks hang on, and a row whose key still fits is not made again. A row that was told as
+done survives the end of the program in any form, ``kill -9`` too; a failure of power
+may take the last ones, for rows are not waited for until they are on the disk.
 """
 
 from __future__ import annotations
@@ -35,10 +37,12 @@ class Found:
 
 
 def read_table(path: Path) -> Found:
-    """A table written before, though Excel has saved it since; nothing for a file that is none.
+    """A table written before, though Excel has saved it since; nothing for a file that
+    is none.
 
-    A row that is not whole (the last one, where a program was ended in it) is left out. Raises ``ValueError`` for a
-    file that holds something else: it is not ours to write over.
+    A row that is not whole (the last one, where a program was ended in it) is left out.
+    Raises ``ValueError`` for a file that holds something else: it is not ours to write
+    over.
     """
     wanted = f"out: expected a table of marks or a new file; {path}"
     try:
@@ -67,7 +71,9 @@ def is_table(first: bytes) -> bool:
 
 
 def _decoded(content: bytes) -> str:
-    """The text: ours is UTF-8; Excel also saves in its country's code page, or in UTF-16."""
+    """The text: ours is UTF-8; Excel also saves in its country's code page, or in
+    UTF-16.
+    """
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return content.decode("utf-16", "replace")
     try:
@@ -84,14 +90,17 @@ def _header(text: str) -> tuple[list[str], str]:
     first = re.split(r"[\r\n]", text, maxsplit=1)[0]
     for separator in SEPARATORS:
         cells = _cells(first, separator)
-        # A table of an older version has fewer columns, one that was worked on may have more.
+        # A table of an older version has fewer columns, one that was worked on may have
+        # more.
         if cells[:3] == list(FIRST[:3]) and {*FIRST[:-1], "seed", LAST[-1]} <= {*cells}:
             return cells, separator
     return [], ""
 
 
 def _rows(text: str, header: Sequence[str], separator: str) -> list[dict[str, str]]:
-    """The whole rows. A line that is whole by itself ends a damaged row before it, whatever quotes that left open."""
+    """The whole rows. A line that is whole by itself ends a damaged row before it,
+    whatever quotes that left open.
+    """
     found: list[dict[str, str]] = []
     pending: list[str] = []
     for line in LINE.findall(text.replace("\0", ""))[1:]:
@@ -129,10 +138,12 @@ def _place(row: Mapping[str, str]) -> tuple[str, str]:
 
 
 class Table:
-    """The table on disk: whole rows first, then one more with every ``add``; ``close`` orders them.
+    """The table on disk: whole rows first, then one more with every ``add``; ``close``
+    orders them.
 
-    ``order`` is the order of the exercises' columns; one gets its columns with the first row that has it. ``stale``
-    are rows of submissions that are being marked again: each stays until its successor is there.
+    ``order`` is the order of the exercises' columns; one gets its columns with the
+    first row that has it. ``stale`` are rows of submissions that are being marked
+    again: each stays until its successor is there.
     """
 
     def __init__(
@@ -153,12 +164,14 @@ class Table:
         self._write_whole()
 
     def add(self, cells: Mapping[str, str]) -> None:
-        """Append a row; the system has it when this returns. Raises ``CannotWrite``, and then the file is as before."""
+        """Append a row; the system has it when this returns. Raises ``CannotWrite``,
+        and then the file is as before.
+        """
         before = self._before.get(cells["file"], {})
         row = {**cells, **{name: before.get(name, "") for name in self.more}}
         self.rows.append(row)
         try:
-            if set(exercises_of(row)) <= set(self.columns):
+            if set(exercises_of(row)) <= set(self.columns) and self._is_there():
                 self._append(self._text([row]).encode("utf-8", "replace"))
             else:
                 self._write_whole()
@@ -180,6 +193,15 @@ class Table:
             pass  # every row is in it, in the order of their coming
         finally:
             self._let_go()
+
+    def _is_there(self) -> bool:
+        """Whether the open file is still the one of this name: an editor that saves may
+        put another in its place, or somebody take it away.
+        """
+        try:
+            return os.path.samestat(os.stat(self.path), os.fstat(self._number))
+        except OSError:
+            return False
 
     def _append(self, line: bytes) -> None:
         """Write a line or nothing of it."""

@@ -18,7 +18,9 @@ CURES = {
 
 
 class CannotWrite(OSError):
-    """A file of the grader's that cannot be written; the text names it, the reason and the cure."""
+    """A file of the grader's that cannot be written; the text names it, the reason and
+    the cure.
+    """
 
     def __init__(self, path: Path, error: OSError, kept: str = "") -> None:
         cure = CURES.get(error.errno or 0, "see to that")
@@ -27,10 +29,11 @@ class CannotWrite(OSError):
 
 
 def write_whole(path: Path, text: str, *, lasting: bool = False) -> None:
-    """Write a text file in UTF-8 whole or not at all; ``lasting`` waits until it is on the disk.
+    """Write a text file in UTF-8 whole or not at all; ``lasting`` waits until it is on
+    the disk.
 
-    The text goes to ``NAME.part`` beside the file first: a file that a killed grader left there is written over by
-    the next one. Raises ``CannotWrite``.
+    The text goes to ``NAME.part`` beside the file first: a file that a killed grader
+    left there is written over by the next one. Raises ``CannotWrite``.
     """
     path = Path(os.path.realpath(path))
     part = path.with_name(path.name + ".part")

@@ -1,4 +1,6 @@
-"""When old marks stand: not after a change to what they hang on, and whatever else changes."""
+"""When old marks stand: not after a change to what they hang on, and whatever else
+changes.
+"""
 
 import os
 import shutil
@@ -150,7 +152,9 @@ def test_a_table_that_is_marked_again_keeps_its_rows_until_then(folder, tmp_path
 def test_a_process_that_does_not_start_ends_no_batch(
     folder, tmp_path, monkeypatch, fails
 ):
-    """Once: it is tried again. Twice: a person has to look, and the next call tries it again."""
+    """Once: it is tried again. Twice: a person has to look, and the next call tries it
+    again.
+    """
     judged, tried = batching.judged, []
 
     def failing(judge, task, content):
@@ -240,14 +244,16 @@ def test_a_page_that_cannot_be_made_and_a_file_that_goes_stop_no_other(
 
 @pytest.mark.slow
 def test_what_a_spreadsheet_makes_of_names_is_put_right(tmp_path):
-    """It takes "1-2" for the first of February; the row is known by its key all the same."""
+    """It takes "1-2" for the first of February; the row is known by its key all the
+    same.
+    """
     write(tmp_path / "in" / "1-2", "my notes")
     write(tmp_path / "in" / "2-2.ipynb", blank())
     out = tmp_path / "grades.csv"
     grade_folder(tmp_path / "in", out, lessons=LESSONS)
     before = out.read_text(encoding="utf-8-sig")
     assert "\n1-2,1-2," in before
-    saved = before.replace("\n1-2,1-2,", "\n01. Feb,01. Feb,").replace(",", ";")
+    saved = before.replace("\n1-2,1-2,", "\n01. Feb,01. Feb,")
     out.write_bytes(saved.replace("\n", "\r\n").encode("utf-8-sig"))
     again = grade_folder(tmp_path / "in", out, lessons=LESSONS)
     assert again.kept == 2 and out.read_text(encoding="utf-8-sig") == before

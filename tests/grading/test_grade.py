@@ -1,6 +1,7 @@
-"""A folder of submissions of every kind: each gets its row, the batch goes on, and a cut-off batch continues."""
+"""A folder of submissions of every kind: each gets its row, the batch goes on, and a
+cut-off batch continues.
+"""
 
-import csv
 import json
 import os
 import re
@@ -20,6 +21,7 @@ from grading.toy_lessons import (
     cell,
     notebook,
     only,
+    rows_in,
     write,
 )
 
@@ -31,11 +33,6 @@ from course.sandbox.box import Start
 from course.sandbox.running import SandboxFailure
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
-
-
-def rows_in(out):
-    with out.open(encoding="utf-8-sig", newline="") as file:
-        return {row["file"]: row for row in csv.DictReader(file)}
 
 
 def fill(folder):

@@ -1,4 +1,6 @@
-"""Whose a file is: two students are never taken for one, and one download's names are understood."""
+"""Whose a file is: two students are never taken for one, and one download's names are
+understood.
+"""
 
 from pathlib import PurePosixPath
 

@@ -1,4 +1,6 @@
-"""A submission's row and page: cells that are no formulas, pages that need nothing else."""
+"""A submission's row and page: cells that are no formulas, pages that need nothing
+else.
+"""
 
 import re
 from html.parser import HTMLParser

@@ -1,4 +1,6 @@
-"""A folder of submissions: what is hidden or a link is told, no page is another's, our own output is none."""
+"""A folder of submissions: what is hidden or a link is told, no page is another's, our
+own output is none.
+"""
 
 import os
 import sys
@@ -78,7 +80,9 @@ def test_what_cannot_be_opened_is_told(tmp_path, monkeypatch):
 
 
 def test_nothing_is_parsed(tmp_path, monkeypatch):
-    """Parsing what a stranger wrote can take hours; it is done one at a time, under a limit."""
+    """Parsing what a stranger wrote can take hours; it is done one at a time, under a
+    limit.
+    """
     write(tmp_path / "deep.ipynb", "[" * 100_000)
     monkeypatch.setattr("json.loads", None)
     monkeypatch.setattr("ast.parse", None)
@@ -111,7 +115,9 @@ STRANGE = [
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="names that Windows refuses")
 def test_no_page_is_ever_written_over_another_s(tmp_path):
-    """On the folder's own file system, and as the names would be on one without case and normal forms."""
+    """On the folder's own file system, and as the names would be on one without case
+    and normal forms.
+    """
     folder = tmp_path / "in"
     names = [*STRANGE, os.fsdecode(b"raw\xff"), os.fsdecode(b"raw\xfe")]
     for name in names:
@@ -167,3 +173,18 @@ def test_earlier_output_in_the_folder_is_no_submission(tmp_path):
     assert set(found(folder)) >= {"eve/90-toy.ipynb", f"eve/{MARKER}", "eve/page.html"}
     write(folder / "marks.csv", "file,student,lesson\nmine,x,y\n")
     assert "marks.csv" in found(folder)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="paths of POSIX")
+def test_folders_deeper_than_a_path_can_be_are_told(tmp_path):
+    write(tmp_path / "in" / "ann.ipynb", blank())
+    here = os.open(tmp_path / "in", os.O_RDONLY)
+    for _ in range(60):
+        os.mkdir("d" * 100, dir_fd=here)
+        below = os.open("d" * 100, os.O_RDONLY, dir_fd=here)
+        os.close(here)
+        here = below
+    os.close(here)
+    told = found(tmp_path / "in")
+    assert len(told) == 2 and told["ann.ipynb"] == ""
+    assert "cannot be read: File name too long" in told.values()

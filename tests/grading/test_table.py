@@ -7,8 +7,9 @@ import subprocess
 import sys
 
 import pytest
-from grading.toy_lessons import OTHER, submission
+from grading.toy_lessons import LESSONS, OTHER, submission, write
 
+from course.grading.grade import grade_folder
 from course.grading.report import cells_of
 from course.grading.table import Table, is_table, read_table
 from course.grading.writing import CannotWrite
@@ -56,6 +57,23 @@ def test_a_damaged_row_takes_no_other_with_it(tmp_path):
             assert "dan" in files(path) and "ann" in files(path), lines[ben][:cut]
     path.write_bytes(b"".join(line.encode() for line in lines) + b"\0" * 512)
     assert len(files(path)) == 4, "zeros at the end, as after a failure of power"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="open files cannot be replaced")
+def test_rows_are_there_though_the_file_was_replaced_or_taken_away(tmp_path):
+    path = tmp_path / "grades.csv"
+    table = made(path, ["ann"])
+    (tmp_path / "saved.csv").write_bytes(path.read_bytes())
+    os.replace(tmp_path / "saved.csv", path)  # as editors save
+    table.add(
+        cells_of(
+            submission("passed", "wrong", "error", file="ben", key="2" * 64), 4, ""
+        )
+    )
+    assert files(path) == ["ann", "ben"]
+    path.unlink()
+    table.add(cells_of(submission(*["wrong"] * 3, file="cal", key="1" * 64), 4, ""))
+    assert files(path) == ["ann", "ben", "cal"]
 
 
 def test_a_file_that_is_no_table_is_not_written_over(tmp_path):
@@ -177,6 +195,34 @@ def test_a_row_that_has_no_room_leaves_the_file_as_it_was(tmp_path):
     assert "the 1 rows made so far are kept" in told[1]
     assert files(path) == ["ann"] and path.read_bytes().endswith(b"\n")
     assert [p.name for p in tmp_path.iterdir()] == ["grades.csv"]
+
+
+NO_ROOM = """
+import resource, sys
+from pathlib import Path
+sys.path.insert(0, sys.argv[1])
+from grading.toy_lessons import LESSONS
+from course.grading.grade import grade_folder
+resource.setrlimit(resource.RLIMIT_FSIZE, (1200, resource.RLIM_INFINITY))
+print(grade_folder(Path(sys.argv[2]), Path(sys.argv[3]), lessons=LESSONS))
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="limits of POSIX")
+def test_a_page_that_has_no_room_costs_no_row(tmp_path):
+    """The rows of two are under the limit, a page is over it."""
+    for name in ("ann", "ben"):
+        write(tmp_path / "in" / f"{name}.ipynb", f"{name}: no notebook")
+    out, tests = tmp_path / "grades.csv", os.path.dirname(os.path.dirname(__file__))
+    command = [sys.executable, "-c", NO_ROOM, tests, str(tmp_path / "in"), str(out)]
+    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert "2 cannot be used" in told and "3 pages are missing: " in told
+    assert f"{tmp_path}/grades-feedback/ann--" in told and "ulimit -f" in told
+    assert len(files(out)) == 2
+    assert [p.suffix for p in (tmp_path / "grades-feedback").iterdir()] == [".txt"]
+    again = grade_folder(tmp_path / "in", out, lessons=LESSONS)
+    assert (again.kept, again.unusable, again.unwritten) == (0, 2, ())
 
 
 @pytest.mark.parametrize(

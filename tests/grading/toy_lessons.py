@@ -1,5 +1,6 @@
 """Two small lessons, and notebooks of them, for the tests of grading."""
 
+import csv
 import json
 from pathlib import Path
 
@@ -96,7 +97,9 @@ def cell(source, **course):
 
 
 def notebook(lesson=TOY, *, cells=None, told=True, **answers):
-    """A notebook of the lesson: the right answers but for those given; an answer None leaves the cell out."""
+    """A notebook of the lesson: the right answers but for those given; an answer None
+    leaves the cell out.
+    """
     sources = {e.name: RIGHT[e.name] for e in lesson.exercises} | answers
     own = [cell(s, exercise=name) for name, s in sources.items() if s is not None]
     metadata = {"course": {"lesson": lesson.number}} if told else {}
@@ -109,7 +112,9 @@ def blank(lesson=TOY, **more):
 
 
 def only(name, source):
-    """A notebook of the first lesson with one exercise tried and the others as handed out."""
+    """A notebook of the first lesson with one exercise tried and the others as handed
+    out.
+    """
     return notebook(**{e.name: BLANK[e.name] for e in TOY.exercises} | {name: source})
 
 
@@ -129,3 +134,9 @@ def submission(*states, file="ann.ipynb", student="ann", key="0" * 64, lesson=TO
         for e, state in zip(lesson.exercises, states, strict=True)
     )  # fmt: skip
     return Submission(file, student, key, lesson, rows)
+
+
+def rows_in(out: Path) -> dict:
+    """The rows of a table of marks by file, as a spreadsheet sees them."""
+    with out.open(encoding="utf-8-sig", newline="") as file:
+        return {row["file"]: row for row in csv.DictReader(file)}
