@@ -167,16 +167,29 @@ def progress(folder: Path | None = None) -> Table:
 
 
 def _append(path: Path, event: dict[str, Any]) -> None:
-    """Add a line in one write; after a line that was cut off (a crash, a full disk) begin a new one."""
+    """Add a line in one write; after a line that was cut off (a crash, a full disk) begin a new one.
+
+    Under a lock: what another notebook has half written looks like a line that was cut off.
+    """
     line = (json.dumps(event) + "\n").encode()
     try:
         with path.open("a+b", buffering=0) as file:
+            _wait_for_others(file.fileno())
             if file.seek(0, os.SEEK_END):
                 file.seek(-1, os.SEEK_END)
                 line = line if file.read(1) == b"\n" else b"\n" + line
             file.write(line)
     except OSError:
         pass
+
+
+def _wait_for_others(number: int) -> None:
+    """Lock an open file until it is closed, where the system can."""
+    try:
+        import fcntl
+    except ImportError:  # Windows
+        return
+    fcntl.flock(number, fcntl.LOCK_EX)
 
 
 def _read(path: Path) -> Iterator[dict[str, Any]]:

@@ -220,10 +220,10 @@ def test_a_page_that_cannot_be_made_and_a_file_that_goes_stop_no_other(
 ):
     write_page, read_content = batching.write_page, batching.read_content
 
-    def failing(path, submission, *, seed):
+    def failing(path, submission, **told):
         if submission.file == "ann.ipynb":
             raise RuntimeError("a bug")
-        write_page(path, submission, seed=seed)
+        write_page(path, submission, **told)
 
     def vanishing(task):
         if task.file == "ben.ipynb":

@@ -22,6 +22,7 @@ from grading.toy_lessons import (
     rows_in,
     write,
 )
+from sandbox.runs import descendants, is_running
 
 from course.grading.grade import grade_folder
 from course.grading.lock import Lock, Locked
@@ -37,6 +38,7 @@ GRADER = """
 import sys
 sys.path.insert(0, sys.argv[1])
 from contextlib import contextmanager
+from sandbox.runs import descendants, is_running
 from grading.toy_lessons import LESSONS
 from course import cli
 from course.grading import grade
@@ -92,7 +94,8 @@ def test_a_signal_ends_a_batch_cleanly(folder, tmp_path, temporary, name):
     process = start(folder, out, temporary, "--time-limit", "60", "--workers", "2")
     told = read_until(process, 5)
     time.sleep(0.3)  # by now the endless one runs
-    assert list(temporary.iterdir())
+    running = descendants(process.pid)
+    assert running
     process.send_signal(getattr(signal, name))
     _, errors = process.communicate(timeout=20)
     assert process.returncode == 128 + getattr(signal, name), errors
@@ -100,6 +103,7 @@ def test_a_signal_ends_a_batch_cleanly(folder, tmp_path, temporary, name):
     assert "Traceback" not in errors
     assert list(rows_in(out)) == sorted(told), "closed: in order"
     assert list(temporary.iterdir()) == []
+    assert not [p for p in running if is_running(p)]
     assert sorted(p.name for p in tmp_path.iterdir()) == [
         "grades-feedback", "grades.csv", "in", "temporary"
     ]  # fmt: skip

@@ -218,7 +218,8 @@ def test_a_page_that_has_no_room_costs_no_row(tmp_path):
     command = [sys.executable, "-c", NO_ROOM, tests, str(tmp_path / "in"), str(out)]
     told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     assert "2 cannot be used" in told and "3 pages are missing: " in told
-    assert f"{tmp_path}/grades-feedback/ann--" in told and "ulimit -f" in told
+    named = [f"{tmp_path}/grades-feedback/{name}--" in told for name in ("ann", "ben")]
+    assert any(named) and "ulimit -f" in told
     assert len(files(out)) == 2
     assert [p.suffix for p in (tmp_path / "grades-feedback").iterdir()] == [".txt"]
     again = grade_folder(tmp_path / "in", out, lessons=LESSONS)

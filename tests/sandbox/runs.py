@@ -1,6 +1,7 @@
 """One answer run by itself, for the tests of the sandbox."""
 
 import json
+import subprocess
 import sys
 
 import pytest
@@ -32,6 +33,24 @@ BOXED = pytest.mark.skipif(bool(NO_BOX), reason=f"no box here: {NO_BOX}")
 EITHER_WAY = pytest.mark.parametrize(
     "boxed", [False, pytest.param(True, marks=BOXED)], ids=["plain", "boxed"]
 )
+
+
+def descendants(process):
+    """The numbers of the processes that one started, and those started, and so on."""
+    command = ["ps", "-eo", "pid=,ppid="]
+    told = subprocess.run(command, capture_output=True, text=True).stdout
+    pairs = [tuple(map(int, line.split())) for line in told.splitlines()]
+    found = [process]
+    for one in found:
+        found += [pid for pid, parent in pairs if parent == one]
+    return found[1:]
+
+
+def is_running(process):
+    """Whether a process is there and no more than a name that nobody asked for."""
+    command = ["ps", "-o", "stat=", "-p", str(process)]
+    told = subprocess.run(command, capture_output=True, text=True).stdout
+    return told.strip()[:1] not in ("", "Z")
 
 
 def notebook_of(*sources):

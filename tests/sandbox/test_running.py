@@ -12,7 +12,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from sandbox.runs import BOXED, EITHER_WAY, LINUX, POSIX, outcome, run, value
+from sandbox.runs import (
+    BOXED,
+    EITHER_WAY,
+    LINUX,
+    POSIX,
+    descendants,
+    is_running,
+    outcome,
+    run,
+    value,
+)
 
 from course.exercises.notebook_file import UnusableNotebook
 from course.sandbox import box, running, watching
@@ -348,13 +358,6 @@ def test_a_batch_that_is_stopped_stops_its_answers(boxed):
     assert time.monotonic() - started < 20
 
 
-def started_by(name):
-    """Processes whose command line holds the name."""
-    command = ["ps", "-ww", "-eo", "args"]
-    told = subprocess.run(command, capture_output=True, text=True).stdout
-    return [line for line in told.splitlines() if name in line and "child.py" in line]
-
-
 @pytest.mark.slow
 @POSIX
 @EITHER_WAY
@@ -365,21 +368,27 @@ import sys, tempfile
 sys.path[:0] = {[str(box.ROOT), str(box.ROOT / "tests")]!r}
 tempfile.tempdir = {str(tmp_path)!r}
 from sandbox.runs import run
+print("now", flush=True)
 print(run('def f(x):\\n    while True: pass', seconds=600.0, boxed={boxed}))
 """
-    before, deadline = len(started_by("child.py")), time.monotonic() + 30
-    grader = subprocess.Popen([sys.executable, "-c", source])
+    deadline = time.monotonic() + 30
+    grader = subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE)
     try:
-        while len(started_by("child.py")) < before + 2 and time.monotonic() < deadline:
+        assert grader.stdout is not None and grader.stdout.readline() == b"now\n"
+        while (
+            len(descendants(grader.pid)) < 2 + 2 * boxed and time.monotonic() < deadline
+        ):
             time.sleep(0.1)
         time.sleep(0.5)
-        assert len(started_by("child.py")) >= before + 2
+        started = descendants(grader.pid)
+        assert len(started) >= 2
     finally:
         grader.send_signal(signal.SIGKILL)
         grader.wait()
-    while len(started_by("child.py")) > before and time.monotonic() < deadline:
+        grader.stdout.close()
+    while any(map(is_running, started)) and time.monotonic() < deadline:
         time.sleep(0.1)
-    assert len(started_by("child.py")) == before
+    assert not any(map(is_running, started))
     while any(tmp_path.iterdir()) and time.monotonic() < deadline:
         time.sleep(0.1)
     assert list(tmp_path.iterdir()) == []
