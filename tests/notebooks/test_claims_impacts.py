@@ -330,7 +330,7 @@ def test_bounces_that_are_seen():
 
 def test_events_against_steps():
     events, steps = said(
-        "11", "beats every fixed step on this scene: # events against # steps"
+        "11", "beats every fixed step of the chart: # events against # steps"
     )
     assert ball_events(4.9, 1.0, 20.0).time.size == int(events)
     assert round(20 / 0.1) == int(steps)

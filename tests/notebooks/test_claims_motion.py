@@ -244,6 +244,15 @@ def test_a_spring_by_symplectic_euler():
     assert np.abs(states[-1]).max() > 1e70
 
 
+def test_a_smaller_step_of_explicit_euler_makes_energy_slower():
+    """Per second, in units of 1/w: the logarithm of 1 + a^2 over a."""
+    (end,) = said("09", "below $a = #$ a smaller step makes it slower")
+    a = np.linspace(0.01, float(end), 40)
+    grown = oscillator_growth(explicit_euler, a, steps=20)
+    assert np.all(np.diff(np.log(grown) / a) > 0)
+    assert np.log(1 + 3.0**2) / 3.0 < np.log(1 + 1.9**2) / 1.9  # not for any step
+
+
 def test_higher_orders_on_a_spring():
     assert r"past $a = 2\sqrt2$ RK4, too, explodes" in prose("09")
     a = np.sqrt(8.0) * np.array([0.99, 1.0, 1.01])
