@@ -45,6 +45,7 @@ from course.workbook.plots.motion import energies, energy_contours, seen_from_bo
 from course.workbook.plots.separation import (
     contact_velocities,
     difference_errors,
+    errors_by_looks,
     ladder_picture,
     marked_point,
     passing_a_corner,
@@ -80,6 +81,7 @@ __all__ = [
     "course_map",
     "describe",
     "difference_errors",
+    "errors_by_looks",
     "dome",
     "dome_bias",
     "energies",

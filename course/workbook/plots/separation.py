@@ -14,6 +14,7 @@ from course.arrays import Array, ArrayLike
 from course.dynamics import point_velocity
 from course.study.ladder import ladder_gaps
 from course.study.moving_contacts import DifferenceErrors, TurningPair
+from course.study.work_precision import WorkPrecision
 from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 MARKERS = "os^DvP"
@@ -322,12 +323,71 @@ def difference_errors(
         f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
         "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
         + (
-            " The error of the formula is a level line below them all."
-            if formula is not None
-            else ""
+            _level_line(formula, result) if formula is not None else ""
         ),
     )
     return ax
+
+
+def _level_line(formula: float, result: DifferenceErrors) -> str:
+    lowest = min(float(np.min(error)) for error in result.error.values())
+    where = "below them all" if formula < lowest else "among the lowest of them"
+    return f" The error of the formula is a level line {where}."
+
+
+def errors_by_looks(
+    result: WorkPrecision, *, tolerance: float, ax: Axes | None = None
+) -> Axes:
+    """Errors of ways to get a rate, a column for each way and a mark for each step.
+
+    ``result`` counts how often a way looks at the gap, which does not depend on the step.
+    """
+    names = list(dict.fromkeys(result.method))
+    spoken = []
+    with style():
+        ax = axes(ax)
+        for i, (name, colour, mark) in enumerate(
+            zip(names, PALETTE, MARKERS, strict=False)
+        ):
+            own = np.array([method == name for method in result.method])
+            error, looks = result.error[own], int(result.cost("count")[own][0])
+            ax.semilogy(
+                np.full(error.shape, i),
+                np.maximum(error, 1e-17),
+                ls="none",
+                marker=mark,
+                ms=7,
+                mfc="none",
+                mew=1.5,
+                color=PALETTE[colour],
+            )
+            words = f"{looks} look" + "s" * (looks > 1)
+            spoken.append(f"{name} ({words}): {_span(error)}")
+        ax.axhline(tolerance, color="0.35", lw=1.2, ls=":")
+        ax.text(
+            len(names) - 0.55,
+            tolerance,
+            f"{tolerance:g}",
+            va="bottom",
+            ha="right",
+            color="0.35",
+        )
+        counts = [s.partition(":")[0].replace(" (", "\n(") for s in spoken]
+        ax.set_xticks(range(len(names)), counts)
+        ax.set(xlim=(-0.5, len(names) - 0.5), ylabel=f"error [{result.problem.unit}]")
+        ax.set_title(f"{result.problem.name}, a mark for each step")
+        ax.grid(axis="x", visible=False)
+    describe(
+        ax,
+        f"{result.problem.name}: error in {result.problem.unit} of each way, a mark for "
+        f"each step; a line marks {tolerance:g}. {'; '.join(spoken)}.",
+    )
+    return ax
+
+
+def _span(error: Array) -> str:
+    low, high = float(error.min()), float(error.max())
+    return f"{low:.0e}" if len(error) == 1 else f"from {low:.0e} to {high:.0e}"
 
 
 def passing_a_corner(
@@ -361,14 +421,14 @@ def passing_a_corner(
                 _arrow(
                     ax,
                     (place, height),
-                    0.25 * normal / np.linalg.norm(normal),
+                    0.85 * speed * step * normal / np.linalg.norm(normal),
                     colour,
                     "",
                     lw=1.3,
                 )
         ax.set(
-            xlim=(-0.75, 1.0),
-            ylim=(-0.25, 0.65),
+            xlim=(-0.55, 0.75),
+            ylim=(-0.15, 0.45),
             aspect="equal",
             xlabel="y [m]",
             ylabel="z [m]",
