@@ -102,7 +102,9 @@ def force_plane(
         ax.axvline(0, color="0.3", lw=1.0, zorder=2)
         ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
         ax.set(xlabel=f"$f_1$, {names[0]} [N]", ylabel=f"$f_2$, {names[1]} [N]")
-        ax.legend(loc="upper center", bbox_to_anchor=(0.45, -0.16), ncols=2, fontsize=11)
+        ax.legend(
+            loc="upper center", bbox_to_anchor=(0.45, -0.16), ncols=2, fontsize=11
+        )
     describe(
         ax,
         f"The plane of two contact forces in newtons, with ellipses around ({forced[0]:.0f}, {forced[1]:.0f}), where "

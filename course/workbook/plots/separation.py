@@ -322,9 +322,7 @@ def difference_errors(
         ax,
         f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
         "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
-        + (
-            _level_line(formula, result) if formula is not None else ""
-        ),
+        + (_level_line(formula, result) if formula is not None else ""),
     )
     return ax
 

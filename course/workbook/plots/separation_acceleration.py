@@ -313,9 +313,7 @@ def bias_terms(
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     spoken = []
     for row, name in enumerate(labels):
-        parts = ", ".join(
-            f"{word} {v[row] + 0.0:.2f}" for word, v in values.items()
-        )
+        parts = ", ".join(f"{word} {v[row] + 0.0:.2f}" for word, v in values.items())
         spoken.append(f"{name}: {parts}, in all {total[row] + 0.0:.2f}")
     describe(ax, f"The terms of b in {unit}. {'; '.join(spoken)}.")
     return ax
