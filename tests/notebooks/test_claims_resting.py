@@ -709,6 +709,30 @@ def test_five_solvers_pass_the_test_and_differ():
     assert (forces[2, 0], forces[1, 0]) == pytest.approx(ends, abs=1e-9)
 
 
+def test_where_f_0_everywhere_may_come_from():
+    """Of the book, 1/m f^2/2 - g f: below 0 the least is at 0; f d_ddot is least at half the weight."""
+    mistakes = {m.name: m for m in find_exercise("solve_contact_qp")[1].mistakes}
+    said = mistakes["as printed"].message
+    assert "A constraint f <= 0 may end here too." in said and "objective" not in said
+    forces, weight = np.linspace(-30, 30, 60_001), 1.5 * 9.81
+    q = forces**2 / 3 - 9.81 * forces
+    assert forces[forces <= 0][q[forces <= 0].argmin()] == pytest.approx(0, abs=1e-9)
+    product = forces * (forces / 1.5 - 9.81)
+    pushing = forces >= 0
+    assert forces[pushing][product[pushing].argmin()] == pytest.approx(
+        weight / 2, abs=1e-2
+    )
+
+
+def test_a_body_that_has_turned_need_not_have_a_full_matrix():
+    says("12", "in general full, not diagonal, once the body has turned")
+    cos, sin = np.cos(0.5), np.sin(0.5)
+    turn = np.array([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]])
+    for moments, full in (([1.0, 1.0, 1.0], False), ([1.0, 2.0, 2.5], True)):
+        world = turn @ np.diag(moments) @ turn.T
+        assert (np.abs(world - np.diag(np.diag(world))).max() > 1e-12) == full
+
+
 def test_a_digit_takes_2304_sweeps():
     assert "(1000/1001)^2304 = 0.1" in find_prediction("16", "sweeps").explanation
     assert (1000 / 1001) ** 2304 < 0.1 < (1000 / 1001) ** 2303

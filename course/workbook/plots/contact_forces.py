@@ -81,14 +81,14 @@ def force_plane(
                     corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2
                 )
             )
-        for i, (colour, line) in enumerate((("blue", "-"), ("green", "--"))):
+        for i, (colour, line) in enumerate((("blue", "-"), ("vermillion", "--"))):
             ends = _zero_line(matrix[i], bias[i], (low, high))
             ax.plot(*ends, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
                     label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
         path = _sweep_path(matrix, bias, 3)
         ax.plot(*path.T, color=PALETTE["black"], ls="-", lw=2.4, marker="D", ms=6,
                 mfc=PALETTE["orange"], zorder=4, label="three sweeps from 0")  # fmt: skip
-        ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["vermillion"], zorder=5,
+        ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["black"], zorder=5,
                 label="both forced to 0")  # fmt: skip
         ax.plot(*f, ls="none", marker="o", ms=11, mfc="none", mew=2.4, color=PALETTE["black"], zorder=6,
                 label="least with f ≥ 0")  # fmt: skip
@@ -154,7 +154,7 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
             color=PALETTE["black"],
             label="centre of mass",
         )
-        for y, force, colour in zip(feet, f, ("blue", "green"), strict=True):
+        for y, force, colour in zip(feet, f, ("blue", "vermillion"), strict=True):
             _foot(ax, y, force, PALETTE[colour])
         ax.set(
             xlim=(-1.7, 1.7),
