@@ -228,31 +228,7 @@ def box_outcomes(
     with style():
         _, (ax, bars) = plt.subplots(1, 2, figsize=(10.0, 4.4), width_ratios=(1.0, 1.9))
         _box(ax, corners, 2 * box.position[0, 2], box)
-        width = 0.86 / len(outcomes)
-        for k, ((name, state), colour, hatch) in enumerate(
-            zip(outcomes.items(), COLOURS, HATCHES, strict=False)
-        ):
-            place = np.arange(4) + (k - 0.5 * (len(outcomes) - 1)) * width
-            drawn = bars.bar(
-                place,
-                _corner_speeds(corners, state),
-                width,
-                color=PALETTE[colour],
-                hatch=hatch,
-                ec="white",
-                label=f"{name}: {_spin(state)}",
-            )
-            numbers = [_plain(speed) for speed in drawn.datavalues]
-            bars.bar_label(drawn, numbers, fontsize=8, padding=1)
-        bars.axhline(0, color="0.3", lw=0.8)
-        bars.margins(y=0.1)  # room for the numbers at the bars
-        bars.set_xticks(range(4), [f"corner {i + 1}" for i in range(4)])
-        bars.set_ylabel("upward speed after [m/s]")
-        bars.grid(axis="x", visible=False)
-        said = r"after, with the spin $(\omega_x, \omega_y)$ [rad/s]"
-        bars.legend(
-            loc="upper center", bbox_to_anchor=(0.45, -0.09), ncols=2, title=said
-        )
+        _corner_bars(bars, corners, outcomes)
     spoken = " ".join(
         f"{name}: {', '.join(map(_plain, _corner_speeds(corners, state)))} m/s, "
         f"spin {_spin(state)} rad/s."
@@ -297,6 +273,33 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies) -> None:
     ax.set(xlim=(-1.0, 1.0), ylim=(-0.7, 0.6), aspect="equal")
     ax.set_title(f"before [m/s],\nspin {_spin(state)} rad/s", fontsize=10)
     _bare(ax)
+
+
+def _corner_bars(ax: Axes, corners: np.ndarray, outcomes: Mapping[str, Bodies]) -> None:
+    """The upward speeds of the corners after, a group a corner and a bar a law."""
+    width = 0.86 / len(outcomes)
+    for k, ((name, state), colour, hatch) in enumerate(
+        zip(outcomes.items(), COLOURS, HATCHES, strict=False)
+    ):
+        place = np.arange(4) + (k - 0.5 * (len(outcomes) - 1)) * width
+        drawn = ax.bar(
+            place,
+            _corner_speeds(corners, state),
+            width,
+            color=PALETTE[colour],
+            hatch=hatch,
+            ec="white",
+            label=f"{name}: {_spin(state)}",
+        )
+        numbers = [_plain(speed) for speed in drawn.datavalues]
+        ax.bar_label(drawn, numbers, fontsize=8, padding=1)
+    ax.axhline(0, color="0.3", lw=0.8)
+    ax.margins(y=0.1)  # room for the numbers at the bars
+    ax.set_xticks(range(4), [f"corner {i + 1}" for i in range(4)])
+    ax.set_ylabel("upward speed after [m/s]")
+    ax.grid(axis="x", visible=False)
+    said = r"after, with the spin $(\omega_x, \omega_y)$ [rad/s]"
+    ax.legend(loc="upper center", bbox_to_anchor=(0.45, -0.09), ncols=2, title=said)
 
 
 def _corner_speeds(corners: np.ndarray, state: Bodies) -> np.ndarray:
