@@ -101,8 +101,10 @@ def errors_by_looks(
             ax.semilogy(place, height, mark, ls="none", ms=7, mfc="none", mew=1.5,
                         color=colour)  # fmt: skip
         ax.axhline(tolerance, color="0.35", lw=1.2, ls=":")
-        right, side = len(names) - 0.55, {"va": "bottom", "ha": "right"}
-        ax.text(right, tolerance, f"{tolerance:g}", color="0.35", **side)
+        right = len(names) - 0.55
+        ax.text(
+            right, tolerance, f"{tolerance:g}", color="0.35", va="bottom", ha="right"
+        )
         ax.set_xticks(range(len(names)), [f"{name}\n{looks[name]}" for name in names])
         ax.set(xlim=(-0.5, len(names) - 0.5), ylabel=f"error [{result.problem.unit}]")
         ax.set_title(f"{result.problem.name}, a mark for each step")

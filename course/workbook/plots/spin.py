@@ -282,17 +282,17 @@ def _corner_bars(ax: Axes, corners: np.ndarray, outcomes: Mapping[str, Bodies]) 
         zip(outcomes.items(), COLOURS, HATCHES, strict=False)
     ):
         place = np.arange(4) + (k - 0.5 * (len(outcomes) - 1)) * width
+        speeds = _corner_speeds(corners, state)
         drawn = ax.bar(
             place,
-            _corner_speeds(corners, state),
+            speeds,
             width,
             color=PALETTE[colour],
             hatch=hatch,
             ec="white",
             label=f"{name}: {_spin(state)}",
         )
-        numbers = [_plain(speed) for speed in drawn.datavalues]
-        ax.bar_label(drawn, numbers, fontsize=8, padding=1)
+        ax.bar_label(drawn, [_plain(v) for v in speeds], fontsize=8, padding=1)
     ax.axhline(0, color="0.3", lw=0.8)
     ax.margins(y=0.1)  # room for the numbers at the bars
     ax.set_xticks(range(4), [f"corner {i + 1}" for i in range(4)])
