@@ -133,9 +133,10 @@ def ball_events(
     """The dropped ball, from impact to impact: each impact is located, then v' = -e v.
 
     For e < 1 the impacts crowd together before a finite time
-    (``course.dynamics.bounce_rest_time``). With rest_speed = 0 they use up
-    max_events and never get past it; a ball that leaves the ground slower
-    than rest_speed is put to rest.
+    (``course.dynamics.bounce_rest_time``). With rest_speed = 0 only rounding
+    ends them: for e <= 1/2 the speed is 0 in the end (after 1077 impacts at
+    e = 1/2 from 1 m), above that it never is and max_events are used up. A ball
+    that leaves the ground slower than rest_speed is put to rest.
 
     Args:
         height: that it falls before it touches [m].

@@ -19,13 +19,15 @@ class Shown(str):
         return str(self)
 
 
-def show(value: Any, digits: int) -> Shown:
+def show(value: Any, digits: int, *, noise: float = NOISE) -> Shown:
     """A number or an array as text, rounded to ``digits`` significant digits of its largest entry; integers whole.
 
     Rounding must stay well above the tolerance of the computation, or another processor prints something else.
     Numbers are rounded twice, first to some digits more, so that one whose exact value lies on the edge (a half, an
     eighth) or whose largest entry is a power of ten prints the same whichever way its last bit fell.
-    Minus zero never shows; a number below 1e-12 in magnitude shows as "below 1e-12", an entry of an array as 0.
+    Minus zero never shows; a number below ``noise`` in magnitude shows as "below 1e-12",
+    an entry of an array as 0. A larger ``noise`` is for errors whose size depends on the
+    processor: the bound that they keep is printed, and an error that breaks it as it is.
     Raises ``ValueError`` for digits outside 1..15 and for what is not numeric.
     """
     if not isinstance(digits, int) or isinstance(digits, bool) or not 1 <= digits <= 15:
@@ -40,17 +42,17 @@ def show(value: Any, digits: int) -> Shown:
     if array.dtype.kind in "biu":
         return Shown(np.array2string(array, separator=", ", threshold=50))
     if array.ndim == 0:
-        return Shown(_scalar(float(array), digits))
+        return Shown(_scalar(float(array), digits, noise))
     largest = float(np.abs(array[np.isfinite(array)]).max(initial=0.0))
     exponent = (
         int(f"{_settled(largest, digits):.{digits - 1}e}".partition("e")[2])
-        if largest >= NOISE
+        if largest >= noise
         else 0
     )
     decimals = digits - 1 - exponent
     settled = np.round(np.round(array.astype(float), decimals + SETTLING), decimals)
     rounded = (
-        np.where(np.abs(array) < NOISE, 0.0, settled) + 0.0
+        np.where(np.abs(array) < noise, 0.0, settled) + 0.0
     )  # + 0.0: no minus zero
     precision = max(
         decimals, digits - 1
@@ -66,9 +68,9 @@ def show(value: Any, digits: int) -> Shown:
     )
 
 
-def _scalar(value: float, digits: int) -> str:
-    if abs(value) < NOISE:
-        return "below 1e-12"
+def _scalar(value: float, digits: int, noise: float) -> str:
+    if abs(value) < noise:
+        return f"below {noise:g}"
     if not np.isfinite(value):
         return str(value)
     value = _settled(value, digits)

@@ -56,6 +56,18 @@ def test_force_plane_marks_the_solution_on_the_lines(load_at):
     ) == lifted  # the arrow is drawn only where a slope is left
 
 
+def test_the_path_of_the_sweeps_is_told_from_the_ellipses_without_colour():
+    system = loaded_plank(1.05).system()
+    ax = plots.force_plane(system.A.toarray(), system.b)
+    (path,) = (x for x in ax.lines if x.get_label() == "three sweeps from 0")
+    levels = [c for c in ax.collections if hasattr(c, "levels")]
+    assert levels and path.get_color() == "#000000" and path.get_marker() == "D"
+    assert all(c.get_edgecolor().max() == 1 for c in levels)
+    assert min(c.get_edgecolor()[0, 0] for c in levels) >= 0.4  # grey, and no darker
+    assert path.get_linewidth() > max(np.max(c.get_linewidth()) for c in levels)
+    assert ax.get_legend().get_texts()[0].get_fontsize() >= 11
+
+
 def test_plank_says_which_foot_lifts():
     ax = plots.plank_and_forces(1.05)
     assert "left foot lifts" in ax.get_title(

@@ -6,8 +6,10 @@ import pytest
 
 from course.study.tumbling import free_tumble, spinning_handle, turnover_times
 from course.workbook import demos, plots
+from course.workbook.demos import motion as motion_demo
 from course.workbook.plots.figure import alternative_text
 from course.workbook.plots.motion import RUNS
+from course.workbook.viewer.still import draw
 
 
 @pytest.fixture(autouse=True)
@@ -109,3 +111,24 @@ def test_the_widget_starts_again_as_its_controls_say():
     assert set(demo.values) == {"tilt", "spin", "axis"}
     bundle = demo._repr_mimebundle_()
     assert bundle["text/html"].count("<img") == 2 and bundle["text/plain"] == "[widget]"
+    assert "A dotted line marks 1.56 s, where the film stands." in bundle["text/html"]
+
+
+def test_a_bar_below_the_chart_runs_with_the_film():
+    """In the browser alone, from one end of the chart's axis of time to the other."""
+    demo = demos.tumbling()
+    assert demo._link.source == (demo.viewer.slider, "index")
+    assert demo._link.target == (demo._now, "value")
+    frames = demo.viewer.scene.times[demo.viewer.frames]
+    assert demo._now.max == len(frames) - 1
+    shown = frames / frames[-1] - np.linspace(0, 1, len(frames))
+    assert np.abs(shown).max() < 0.005 and frames[-1] == motion_demo.SECONDS
+
+
+def test_axis_labels_stand_above_the_legend_of_a_saved_scene(motion):
+    ax = draw(demos.tumbling_scene(motion), time=1.5)
+    figure = ax.get_figure()
+    figure.canvas.draw()
+    top = figure.legends[0].get_window_extent().y1
+    for axis in (ax.xaxis, ax.yaxis):
+        assert axis.label.get_window_extent().y0 > top + 3

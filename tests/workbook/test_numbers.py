@@ -61,6 +61,20 @@ def test_numbers_as_text(value, digits, text):
     assert repr(show(value, digits)) == text
 
 
+@pytest.mark.parametrize(
+    ("value", "noise", "text"),
+    [
+        (-4.27e-9, 1e-4, "below 0.0001"),
+        (4.27e-9, 1e-6, "below 1e-06"),
+        (2.4e-4, 1e-4, "0.0002"),
+        (-3e-6, 1e-6, "-3e-06"),
+        ([2e-7, -0.5], 1e-6, "[ 0. , -0.5]"),
+    ],
+)
+def test_a_bound_that_holds_is_shown_and_a_number_that_breaks_it(value, noise, text):
+    assert show(value, 1, noise=noise) == text
+
+
 @pytest.mark.parametrize("digits", (0, 16, 2.0, True, "3"))
 def test_digits_are_a_whole_number(digits):
     with pytest.raises(ValueError, match="digits: expected"):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from course.study import Method, Problem, two_blocks, work_precision
+from course.study.work_precision import WorkPrecision
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
 
@@ -61,6 +62,47 @@ def test_draws_into_the_axes_it_is_given_and_says_what_it_shows(draw):
     assert len(alternative_text(mine.figure)) > 30
     assert draw(None) is not mine and len(plt.get_fignums()) == 2
     assert mpl.rcParams == before
+
+
+def spread_over(decades, *, start):
+    """Runs that take from ``start`` [s] on over so many decades, each at half the error."""
+    seconds, error = start * 10 ** np.linspace(0, decades, 5), 0.5 ** np.arange(5)
+    problem = Problem("a problem", abs, "m", "exactly 0")
+    names = ("halving",) * 5
+    return WorkPrecision(problem, "steps", names, error, error, seconds, seconds)
+
+
+@pytest.mark.parametrize("decades", [0.05, 0.3, 0.7, 1.0, 1.5, 1.9, 2.5, 6.0])
+@pytest.mark.parametrize("start", [1.2e-4, 3e-3, 7.0])
+def test_labels_of_a_logarithmic_axis_stand_apart(decades, start):
+    ax = plots.work_precision(spread_over(decades, start=start))
+    ax.figure.draw_without_rendering()
+    low, high = ax.get_xlim()
+    boxes = [
+        label.get_window_extent()
+        for tick, label in zip(ax.get_xticks(), ax.get_xticklabels(), strict=True)
+        if low <= tick <= high and label.get_text()
+    ]
+    assert len(boxes) >= 2 and not any(
+        t.get_text() for t in ax.get_xticklabels(minor=True)
+    )
+    assert all(a.x1 < b.x0 for a, b in zip(boxes, boxes[1:], strict=False))
+
+
+def test_ring_and_star_touch_neither_in_the_chart_nor_in_its_legend():
+    ax = plots.work_precision(a_work_precision(), by="count", tolerance=0.3)
+    ax.figure.draw_without_rendering()
+    ring, star = (line for line in ax.lines if line.get_markersize() >= 10)
+    reach = 0.5 * (ring.get_markersize() + ring.get_markeredgewidth())
+    # A pentagram's inner corners are 0.382 as far from its centre as its tips.
+    inner = 0.5 * (0.381966 * star.get_markersize() - star.get_markeredgewidth())
+    assert reach < inner
+    legend = ax.get_legend()
+    points = 72 / ax.figure.dpi
+    rows = [points * text.get_window_extent().y0 for text in legend.get_texts()]
+    sizes = [handle.get_markersize() for handle in legend.legend_handles]
+    for above, below, a, b in zip(rows, rows[1:], sizes, sizes[1:], strict=False):
+        assert above - below > 0.5 * (a + b)
 
 
 def test_a_figure_is_shown_once_with_its_text_escaped(capsys):

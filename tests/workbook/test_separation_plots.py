@@ -5,7 +5,15 @@ import numpy as np
 import pytest
 
 from course.contact import separation_acceleration_terms
-from course.study import Dome, TurningPair, difference_errors, moving_contact
+from course.study import (
+    Dome,
+    Method,
+    Problem,
+    TurningPair,
+    difference_errors,
+    moving_contact,
+    work_precision,
+)
 from course.study.moving_contacts import CENTRAL, FORWARD
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
@@ -90,6 +98,46 @@ def test_difference_errors_show_every_stencil():
         and "one-sided, central" in text(ax)
         and "level line" in text(ax)
     )
+
+
+def test_the_level_line_is_said_to_be_below_only_where_it_is():
+    pair, steps = TurningPair(), [1e-3, 1e-2]
+    found = difference_errors([(CENTRAL, pair.gap)], -1.7, steps)
+    lowest = float(found.error["central"].min())
+    for formula, where in ((0.5 * lowest, "below them all"), (2 * lowest, "among")):
+        assert where in text(plots.difference_errors(found, formula=formula))
+
+
+def test_errors_by_looks_has_a_column_for_each_way():
+    problem = Problem("Rates", abs, "m/s", "0")
+    ways = {"once": ((0.0,), 1), "twice": ((1e-3, 1e-5), 2)}
+    methods = [
+        Method(name, lambda h, n=n: (h + 1e-9, n), knobs)
+        for name, (knobs, n) in ways.items()
+    ]
+    ax = plots.errors_by_looks(
+        work_precision(problem, methods, count_unit="looks"), tolerance=1e-4
+    )
+    once, twice, line = ax.lines
+    np.testing.assert_array_equal(once.get_xdata(), [0])
+    np.testing.assert_array_equal(twice.get_xdata(), [1, 1])
+    np.testing.assert_allclose(line.get_ydata(), 1e-4)
+    columns = [label.get_text() for label in ax.get_xticklabels()]
+    assert columns == ["once\n(1 look)", "twice\n(2 looks)"]
+    assert "once (1 look): 1e-09; twice (2 looks): from 1e-05 to 1e-03" in text(ax)
+
+
+def test_the_legend_of_the_dome_is_whole():
+    ax = plots.dome(Dome())
+    figure = ax.get_figure()
+    figure.draw_without_rendering()
+    assert ax.get_legend().get_window_extent().x1 < figure.bbox.x1
+
+
+def test_normals_past_a_corner_do_not_reach_the_next_place():
+    ax = plots.passing_a_corner((0.03,), step=0.1)
+    for arrow in ax.texts:
+        assert np.linalg.norm(np.subtract(arrow.xy, arrow.xyann)) < 0.1
 
 
 def test_passing_a_corner_draws_a_normal_at_every_place():
@@ -181,7 +229,7 @@ def test_bias_terms_add_up():
         ),
         ["one"],
     )
-    heights = [bar.get_height() for bar in ax.patches]
+    heights = [bar.get_width() for bar in ax.patches]
     assert len(heights) == 6 and sum(heights[:5]) == pytest.approx(heights[5])
     assert [label.get_text() for label in ax.texts] == [f"{h:.2f}" for h in heights]
 

@@ -79,13 +79,25 @@ def test_a_box_has_its_corners_speeds():
         for law in ("simultaneous", "reflection")
     }
     ax = plots.box_outcomes(box, corners.point, after)
-    assert len(ax.get_figure().axes) == 3
     assert "before: -1.00, -1.00, -1.00, -1.00 m/s" in text(
         ax
     ) and "reflection: 0.50, 0.50, 0.50, 0.50 m/s" in text(ax)
     assert "-0.00" not in text(ax)
-    written = [t.get_text() for t in ax.get_figure().axes[1].texts]
-    assert written == ["1: +0.50", "2: +0.50", "3: +0.50", "4: +0.50"]
+    minus = "\N{MINUS SIGN}1.00"
+    assert [t.get_text() for t in ax.texts] == [f"{i}: {minus}" for i in (1, 2, 3, 4)]
+    _, bars = ax.get_figure().axes
+    assert [bar.get_height() for bar in bars.patches] == pytest.approx([0.5] * 8)
+
+
+def test_the_spin_of_a_box_is_told_with_its_sign():
+    """Standing on its left edge: about +y the right one comes down, about -y it goes up."""
+    box, corners = box_on_corners(spin=(0.0, 2.0, 0.0))
+    after = {"thrown back": resolve_collisions(box, corners, 1.0, law="simultaneous")}
+    ax = plots.box_outcomes(box, corners.point, after)
+    assert "before: 0.00, 0.00, -2.00, -2.00 m/s, spin (0.00, 2.00)" in text(ax)
+    assert "thrown back: 0.00, 0.00, 2.00, 2.00 m/s, spin (0.00, -2.00)" in text(ax)
+    (entry,) = ax.get_figure().axes[1].get_legend().get_texts()
+    assert entry.get_text() == "thrown back: (0.00, -2.00)"
 
 
 def test_spins_are_drawn_one_an_order():
@@ -106,9 +118,10 @@ def test_orders_with_one_outcome_are_counted():
         box, corners, 1.0, [(0, 1, 2, 3), (3, 2, 1, 0), (0, 1, 2, 3)]
     )
     ax = plots.spins_by_order(same, {})
-    assert [t.get_text() for t in ax.texts] == [
-        "2 orders"
-    ] and "2 different outcomes" in text(ax)
+    (label,) = ax.texts
+    outward = "left" if label.xy[0] > 0 else "right"  # away from the other marks
+    assert (label.get_text(), label.get_ha()) == ("2 orders", outward)
+    assert "2 different outcomes" in text(ax)
 
 
 def test_pegs_mark_the_threshold():

@@ -24,6 +24,8 @@ from course.workbook.plots import motion
 from course.workbook.plots.figure import describe, figure_html
 
 SECONDS, MOMENTS = 10.0, 251
+#: The moment of the saved picture [s], and where the chart's axes are in their figure.
+STILL, PLACE = 1.56, (0.16, 0.3, 0.8, 0.61)
 
 
 def tumbling_scene(
@@ -81,17 +83,30 @@ class TumblingDemo(ipywidgets.VBox):
         )
         self.tilt = log_slider("tilt at the start", 1.0, -2, 1.7, "°")
         self.spin = slider("spin", 6.0, 1.0, 12.0, 0.5, "rad/s")
-        self.viewer = viewer.show(self._scene(), still=1.56, height=480)
+        self.viewer = viewer.show(self._scene(), still=STILL, height=480)
         self._chart = ipywidgets.HTML()
+        # A bar below the chart that ends where the film is, moved in the browser alone.
+        self._now = ipywidgets.IntProgress(
+            max=len(self.viewer.frames) - 1,
+            layout={
+                "width": f"{PLACE[2]:.0%}",
+                "margin": f"0 0 0 {PLACE[0]:.0%}",
+                "height": "8px",
+            },
+        )
+        self._link = ipywidgets.jslink(
+            (self.viewer.slider, "index"), (self._now, "value")
+        )
         self._draw()
         self._controls = {"tilt": self.tilt, "spin": self.spin, "axis": self.axis}
         for control in self._controls.values():
             control.observe(self._start_again, names="value")
-        self.viewer.layout.width, self._chart.layout.width = "56%", "43%"
+        beside = ipywidgets.VBox([self._chart, self._now], layout={"width": "43%"})
+        self.viewer.layout.width, self._chart.layout.width = "56%", "100%"
         controls = ipywidgets.HBox(
             [self.axis, self.tilt, self.spin], layout={"flex_flow": "row wrap"}
         )
-        super().__init__([controls, ipywidgets.HBox([self.viewer, self._chart])])
+        super().__init__([controls, ipywidgets.HBox([self.viewer, beside])])
 
     @property
     def tumble(self) -> Tumble:
@@ -119,6 +134,9 @@ class TumblingDemo(ipywidgets.VBox):
         self._draw()
 
     def _draw(self) -> None:
+        self._chart.value = self._picture(None)
+
+    def _picture(self, now: float | None) -> str:
         tumble = self.tumble
         parts = dict(
             zip(
@@ -128,8 +146,11 @@ class TumblingDemo(ipywidgets.VBox):
             )
         )
         with motion.style():
-            figure, ax = plt.subplots(figsize=(5.4, 4.2))
-            motion.energies(tumble.times, parts, title="Energy of turning", ax=ax)
+            figure = plt.figure(figsize=(5.4, 4.2), layout="none")
+            ax = figure.add_axes(PLACE)
+            motion.energies(
+                tumble.times, parts, title="Energy of turning", now=now, ax=ax
+            )
             over = ", ".join(
                 f"{when:.2f}" for when in turnover_times(tumble, self.axis.value)
             )
@@ -140,18 +161,17 @@ class TumblingDemo(ipywidgets.VBox):
                 else "It never turns over.",
             )
             ax.set_ylim(0.0, 1.12 * float(tumble.turning_energy[0].sum()))
+            ax.set_xlim(0.0, SECONDS)  # the bar below runs over the same time
             ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
         # As wide as its column also where a page's style makes pictures as large as the screen.
         size = "width: 100% !important; height: auto !important; max-width: 100%"
-        self._chart.value = figure_html(figure, dots_per_inch=130).replace(
-            "max-width: 100%", size
-        )
+        shown = figure_html(figure, dots_per_inch=130)
         plt.close(figure)
+        return shown.replace("max-width: 100%", size)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        still = (
-            f'{self.viewer.picture}<div style="max-width: 600px">{self.picture}</div>'
-        )
+        chart = self._picture(STILL)
+        still = f'{self.viewer.picture}<div style="max-width: 600px">{chart}</div>'
         return {
             **super()._repr_mimebundle_(**options),
             "text/html": still,

@@ -24,6 +24,10 @@ from course.workbook.plots.contact_matrix import (
     pushed_table,
 )
 from course.workbook.plots.course_map import course_map, falling_boxes
+from course.workbook.plots.difference_quotients import (
+    difference_errors,
+    errors_by_looks,
+)
 from course.workbook.plots.figure import (
     PALETTE,
     axes,
@@ -44,7 +48,6 @@ from course.workbook.plots.impacts import (
 from course.workbook.plots.motion import energies, energy_contours, seen_from_body
 from course.workbook.plots.separation import (
     contact_velocities,
-    difference_errors,
     ladder_picture,
     marked_point,
     passing_a_corner,
@@ -85,6 +88,7 @@ __all__ = [
     "energies",
     "energy_contours",
     "energy_over_time",
+    "errors_by_looks",
     "falling_boxes",
     "figure_html",
     "force_plane",

@@ -40,7 +40,12 @@ def reflection(
         )
         _arrow(ax, -before, np.zeros(3), "blue", "v before", at_start=True)
         _arrow(ax, np.zeros(3), after, "vermillion", "v after")
-        _arrow(ax, np.zeros(3), 0.55 * normal, "black", "n", lw=1.4)
+        _arrow(ax, np.zeros(3), 0.5 * normal, "black", "", lw=1.4)
+        # Beside its arrow, on the side the ball leaves to: the dotted parts of the
+        # velocity before run along n on the other.
+        beside = 0.12 if np.sum(after * along) >= 0 else -0.12
+        x, y, _ = 0.45 * normal + beside * along
+        ax.text(x, y, "n", ha="center", va="center")
         for tail, tip, colour in (
             (-before, np.zeros(3), "blue"),
             (np.zeros(3), after, "vermillion"),
@@ -65,7 +70,7 @@ def reflection(
             if come < 0
             else f"{leave:+.2f} m/s, no bounce"
         )
-        ax.set_title(f"Along n: {told}")
+        ax.set_title(f"Along n: {told}".replace("-", "\N{MINUS SIGN}"))
     describe(
         ax,
         f"A wall at {wall_angle:.0f} degrees and a ball at 1 m/s going at {incoming_angle:.0f} degrees, e = "

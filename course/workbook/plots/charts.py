@@ -6,13 +6,19 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib import ticker
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.lines import Line2D
 
 from course.study.work_precision import Cost, WorkPrecision
 from course.workbook.numbers import show
 from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 MARKERS = "os^DvPX*"
+# In points: the ring fits inside the star's inner corners (0.38 of its size), and both
+# shrink in the legend to what its lines are apart.
+RING, STAR, IN_LEGEND = 10, 34, 12
 LINES = ("-", "--", "-.", ":")
 SWEEP_LOOKS: dict[str, dict[str, Any]] = {
     "measured": {"ls": "none", "marker": "o", "color": PALETTE["vermillion"]},
@@ -31,8 +37,8 @@ def work_precision(
 ) -> Axes:
     """Error against cost, both logarithmic, the whole curve of each method, the front ringed.
 
-    With ``tolerance`` the cheapest run within it is marked and named. An error of exactly 0 has no logarithm: it is
-    drawn at the foot of the chart and labelled so.
+    With ``tolerance`` the cheapest run within it is marked and named. An error of
+    exactly 0 has no logarithm: it is drawn at the foot of the chart and labelled so.
     """
     with style():
         ax = axes(ax)
@@ -54,7 +60,7 @@ def work_precision(
             cost[front],
             error[front],
             "o",
-            ms=13,
+            ms=RING,
             mfc="none",
             mec="0.25",
             mew=1,
@@ -81,9 +87,18 @@ def work_precision(
         ax.set_xlabel("time [s]" if by == "seconds" else f"work [{result.count_unit}]")
         ax.set_ylabel(f"error{unit}")
         ax.set_title(result.problem.name)
-        ax.legend(
-            loc="upper left", bbox_to_anchor=(1.0, 1.0), labelspacing=1.1
-        )  # room for the ring and the star
+        ax.margins(0.1)  # room for a star at the edge
+        for axis in (ax.xaxis, ax.yaxis):
+            label_decades(axis)
+        legend = ax.legend(
+            loc="upper left",
+            bbox_to_anchor=(1.0, 1.0),
+            labelspacing=0.7,
+            handlelength=3,
+        )
+        for handle in legend.legend_handles:
+            if isinstance(handle, Line2D):
+                handle.set_markersize(min(handle.get_markersize(), IN_LEGEND))
     describe(
         ax,
         f"{result.problem.name}: error against {'time' if by == 'seconds' else 'counted work'} for "
@@ -128,10 +143,9 @@ def stability_sweep(
                 ls=":",
                 label=f"predicted threshold {threshold:.4g}",
             )
-        if "x" in log:
-            ax.set_xscale("log")
-        if "y" in log:
-            ax.set_yscale("log")
+        for name in log:
+            ax.set(**{f"{name}scale": "log"})
+            label_decades(ax.xaxis if name == "x" else ax.yaxis)
         ax.set(xlabel=labels[0], ylabel=labels[1], title=labels[2])
         ax.legend()
     told = _sweep_in_words(
@@ -141,6 +155,25 @@ def stability_sweep(
     )
     describe(ax, f"{labels[2] or labels[1]}: {labels[1]} over {labels[0]}.{told}")
     return ax
+
+
+def label_decades(axis: Axis) -> None:
+    """Label the powers of ten of a logarithmic axis, and 2 and 5 where it has only one.
+
+    Left alone, matplotlib labels 2, 3, 4 and 6 of an axis under two decades, one over the
+    other. An axis with not even two of 1, 2 and 5 gets a few evenly spaced labels.
+    """
+    low, high = np.log10(axis.get_view_interval())
+    ticks: ticker.Locator = ticker.LogLocator()
+    if np.floor(high) - np.ceil(low) < 1:
+        marks = np.log10([1, 2, 5]) + np.arange(np.floor(low), high + 1)[:, None]
+        several = np.sum((low <= marks) & (marks <= high)) > 1
+        ticks = ticker.LogLocator(subs=(1, 2, 5)) if several else ticker.MaxNLocator(3)
+    axis.set_major_locator(ticks)
+    axis.set_major_formatter(
+        ticker.LogFormatterSciNotation(minor_thresholds=(np.inf, np.inf))
+    )
+    axis.set_minor_formatter(ticker.NullFormatter())
 
 
 def _sweep_in_words(
@@ -240,7 +273,7 @@ def _mark_pick(
         cost,
         error,
         marker="*",
-        ms=26,
+        ms=STAR,
         mfc="none",
         mec=PALETTE["blue"],
         mew=1.4,

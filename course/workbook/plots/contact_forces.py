@@ -70,7 +70,7 @@ def force_plane(
     reach = 1.25 * max(float(np.abs(forced).max()), float(f.max()))
     low, high = min(-0.25 * reach, 1.25 * float(forced.min())), reach
     with style():
-        ax = axes(ax, size=(5.6, 4.6))
+        ax = axes(ax, size=(5.6, 5.6))
         _level_sets(ax, matrix, forced, f, (low, high))
         for corner, wide, tall in (
             ((low, low), -low, high - low),
@@ -81,14 +81,14 @@ def force_plane(
                     corner, wide, tall, fc="0.85", ec="none", alpha=0.75, zorder=2
                 )
             )
-        for i, (colour, line) in enumerate((("blue", "-"), ("green", "--"))):
+        for i, (colour, line) in enumerate((("blue", "-"), ("vermillion", "--"))):
             ends = _zero_line(matrix[i], bias[i], (low, high))
             ax.plot(*ends, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
                     label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
         path = _sweep_path(matrix, bias, 3)
-        ax.plot(*path.T, color=PALETTE["purple"], ls="-", lw=2.0, marker=".", ms=7, zorder=4,
-                label="three sweeps from 0")  # fmt: skip
-        ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["vermillion"], zorder=5,
+        ax.plot(*path.T, color=PALETTE["black"], ls="-", lw=2.4, marker="D", ms=6,
+                mfc=PALETTE["orange"], zorder=4, label="three sweeps from 0")  # fmt: skip
+        ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["black"], zorder=5,
                 label="both forced to 0")  # fmt: skip
         ax.plot(*f, ls="none", marker="o", ms=11, mfc="none", mew=2.4, color=PALETTE["black"], zorder=6,
                 label="least with f ≥ 0")  # fmt: skip
@@ -102,7 +102,9 @@ def force_plane(
         ax.axvline(0, color="0.3", lw=1.0, zorder=2)
         ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
         ax.set(xlabel=f"$f_1$, {names[0]} [N]", ylabel=f"$f_2$, {names[1]} [N]")
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        ax.legend(
+            loc="upper center", bbox_to_anchor=(0.45, -0.16), ncols=2, fontsize=11
+        )
     describe(
         ax,
         f"The plane of two contact forces in newtons, with ellipses around ({forced[0]:.0f}, {forced[1]:.0f}), where "
@@ -128,7 +130,7 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
     lifted = [name for name, x in zip(("left", "right"), w, strict=True) if x > 1e-9]
     word = f"the {lifted[0]} foot lifts" if lifted else "both feet stay"
     if ax is None:
-        _, (ax, plane) = side_by_side(2, size=(11.4, 4.4))
+        _, (ax, plane) = side_by_side(2, size=(9.6, 5.4))
         force_plane(matrix, bias, names=("left foot", "right foot"), ax=plane)
     with style():
         ax.add_patch(Rectangle((-1.5, 0), 3.0, 0.08, fc="0.8", ec="0.3"))
@@ -152,7 +154,7 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
             color=PALETTE["black"],
             label="centre of mass",
         )
-        for y, force, colour in zip(feet, f, ("blue", "green"), strict=True):
+        for y, force, colour in zip(feet, f, ("blue", "vermillion"), strict=True):
             _foot(ax, y, force, PALETTE[colour])
         ax.set(
             xlim=(-1.7, 1.7),
@@ -232,7 +234,7 @@ def solver_growth(result: SolverGrowth, *, ax: Axes | None = None) -> Axes:
     """Time and counted steps of contact solvers over the number of contacts, both logarithmic."""
     panels: list[tuple[Axes, Any, str]] = []
     if ax is None:
-        _, (ax, right) = side_by_side(2, size=(11.4, 4.0))
+        _, (ax, right) = side_by_side(2, size=(9.6, 4.2))
         panels.append((right, result.steps, "sweeps, pivots or Newton systems"))
     panels.insert(0, (ax, result.seconds, "time [s]"))
     with style():
@@ -241,7 +243,9 @@ def solver_growth(result: SolverGrowth, *, ax: Axes | None = None) -> Axes:
                 panel.loglog(result.contacts, rows[k], marker=MARKERS[k], ls=LINES[k], color=PALETTE[COLOURS[k]],
                              label=name)  # fmt: skip
             panel.set(xlabel="contacts", ylabel=label)
-        panels[-1][0].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        panels[-1][0].legend(loc="upper left", ncols=1, labelspacing=0.3)
+        low, high = panels[-1][0].get_ylim()
+        panels[-1][0].set_ylim(low, high * (high / low) ** 0.75)  # room for the legend
     told = [_cost_told(result, k) for k in range(len(result.method))]
     describe(
         ax,
@@ -266,16 +270,16 @@ def _level_sets(
     through: np.ndarray,
     ends: tuple[float, float],
 ) -> None:
-    """Ellipses of f'A f/2 + b.f around its least value, the one through a point in black."""
+    """Ellipses of f'A f/2 + b.f around its least value, the one through a point darker."""
     grid = np.linspace(*ends, 160)
     f_1, f_2 = np.meshgrid(grid, grid)
     off = np.stack([f_1, f_2], axis=-1) - least
     level = np.sqrt(np.einsum("...i,ij,...j->...", off, matrix, off))
-    ax.contour(f_1, f_2, level, levels=12, colors="0.65", linewidths=0.8)
+    ax.contour(f_1, f_2, level, levels=9, colors="0.78", linewidths=0.8)
     touching = float(np.sqrt((through - least) @ matrix @ (through - least)))
     if touching > 1e-6:
         ax.contour(
-            f_1, f_2, level, levels=[touching], colors="0.15", linewidths=1.6, zorder=4
+            f_1, f_2, level, levels=[touching], colors="0.4", linewidths=1.6, zorder=3
         )
 
 

@@ -67,7 +67,7 @@ def pushed_table(
             ylabel="y [m]",
         )
         ax.legend(
-            loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, fontsize=8.5
+            loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, labelspacing=0.8
         )
         if bars is not None:
             _response_bars(bars, response)
@@ -107,7 +107,11 @@ def matrix_costs(
     seconds: Mapping[str, Sequence[float]],
     counts: Mapping[str, Sequence[float]],
 ) -> Axes:
-    """Seconds and counted multiplications over the number of contacts, each with the exponent fitted to its end."""
+    """Seconds and counted multiplications over the number of contacts.
+
+    The counts come with the exponent fitted to their end; that of seconds differs from machine
+    to machine, so they are told as they were measured.
+    """
     with style():
         _, panels = side_by_side(2, size=(10.4, 4.0))
         spoken = []
@@ -117,16 +121,15 @@ def matrix_costs(
             for k, (name, y) in enumerate(values.items()):
                 x = np.asarray(contacts[name], dtype=float)
                 power = np.polyfit(np.log(x[-3:]), np.log(np.asarray(y)[-3:]), 1)[0]
-                ax.loglog(
-                    x,
-                    y,
-                    marker=MARKERS[k],
-                    ls=LINES[k % 4],
-                    label=f"{name}: c^{power:.1f}",
+                counted = values is counts
+                named = f"{name}: c^{power:.1f}" if counted else name
+                ax.loglog(x, y, marker=MARKERS[k], ls=LINES[k % 4], label=named)
+                ends = (
+                    f"from {y[0]:.2g} at {x[0]:g} to {y[-1]:.2g} at {x[-1]:g} contacts"
                 )
-                spoken.append(f"{name} {label} c^{power:.1f}")
+                spoken.append(f"{name} {label} {f'c^{power:.1f}' if counted else ends}")
             ax.set(xlabel="contacts c", ylabel=label)
-            ax.legend(loc="upper left", fontsize=8.5)
+            ax.legend(loc="upper left")
             low, high = ax.get_ylim()
             ax.set_ylim(low, high * 30)  # room for the legend
     describe(

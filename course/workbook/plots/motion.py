@@ -22,9 +22,13 @@ def energies(
     parts: Mapping[str, ArrayLike],
     *,
     title: str = "",
+    now: float | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Parts of an energy [J] over time [s], a line each, and their sum."""
+    """Parts of an energy [J] over time [s], a line each, and their sum.
+
+    ``now`` marks a moment [s]: that of a film beside the chart.
+    """
     t = np.asarray(times)
     with style():
         ax = axes(ax)
@@ -42,6 +46,8 @@ def energies(
             zorder=1,
             label="their sum",
         )
+        if now is not None:
+            ax.axvline(now, color="0.25", lw=1, ls=":", label=f"the film: {now:.2f} s")
         ax.set(xlabel="time [s]", ylabel="energy [J]", title=title)
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     # What is nothing beside the largest is told as 0.
@@ -55,6 +61,8 @@ def energies(
     )
     what = f"{title or 'Energy'} over {t[0]:g} to {t[-1]:g} s"
     describe(ax, f"{what}: {told}. Their sum changes by {np.ptp(total):.2g} J.")
+    if now is not None:
+        describe(ax, f"A dotted line marks {now:.2f} s, where the film stands.")
     return ax
 
 

@@ -1,4 +1,4 @@
-"""Pictures of gaps and how they change: a bar over a plank, a ladder, a corner, and the V of difference quotients."""
+"""Pictures of gaps and how they change: a bar over a plank, a ladder and a corner."""
 
 from __future__ import annotations
 
@@ -13,10 +13,9 @@ from matplotlib.patches import Arc, Polygon, Rectangle
 from course.arrays import Array, ArrayLike
 from course.dynamics import point_velocity
 from course.study.ladder import ladder_gaps
-from course.study.moving_contacts import DifferenceErrors, TurningPair
+from course.study.moving_contacts import TurningPair
 from course.workbook.plots.figure import PALETTE, axes, describe, style
 
-MARKERS = "os^DvP"
 LINES = ("-", "--", "-.", ":", "-", "--")
 
 
@@ -271,65 +270,6 @@ def contact_velocities(
     return ax
 
 
-def difference_errors(
-    result: DifferenceErrors,
-    *,
-    formula: float | None = None,
-    expected: Mapping[str, Sequence[float]] | None = None,
-    ax: Axes | None = None,
-) -> Axes:
-    """Error of difference quotients over their step, both logarithmic: a V for each stencil.
-
-    ``formula`` is the error of the closed formula, drawn as a level line; ``expected`` holds predicted curves by
-    stencil. An error of exactly 0 is drawn at 1e-17.
-    """
-    colours = list(PALETTE.values())
-    with style():
-        ax = axes(ax, size=(7.6, 4.4))
-        for i, (name, error) in enumerate(result.error.items()):
-            options = {"marker": MARKERS[i % 6], "color": colours[i % 6]}
-            ax.loglog(
-                result.step,
-                np.maximum(error, 1e-17),
-                ls="none",
-                ms=5,
-                label=name,
-                **options,
-            )
-            if expected is not None:
-                ax.loglog(
-                    result.step,
-                    expected[name],
-                    ls=LINES[i % 6],
-                    marker="",
-                    lw=1.2,
-                    color=colours[i % 6],
-                    label=f"{name}, predicted",
-                )
-        if formula is not None:
-            ax.axhline(
-                max(formula, 1e-17),
-                color="black",
-                lw=1.6,
-                ls=(0, (5, 1)),
-                label="the formula",
-            )
-        ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
-        ax.set_title("Errors of difference quotients")
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    describe(
-        ax,
-        f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
-        "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
-        + (
-            " The error of the formula is a level line below them all."
-            if formula is not None
-            else ""
-        ),
-    )
-    return ax
-
-
 def passing_a_corner(
     heights: Sequence[float] = (0.3, 0.03),
     *,
@@ -361,14 +301,14 @@ def passing_a_corner(
                 _arrow(
                     ax,
                     (place, height),
-                    0.25 * normal / np.linalg.norm(normal),
+                    0.85 * speed * step * normal / np.linalg.norm(normal),
                     colour,
                     "",
                     lw=1.3,
                 )
         ax.set(
-            xlim=(-0.75, 1.0),
-            ylim=(-0.25, 0.65),
+            xlim=(-0.55, 0.75),
+            ylim=(-0.15, 0.45),
             aspect="equal",
             xlabel="y [m]",
             ylabel="z [m]",

@@ -19,7 +19,7 @@ TERMS = {
     "torque": "torque",
     "spin": "L x omega",
     "centripetal": "centripetal",
-    "normal": "turning\nnormal",
+    "normal": "turning normal",
 }
 
 
@@ -65,7 +65,7 @@ def _dome_paths(ax: Axes, scene: Dome) -> None:
     drop = np.sqrt(2 * scene.radius / scene.gravity)
     for angle, colour, line, mark, name in (
         (true, "blue", "-", "o", "nature"),
-        (printed, "vermillion", "--", "s", "the printed formula"),
+        (printed, "vermillion", "--", "s", "as printed"),
     ):
         path = scene.flight(angle, np.linspace(0, 1.2 * drop, 60))
         ax.plot(*path.T, color=PALETTE[colour], lw=1.8, ls=line, marker="")
@@ -281,8 +281,8 @@ def bias_terms(
     }
     total = np.sum([np.asarray(v, dtype=float) for v in terms.values()], axis=0)
     with style():
-        ax = axes(ax, size=(8.4, 3.6))
-        places, width = np.arange(len(values) + 1), 0.8 / len(labels)
+        ax = axes(ax, size=(8.4, 5.4))
+        places, width = np.arange(len(values) + 1), 0.84 / len(labels)
         for row, (name, colour, hatch) in enumerate(
             zip(
                 labels,
@@ -293,7 +293,7 @@ def bias_terms(
         ):
             heights = [*(v[row] for v in values.values()), total[row]]
             shift = (row - 0.5 * (len(labels) - 1)) * width
-            bars = ax.bar(
+            bars = ax.barh(
                 places + shift,
                 heights,
                 width,
@@ -302,19 +302,18 @@ def bias_terms(
                 ec="white",
                 label=name,
             )
-            ax.bar_label(bars, fmt="%.2f", fontsize=7, padding=1)
-        ax.axhline(0, color="0.3", lw=0.8)
-        ax.margins(y=0.08)  # room for the numbers at the bars
-        ax.set_xticks(places, [*values, "sum: b"])
-        ax.set(ylabel=unit)
-        ax.grid(axis="x", visible=False)
+            numbers = [f"{height + 0.0:.2f}" for height in heights]
+            ax.bar_label(bars, numbers, fontsize=9, padding=2)
+        ax.axvline(0, color="0.3", lw=0.8)
+        ax.margins(x=0.1)  # room for the numbers at the bars
+        ax.set_yticks(places, [*values, "sum: b"])
+        ax.invert_yaxis()  # the sum below its terms
+        ax.set(xlabel=unit)
+        ax.grid(axis="y", visible=False)
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     spoken = []
     for row, name in enumerate(labels):
-        parts = ", ".join(
-            f"{word.replace(chr(10), ' ')} {v[row] + 0.0:.2f}"
-            for word, v in values.items()
-        )
+        parts = ", ".join(f"{word} {v[row] + 0.0:.2f}" for word, v in values.items())
         spoken.append(f"{name}: {parts}, in all {total[row] + 0.0:.2f}")
     describe(ax, f"The terms of b in {unit}. {'; '.join(spoken)}.")
     return ax

@@ -22,6 +22,8 @@ LABELS = {  # where a speed is written: right and up of the point, and its align
     0.0: (0.09, 0.05, "left", "bottom"),
     1.0: (0.09, -0.04, "left", "top"),
 }
+COLOURS = ("blue", "vermillion", "green", "purple", "orange")
+HATCHES = ("", "//", "..", "xx", "\\\\")
 PIN = 0.45  # how far the lower end stands above the floor
 
 
@@ -99,7 +101,9 @@ def rod_impact(
         ax.text(-1.1, 0.98, f"m = 1 kg\nmass felt at the point: {felt:.3f} kg", ha="center", va="top",
                 fontsize=9.5)  # fmt: skip
         ax.set(xlim=(-2.2, 2.3), ylim=(-1.1, 1.15), aspect="equal")
-        ax.set_title(f"impulse of the floor {push:.3f} N s")
+        ax.set_title(
+            f"impulse of the floor {push:.3f} N s; at the points: upward speeds [m/s]"
+        )
         _bare(ax)
     speeds = after.velocity[0, 2]
     describe(
@@ -213,52 +217,45 @@ def rod_impulses(
 def box_outcomes(
     box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies]
 ) -> Axes:
-    """A box on its four corners in oblique view, before an impact and after it by several laws.
+    """A box on its four corners before an impact, and how fast they rise after it by several laws.
 
     Args:
         box: before; body 0 is the box, standing with its axes along x, y, z.
-        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-), (+,+), which the picture numbers
-            1 to 4 [m].
-        outcomes: name -> bodies after.
+        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-), (+,+),
+            which the picture numbers 1 to 4 [m].
+        outcomes: name -> bodies after, up to five.
     """
-    states = {"before": box} | dict(outcomes)
     with style():
-        columns = (len(states) + 1) // 2
-        figure, grid = plt.subplots(2, columns, figsize=(min(4.3 * columns, 10.2), 5.8))
-        several = list(grid.flat)
-        for unused in several[len(states) :]:
-            figure.delaxes(unused)
-        spoken = []
-        for ax, (name, state) in zip(several, states.items(), strict=False):
-            spoken.append(_box(ax, corners, 2 * box.position[0, 2], state, name))
-    describe(
-        several[0],
-        "A box just above the floor and the upward speeds of its corners 1 to 4. "
-        + " ".join(spoken),
+        _, (ax, bars) = plt.subplots(1, 2, figsize=(10.0, 4.4), width_ratios=(1.0, 1.9))
+        _box(ax, corners, 2 * box.position[0, 2], box)
+        _corner_bars(bars, corners, outcomes)
+    spoken = " ".join(
+        f"{name}: {', '.join(map(_plain, _corner_speeds(corners, state)))} m/s, "
+        f"spin {_spin(state)} rad/s."
+        for name, state in ({"before": box} | dict(outcomes)).items()
     )
-    first: Axes = several[0]
-    return first
+    describe(
+        ax,
+        "A box just above the floor, and the upward speeds of its corners 1 to 4, "
+        f"with its spin about x and y. {spoken}",
+    )
+    return ax
 
 
-def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str) -> str:
-    """One box with its corners' upward speeds; returns them in words."""
+def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies) -> None:
+    """The box with the numbers and the upward speeds of its corners."""
     low = np.stack([corners[:, 0] + 0.5 * corners[:, 1], 0.45 * corners[:, 1]], axis=-1)
     high = low + [0.0, height]
     for face in (low, high):
         ax.add_patch(Polygon(face[[0, 2, 3, 1]], fc="0.9", ec="0.45", alpha=0.6))
     for a, b in zip(low, high, strict=True):
         ax.plot(*np.stack([a, b]).T, color="0.45", lw=1.0, ls="-", marker="")
-    speeds = point_velocity(
-        state.velocity[0], state.angular_velocity[0], corners - state.position[0]
-    )[:, 2]
-    for i, (start, speed) in enumerate(zip(low, speeds, strict=True)):
+    for i, (start, speed) in enumerate(
+        zip(low, _corner_speeds(corners, state), strict=True)
+    ):
         if abs(speed) > 5e-3:
-            _arrow(
-                ax,
-                (start[0], start[1]),
-                (start[0], start[1] + ARROW * speed),
-                "vermillion",
-            )
+            tip = (start[0], start[1] + ARROW * speed)
+            _arrow(ax, (start[0], start[1]), tip, "vermillion")
         ax.plot(*start, marker="o", ms=4, color="black", ls="none")
         side = (
             (0.05, "left") if i % 2 else (-0.05, "right")
@@ -273,12 +270,49 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies, name: str)
             fontsize=9.5,
             bbox=back,
         )
-    spin = state.angular_velocity[0]
-    ax.set(xlim=(-0.95, 0.95), ylim=(-0.62, 0.7), aspect="equal")
-    ax.set_title(f"{name}\nspin {np.linalg.norm(spin):.2f} rad/s", fontsize=10)
+    ax.set(xlim=(-1.0, 1.0), ylim=(-0.7, 0.6), aspect="equal")
+    ax.set_title(f"before [m/s],\nspin {_spin(state)} rad/s", fontsize=10)
     _bare(ax)
-    listed = ", ".join(f"{round(s, 2) + 0.0:.2f}" for s in speeds)
-    return f"{name}: {listed} m/s, spin {np.linalg.norm(spin):.2f} rad/s."
+
+
+def _corner_bars(ax: Axes, corners: np.ndarray, outcomes: Mapping[str, Bodies]) -> None:
+    """The upward speeds of the corners after, a group a corner and a bar a law."""
+    width = 0.86 / len(outcomes)
+    for k, ((name, state), colour, hatch) in enumerate(
+        zip(outcomes.items(), COLOURS, HATCHES, strict=False)
+    ):
+        place = np.arange(4) + (k - 0.5 * (len(outcomes) - 1)) * width
+        speeds = _corner_speeds(corners, state)
+        drawn = ax.bar(
+            place,
+            speeds,
+            width,
+            color=PALETTE[colour],
+            hatch=hatch,
+            ec="white",
+            label=f"{name}: {_spin(state)}",
+        )
+        ax.bar_label(drawn, [_plain(v) for v in speeds], fontsize=8, padding=1)
+    ax.axhline(0, color="0.3", lw=0.8)
+    ax.margins(y=0.1)  # room for the numbers at the bars
+    ax.set_xticks(range(4), [f"corner {i + 1}" for i in range(4)])
+    ax.set_ylabel("upward speed after [m/s]")
+    ax.grid(axis="x", visible=False)
+    said = r"after, with the spin $(\omega_x, \omega_y)$ [rad/s]"
+    ax.legend(loc="upper center", bbox_to_anchor=(0.45, -0.09), ncols=2, title=said)
+
+
+def _corner_speeds(corners: np.ndarray, state: Bodies) -> np.ndarray:
+    """How fast the corners of body 0 rise, (4,) [m/s]."""
+    arms = corners - state.position[0]
+    moves = point_velocity(state.velocity[0], state.angular_velocity[0], arms)
+    speeds: np.ndarray = np.round(moves[:, 2], 9) + 0.0  # no minus zero below the axis
+    return speeds
+
+
+def _spin(state: Bodies) -> str:
+    """The spin of body 0 about x and about y, with their signs."""
+    return f"({', '.join(map(_plain, state.angular_velocity[0, :2]))})"
 
 
 def spins_by_order(
@@ -305,9 +339,10 @@ def spins_by_order(
                 ax.annotate(
                     f"{count} orders",
                     spin[:2],
-                    (7, 0),
+                    (7 if spin[0] > 0 else -7, 0),
                     textcoords="offset points",
                     va="center",
+                    ha="left" if spin[0] > 0 else "right",
                     fontsize=9,
                 )
         for (name, spin), mark in zip(others.items(), "*D^", strict=False):
@@ -450,6 +485,11 @@ def _arrow(
 
 def _speed(value: float) -> str:
     return "0" if abs(value) < 5e-3 else f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")
+
+
+def _plain(value: float) -> str:
+    """Two decimals, and never a minus zero."""
+    return f"{round(float(value), 2) + 0.0:.2f}"
 
 
 def _bare(ax: Axes) -> None:

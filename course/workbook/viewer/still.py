@@ -28,8 +28,10 @@ def draw(scene: Scene, *, time: float | None = None, ax: Any = None) -> Any:
         alone = ax is None
         if alone:
             figure = plt.figure(figsize=(6.6, 4.6), layout="none")
+            rows = -(-len(scene.legend()) // 2)  # of the legend, below the axis labels
+            foot = 0.09 + 0.05 * rows
             ax = figure.add_axes(
-                (0.0, 0.09, 1.0, 0.88), projection="3d", computed_zorder=False
+                (0.0, foot, 1.0, 0.97 - foot), projection="3d", computed_zorder=False
             )
             _legend(figure, scene, index)
         _draw(ax, scene, index)

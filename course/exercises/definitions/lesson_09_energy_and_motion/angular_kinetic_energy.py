@@ -54,7 +54,7 @@ ANGULAR_KINETIC_ENERGY = Exercise(
             lambda L, omega: (
                 0.5 * np.linalg.norm(L, axis=-1) * np.linalg.norm(omega, axis=-1)
             ),
-            "|L||omega|/2 would be right if L pointed along omega. It does not, for a body that is no ball: the dot "
+            "|L||omega|/2 is right only where L points along omega. In general it does not: the dot "
             "product takes the cosine of the angle between them into account.",
         ),
         Mistake(
@@ -76,8 +76,8 @@ ANGULAR_KINETIC_ENERGY = Exercise(
     ),
     hints=(
         "It is the function before this one with other letters.",
-        "Half the dot product of L and omega over the last axis. Their lengths alone would not do: they point in "
-        "different directions.",
+        "Half the dot product of L and omega over the last axis. Their lengths alone would not do: in "
+        "general they point in different directions.",
         "return 0.5 * np.sum(____ * ____, axis=-1)",
     ),
 )

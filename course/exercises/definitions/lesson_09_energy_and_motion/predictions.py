@@ -86,7 +86,7 @@ PREDICTIONS = (
         "carefully, tilted by 0.1 degree. After how many seconds does it lie on its side?",
         lambda: _first_turnover(0.1),
         "A tilt that grows as exp(sigma t) needs ln(10)/sigma = 0.68 s more to become ten times larger, whatever its "
-        "size. Each further digit of care buys the same 0.68 s.",
+        "size, as long as it is small. Each further digit of care buys the same 0.68 s.",
         unit="s",
         tolerance=0.08,
         wrong={

@@ -174,7 +174,7 @@ ROTATE = Exercise(
         Mistake(
             "first order",
             stretched,
-            "v + theta x v is explicit Euler: right for tiny angles only, and longer than v at every step.",
+            "v + theta x v is explicit Euler: right for tiny angles only, and longer than v wherever it turns.",
         ),
         Mistake(
             "first order, brought back",

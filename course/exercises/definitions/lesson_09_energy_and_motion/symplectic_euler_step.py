@@ -276,7 +276,7 @@ SYMPLECTIC_EULER_STEP = Exercise(
         Mistake(
             "added, not turned",
             plain_step(turned=first_order),
-            "You add h omega x R to R. That is explicit Euler on nine numbers: its columns get longer at every step. "
+            "You add h omega x R to R. That is explicit Euler on nine numbers: its columns get longer as they turn. "
             "Use the rotation matrix of the rotation vector h omega.",
         ),
         Mistake(

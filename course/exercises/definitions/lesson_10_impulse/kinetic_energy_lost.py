@@ -103,7 +103,7 @@ KINETIC_ENERGY_LOST = Exercise(
         Mistake(
             "mass of body 1",
             _lost(mass=lambda a, b: np.asarray(a) + 0 / np.asarray(b)),
-            "You use the mass of body 1 alone. Both bodies give up energy: take the reduced mass.",
+            "You use the mass of body 1 alone. It is the reduced mass that goes with the speed of approach.",
         ),
         Mistake(
             "half forgotten",
@@ -137,8 +137,8 @@ KINETIC_ENERGY_LOST = Exercise(
         Mistake(
             "whole speed",
             _lost(closing=lambda a, b, n: np.linalg.norm(np.asarray(b) - a, axis=-1)),
-            "You use the whole relative speed. Without friction sliding keeps its energy: only the part along n is "
-            "lost.",
+            "You use the whole relative speed. Without friction sliding keeps its energy: only motion along n can "
+            "lose any.",
         ),
         Mistake(
             "no guard",

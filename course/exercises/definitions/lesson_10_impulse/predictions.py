@@ -32,7 +32,7 @@ PREDICTIONS = (
         later="See",
         wrong={
             2: "One block against block, one against the wall: but the small block comes back, again and again.",
-            100: "The ratio of the speeds is 100, but the small block gains speed at every impact.",
+            100: "100 is the root of the mass ratio. The count grows with it, but it is larger, by a factor of pi.",
             10000: "The count grows with the square root of the mass ratio, not with the ratio.",
         },
     ),

@@ -162,7 +162,7 @@ WALL_BOUNCE = Exercise(
         Mistake(
             "only e",
             _bounce(lambda e: e),
-            "The factor is e where it must be 1 + e: your ball goes on into the wall, a little slower.",
+            "The factor is e where it must be 1 + e: your ball goes on into the wall, only slower.",
         ),
         Mistake(
             "1 - e",

@@ -173,8 +173,8 @@ APPLY_IMPULSE = Exercise(
         Mistake(
             "only the diagonal",
             _applied(turn=diagonal),
-            "You use only the diagonal of the inverse inertia. In world axes a body that has turned has a full matrix: "
-            "a push can spin it about an axis it was not pushed about.",
+            "You use only the diagonal of the inverse inertia. A body that has turned has in general a "
+            "full matrix in world axes: a push can spin it about an axis it was not pushed about.",
         ),
         Mistake(
             "arm not crossed",

@@ -245,7 +245,7 @@ EFFECTIVE_MASS = Exercise(
             "only the diagonal",
             _effective_mass(turn=diagonal),
             "You use only the diagonal of the inverse inertia. It is diagonal in the body's own axes, but a body that "
-            "has turned has a full matrix in world axes.",
+            "has turned has in general a full matrix in world axes.",
         ),
         Mistake(
             "inverse undone",

@@ -124,8 +124,8 @@ ANGULAR_ACCELERATION_FREE = Exercise(
                 np.einsum("...ii->...i", np.asarray(i))
                 * (np.asarray(tau) + np.cross(l_, w))
             ),
-            "You use the diagonal of I^-1 alone. That is right only while the body's axes lie along those of the "
-            "world: multiply by the whole matrix.",
+            "You use the diagonal of I^-1 alone. In general that is right only while the body's axes lie along "
+            "those of the world: multiply by the whole matrix.",
         ),
     ),
     hints=(

@@ -102,7 +102,7 @@ POINT_RESPONSE = Exercise(
         Mistake("inertia for its inverse", response(apply=lambda m, v: times(np.linalg.pinv(m), v)),
                 "You use I where its inverse belongs. What is given is I^-1 already: multiply by it."),
         Mistake("diagonal alone", response(apply=lambda m, v: np.einsum("...ii->...i", m) * v), "You use the diagonal "
-                "of I^-1 alone. That is right only while the body's axes lie along those of the world."),
+                "of I^-1 alone. In general that is right only while the body's axes lie along those of the world."),
         Mistake("matrix product with @", response(apply=lambda m, v: m @ v), "Right for one body. In a batch, @ takes "
                 'the last two axes of both sides for matrices: np.einsum("...ij,...j->...i", matrix, vector).'),
     ),

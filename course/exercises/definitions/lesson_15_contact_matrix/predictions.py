@@ -42,7 +42,7 @@ PREDICTIONS = (
         },
         later="See",
         wrong={
-            "none": "A table is one body: push it anywhere, and all of it is accelerated.",
+            "none": "A table is one body: push it, and all of it but one line at most is accelerated.",
             "all": "The table rises as a whole, that is right. But it also turns about its centre of mass.",
         },
     ),

@@ -55,7 +55,7 @@ PREDICTIONS = (
         },
         later="Where it breaks",
         wrong={
-            "nothing": "All five satisfy the three conditions to rounding: the conditions do not say more.",
+            "nothing": "All five satisfy the three conditions (residuals below 1e-6), which say no more.",
             "sum": "On this table, yes. Two walls that press a ball with t each may do so with any t.",
         },
     ),
@@ -80,7 +80,7 @@ PREDICTIONS = (
         "sweeps",
         "A box of 1,000 kg lies on one of 1 kg. How many sweeps of projected Gauss-Seidel does one more digit take?",
         _sweeps_at_a_mass_ratio,
-        "A sweep shrinks the error by R/(1 + R) = 0.999, and 0.999^2304 = 0.1.",
+        "A sweep shrinks the error by R/(1 + R) = 1000/1001; (1000/1001)^2304 = 0.1.",
         tolerance=0.3,
         wrong={
             1: "For two contacts it looks easy. Each sweep hands the lower box only a thousandth of what is missing.",

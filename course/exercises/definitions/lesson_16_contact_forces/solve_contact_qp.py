@@ -147,7 +147,7 @@ SOLVE_CONTACT_QP = Exercise(
                 "limit on the forces is -f <= 0."),
         Mistake("as printed", lambda a, b: np.zeros(len(b)),
                 "f = 0 everywhere: it satisfies f >= 0 and f d_ddot = 0, and all that lies on something falls through. "
-                "An objective that is f d_ddot alone, or a constraint f <= 0, ends here too."),
+                "A constraint f <= 0 may end here too."),
         Mistake("least squares of d_ddot", _least_squares,
                 "You minimise |A f + b|^2, which makes the d_ddot small. It is f'A f/2 + b'f whose slope is d_ddot; "
                 "where a foot lifts, d_ddot is to be above 0, not small."),

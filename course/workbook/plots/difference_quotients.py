@@ -1,0 +1,123 @@
+"""Pictures of what differences of a gap are worth: errors over the step, and by how often one looks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from course.arrays import Array
+from course.study.moving_contacts import DifferenceErrors
+from course.study.work_precision import WorkPrecision
+from course.workbook.plots.figure import PALETTE, axes, describe, style
+
+MARKERS = "os^DvP"
+LINES = ("-", "--", "-.", ":", "-", "--")
+FOOT = 1e-17  # where an error of exactly 0 is drawn
+
+
+def difference_errors(
+    result: DifferenceErrors,
+    *,
+    formula: float | None = None,
+    expected: Mapping[str, Sequence[float]] | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Error of difference quotients over their step, both logarithmic: a V for each stencil.
+
+    ``formula`` is the error of the closed formula, drawn as a level line; ``expected`` holds predicted curves by
+    stencil. An error of exactly 0 is drawn at 1e-17.
+    """
+    colours = list(PALETTE.values())
+    with style():
+        ax = axes(ax, size=(7.6, 4.4))
+        for i, (name, error) in enumerate(result.error.items()):
+            options = {"marker": MARKERS[i % 6], "color": colours[i % 6]}
+            ax.loglog(
+                result.step,
+                np.maximum(error, FOOT),
+                ls="none",
+                ms=5,
+                label=name,
+                **options,
+            )
+            if expected is not None:
+                ax.loglog(
+                    result.step,
+                    expected[name],
+                    ls=LINES[i % 6],
+                    marker="",
+                    lw=1.2,
+                    color=colours[i % 6],
+                    label=f"{name}, predicted",
+                )
+        if formula is not None:
+            ax.axhline(
+                max(formula, FOOT),
+                color="black",
+                lw=1.6,
+                ls=(0, (5, 1)),
+                label="the formula",
+            )
+        ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
+        ax.set_title("Errors of difference quotients")
+        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    describe(
+        ax,
+        f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
+        "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
+        + (_level_line(formula, result) if formula is not None else ""),
+    )
+    return ax
+
+
+def _level_line(formula: float, result: DifferenceErrors) -> str:
+    lowest = min(float(np.min(error)) for error in result.error.values())
+    where = "below them all" if formula < lowest else "among the lowest of them"
+    return f" The error of the formula is a level line {where}."
+
+
+def errors_by_looks(
+    result: WorkPrecision, *, tolerance: float, ax: Axes | None = None
+) -> Axes:
+    """Errors of ways to get a rate, a column for each way and a mark for each step.
+
+    ``result`` counts how often a way looks at the gap, which does not depend on the step.
+    """
+    names = list(dict.fromkeys(result.method))
+    errors, looks = {}, {}
+    for name in names:
+        own = np.array([method == name for method in result.method])
+        times = int(result.cost("count")[own][0])
+        errors[name] = result.error[own]
+        looks[name] = f"({times} look{'s' * (times > 1)})"
+    with style():
+        ax = axes(ax)
+        for i, (error, colour, mark) in enumerate(
+            zip(errors.values(), PALETTE.values(), MARKERS, strict=False)
+        ):
+            place, height = np.full(error.shape, i), np.maximum(error, FOOT)
+            ax.semilogy(place, height, mark, ls="none", ms=7, mfc="none", mew=1.5,
+                        color=colour)  # fmt: skip
+        ax.axhline(tolerance, color="0.35", lw=1.2, ls=":")
+        right = len(names) - 0.55
+        ax.text(
+            right, tolerance, f"{tolerance:g}", color="0.35", va="bottom", ha="right"
+        )
+        ax.set_xticks(range(len(names)), [f"{name}\n{looks[name]}" for name in names])
+        ax.set(xlim=(-0.5, len(names) - 0.5), ylabel=f"error [{result.problem.unit}]")
+        ax.set_title(f"{result.problem.name}, a mark for each step")
+        ax.grid(axis="x", visible=False)
+    spoken = "; ".join(f"{n} {looks[n]}: {_span(errors[n])}" for n in names)
+    describe(
+        ax,
+        f"{result.problem.name}: error in {result.problem.unit} of each way, a mark for "
+        f"each step; a line marks {tolerance:g}. {spoken}.",
+    )
+    return ax
+
+
+def _span(error: Array) -> str:
+    low, high = float(error.min()), float(error.max())
+    return f"{low:.0e}" if len(error) == 1 else f"from {low:.0e} to {high:.0e}"
