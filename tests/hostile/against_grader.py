@@ -235,7 +235,8 @@ LONG = {"reply-early-and-loop", "stop-parent", "stop-siblings"}
 
 FAMILY = [
     *[
-        attack(f"grader-{n}", code, harm, sample=n in SAMPLE, long=n in LONG)
+        attack(f"grader-{n}", code, harm, works_bare=harm != "mark", sample=n in SAMPLE,
+               long=n in LONG)
         for n, (harm, code) in WAYS.items()
     ],
     # What an answer leaves behind must not meet the next exercise or the next student.

@@ -7,7 +7,6 @@ import csv
 import json
 import os
 import re
-import shutil
 import stat
 import subprocess
 import sys
@@ -19,7 +18,7 @@ from pathlib import Path
 
 from grading.toy_lessons import BLANK, blank, cell, notebook
 from hostile.submission import Hostile
-from hostile.surroundings import SECRET, SEED, Surroundings
+from hostile.surroundings import SECRET, SEED, Surroundings, remove
 
 HERE = Path(__file__).parent
 GRADE = """
@@ -54,7 +53,7 @@ def surroundings() -> Iterator[Surroundings]:
     try:
         yield Surroundings(root)
     finally:
-        shutil.rmtree(root, ignore_errors=True)
+        remove(root)
 
 
 def grade(family: Sequence[Hostile], *, limit: float, bound: float) -> Batch:

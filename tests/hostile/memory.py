@@ -62,7 +62,6 @@ WAYS = {
                       "        os._exit(0)\n" + WON,
 }  # fmt: skip
 SAMPLE = {"bytes", "memfd", "unlinked-files"}
-LIMITED_ALREADY = {"bytes", "bytearray", "arrays", "list", "text", "mmap-private"}
 SILENT = {"deep-folders", "closed-folders", "threads", "small-stack-threads",
           "mapped-many-times", "recursion", "sparse-file", "swallowed"}  # fmt: skip
 
@@ -71,7 +70,8 @@ FAMILY = [
         f"memory-{name}",
         code,
         "mark" if name in SILENT else "told",
+        works_bare=name not in SILENT,
         sample=name in SAMPLE,
-    )  # fmt: skip
+    )
     for name, code in WAYS.items()
 ]

@@ -65,10 +65,18 @@ WAYS = {
     "netlink": "import socket\ns = socket.socket(socket.AF_NETLINK, socket.SOCK_RAW, 0)\n"
                "s.bind((0, 0))\ns.close()",
 }  # fmt: skip
-NOT_BARE = {"vsock", "netlink", "io-uring"}
+PROBES = {"vsock", "netlink"}
 SAMPLE = {"connect", "sendmsg", "unix", "abstract"}
 
+HARMS = dict.fromkeys(PROBES, "mark") | {"io-uring": "told"}
+
 FAMILY = [
-    attack(f"network-{name}", code, "heard", sample=name in SAMPLE)
+    attack(
+        f"network-{name}",
+        code,
+        HARMS.get(name, "heard"),
+        sample=name in SAMPLE,
+        works_bare=name not in PROBES,
+    )
     for name, code in WAYS.items()
 ]

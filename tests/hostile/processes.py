@@ -6,7 +6,8 @@ Each child would write into the canary folder half a second after its parent has
 from hostile.submission import attack
 
 LATER = (
-    "import os, time\\nos.setsid() if os.getpid() != os.getsid(0) else 0\\n"
+    "import os, signal, time\\nsignal.signal(1, signal.SIG_IGN)\\n"
+    "os.setsid() if os.getpid() != os.getsid(0) else 0\\n"
     "time.sleep(0.5)\\nopen('{canary}/from-a-child', 'w').write('x')\\ntime.sleep(9)"
 )
 CHILD = f"""
@@ -26,7 +27,11 @@ try:
     import _xxsubinterpreters as s
 except ImportError:
     import _interpreters as s
-s.run_string(s.create(), "import os, time\\nif os.fork() == 0:\\n"
+try:
+    i = s.create(isolated=False)
+except TypeError:
+    i = s.create('legacy')
+s.run_string(i, "import os, time\\nif os.fork() == 0:\\n"
              "    time.sleep(.5); open('{canary}/a', 'w').write('x'); time.sleep(9)")
 """
 SPAWN = "os.posix_spawn(sys.executable, ARGV, {})\ntime.sleep(0.3)"
@@ -106,7 +111,7 @@ WAYS = {
     "exec": "os.execv(sys.executable, ARGV)",
     "exec-by-fd": "os.execve(os.open(sys.executable, os.O_RDONLY), ARGV, {})",
     "atexit-fork": "import atexit\natexit.register(lambda: os.fork() or exec(LATER))\n"
-                   "sys.exit()",
+                   "atexit._run_exitfuncs()",
     "thread-forks": "import threading\nt = threading.Thread(target=lambda: os.fork() or "
                     "exec(LATER))\nt.start()\ntime.sleep(0.3)",
     "fork-many": "for i in range(60):\n    if os.fork() == 0:\n        exec(LATER)\n"
@@ -122,7 +127,15 @@ WAYS = {
 }  # fmt: skip
 SAMPLE = {"fork", "daemon", "posixsubprocess-fresh", "daemon-rewrites-its-row"}
 
+HARMS = dict.fromkeys(("exec", "exec-by-fd"), "changed")
+
 FAMILY = [
-    attack(f"process-{name}", CHILD + code, "left", sample=name in SAMPLE)
+    attack(
+        f"process-{name}",
+        CHILD + code,
+        HARMS.get(name, "left"),
+        works_bare=True,
+        sample=name in SAMPLE,
+    )
     for name, code in WAYS.items()
 ]

@@ -23,8 +23,11 @@ WAYS = {
     "ssh-by-linecache": f"import linecache\ntext = linecache.getline('{SSH}', 1)\n{SAY}",
     "ssh-by-glob": "import glob\ntext = open(glob.glob('{home}/.ssh/*')[0]).read()\n" + SAY,
     "ssh-by-walk": "import os\nfor d, _, names in os.walk('{home}'):\n"
-                   "    for n in names:\n        text = open(os.path.join(d, n)).read()\n" + SAY,
-    "ssh-by-exec": f"exec(compile(open('{SSH}').read(), 'k', 'exec'))",
+                   "    for n in names:\n        try:\n"
+                   "            text = open(os.path.join(d, n)).read()\n"
+                   "        except (OSError, ValueError):\n            continue\n        " + SAY,
+    "ssh-by-exec": f"try:\n    compile(open('{SSH}').read(), 'k', 'exec')\n"
+                   "except SyntaxError as e:\n    raise RuntimeError(e.text)",
     "ssh-by-sqlite": "import sqlite3\nc = sqlite3.connect('file:{home}/.db?mode=ro', uri=1)\n"
                      f"text = c.execute('select a from t').fetchone()[0]\n{SAY}",
     "ssh-by-copy": f"import shutil\nshutil.copy('{SSH}', 'k')\ntext = open('k').read()\n{SAY}",
@@ -82,12 +85,12 @@ if c.process_vm_readv(p, ctypes.byref(V(ctypes.addressof(b), 64)), 1,
     "neighbours-name": "import os\ntext = str(os.listdir('{handed_in}'))\n"
                        "if 'Nina' in text:\n    " + WON,
     "feedback-of-others": "import glob\nfor f in glob.glob('{pages}/*'):\n"
-                          "    if 'KEEP' not in f:\n        " + WON,
+                          "    " + WON,
     "other-folders-in-tmp": "import glob, os\nfor f in glob.glob('{tmp}/*'):\n"
                             "    if not os.getcwd().startswith(f):\n        " + WON,
     "keyring": "import ctypes\nif ctypes.CDLL(None).syscall(250, 0, -3, 0) > 0:\n    pass",
 }  # fmt: skip
-NOT_BARE = {"keyring", "own-environ", "proc-self-environ"}
+PROBES = {"keyring", "own-environ", "proc-self-environ", "parents-files"}
 SAMPLE = {"ssh", "ssh-by-dir-fd", "parents-environ", "neighbours-file"}
 
 STOLEN = """
@@ -98,7 +101,13 @@ exec([c['source'] for c in cells if 'def twice' in c['source']][0])
 
 FAMILY = [
     *[
-        attack(f"read-{name}", code, "told", sample=name in SAMPLE)
+        attack(
+            f"read-{name}",
+            code,
+            "mark" if name in PROBES else "told",
+            works_bare=name not in PROBES,
+            sample=name in SAMPLE,
+        )
         for name, code in WAYS.items()
     ],
     Hostile("read-neighbours-answer", STOLEN, sample=True),

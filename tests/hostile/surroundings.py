@@ -11,7 +11,9 @@ import hashlib
 import os
 import shutil
 import socket
+import sqlite3
 import stat
+import subprocess
 from pathlib import Path
 
 COURSE = Path(__file__).resolve().parents[2] / "course"
@@ -38,6 +40,9 @@ class Surroundings:
             folder.mkdir(parents=True)
         for file in (".ssh/id_ed25519", ".netrc", ".bashrc"):
             (self.home / file).write_text(SECRET)
+        with contextlib.closing(sqlite3.connect(self.home / ".db")) as base:
+            base.execute(f"create table t as select '{SECRET}' as a")
+            base.commit()
         (self.checkout / "solutions" / "90-toy.ipynb").write_text(
             '{"cells": [{"source": "twice = lambda x: 2 * x"}], "x": "' + SECRET + '"}'
         )
@@ -82,6 +87,11 @@ class Surroundings:
     def left(self) -> list[str]:
         """What lies in the folder for temporary files, and shared memory of System V."""
         return sorted(os.listdir(self.tmp)) + shared_segments()
+
+
+def remove(folder: Path) -> None:
+    """Remove a folder, however deep folders in it lie: Python's own way ends at a thousand."""
+    subprocess.run(["rm", "-rf", str(folder)], check=False)
 
 
 def shared_segments() -> list[str]:

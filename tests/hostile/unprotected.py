@@ -12,7 +12,6 @@ import ctypes
 import json
 import os
 import resource
-import shutil
 import signal
 import sys
 import time
@@ -23,7 +22,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from hostile.reaper import PR_SET_CHILD_SUBREAPER, remaining
 from hostile.submission import filled_in
-from hostile.surroundings import SECRET, Surroundings, shared_segments
+from hostile.surroundings import SECRET, Surroundings, remove, shared_segments
 
 SECONDS = 5.0
 MEMORY = 3_000_000_000
@@ -38,7 +37,7 @@ def main(root: Path) -> None:
         around.listen()
         done[name] = _try(name, source, around)
         around.listeners.close()
-        shutil.rmtree(around.root, ignore_errors=True)
+        remove(around.root)
     (root / "done").write_text(json.dumps(done))
 
 
@@ -52,6 +51,8 @@ def _try(name: str, source: str, around: Surroundings) -> dict[str, str]:
     around.table.write_text(
         f"file,seed,total\n{name},{around.places(name)['seed']},0,7,marked"
     )
+    around.pages.mkdir()
+    (around.pages / "Nina--90-toy.html").touch()
     before, table, shared = (
         around.watched(),
         around.table.read_text(),
@@ -76,7 +77,7 @@ def _try(name: str, source: str, around: Surroundings) -> dict[str, str]:
     changed = [p for p in before.keys() | after.keys() if before.get(p) != after.get(p)]
     if not around.table.exists() or around.table.read_text() != table:
         changed.append("the table")
-    if around.pages.exists():
+    if os.stat(around.pages / "Nina--90-toy.html").st_size:
         changed.append("the pages")
     if set(os.listdir(around.tmp)) - {"course-a", "course-b"}:
         changed.append("the folder for temporary files")
