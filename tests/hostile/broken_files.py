@@ -101,7 +101,7 @@ FILES = [
     unusable("socket", "", file="socket.ipynb", special="socket"),
     row("closed", WHOLE, file="closed.ipynb", special="closed"),
     right("bom", "\ufeff" + WHOLE, sample=True),
-    right("utf-16", WHOLE.encode("utf-16")),
+    unusable("utf-16", WHOLE.encode("utf-16")),
     right("white-space", " \n\t" * 9 + WHOLE + "\n" * 999),
     right("nbformat-3", _as_version_3(F), file="nbformat-3.ipynb", long=True),
     right("nbformat-5", {**notebook(), "nbformat": 5}),

@@ -36,8 +36,8 @@ WAYS = {
                       "    os.unlink('big')\n"
                       "    for j in range(4): f.write(b'x' * 10_000_000)\n"
                       f"    globals()[f'f{{i}}'] = f\n{WON}",
-    "many-small-files": f"for i in range(60_000): open(str(i), 'w').close()\n{WON}",
-    "many-folders": f"import os\nfor i in range(60_000): os.mkdir(str(i))\n{WON}",
+    "many-small-files": f"for i in range(20_000): open(str(i), 'w').close()\n{WON}",
+    "many-folders": f"import os\nfor i in range(20_000): os.mkdir(str(i))\n{WON}",
     "deep-folders": "import os\nfor i in range(3_000):\n    os.mkdir('d')\n    os.chdir('d')",
     "closed-folders": "import os\nos.mkdir('d')\nopen('d/a', 'w').close()\nos.chmod('d', 0)\n"
                       "os.chmod('.', 0)",

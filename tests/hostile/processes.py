@@ -31,8 +31,7 @@ try:
     i = s.create(isolated=False)
 except TypeError:
     i = s.create('legacy')
-s.run_string(i, "import os, time\\nif os.fork() == 0:\\n"
-             "    time.sleep(.5); open('{canary}/a', 'w').write('x'); time.sleep(9)")
+s.run_string(i, "open('{canary}/a', 'w').write('x')\\nimport os; os.system('sleep 9 &')")
 """
 SPAWN = "os.posix_spawn(sys.executable, ARGV, {})\ntime.sleep(0.3)"
 FRESH = """
@@ -127,7 +126,7 @@ WAYS = {
 }  # fmt: skip
 SAMPLE = {"fork", "daemon", "posixsubprocess-fresh", "daemon-rewrites-its-row"}
 
-HARMS = dict.fromkeys(("exec", "exec-by-fd"), "changed")
+HARMS = dict.fromkeys(("exec", "exec-by-fd", "subinterpreter"), "changed")
 
 FAMILY = [
     attack(

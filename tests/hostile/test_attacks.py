@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from hostile.corpus import BOXED
 from hostile.surroundings import SECRET, SEED
-from hostile.test_hostile import box  # noqa: F401
+from hostile.test_hostile import box, chosen  # noqa: F401
 
 UNPROTECTED = Path(__file__).with_name("unprotected.py")
 OUTER = ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--ro-bind", "/",
@@ -34,7 +34,7 @@ def harms_done(family):
 @pytest.mark.long
 @pytest.mark.parametrize("family", BOXED)
 def test_each_does_its_harm_where_nothing_protects(box, family):  # noqa: F811
-    verified = [one for one in BOXED[family] if one.works_bare]
+    verified = [one for one in chosen(BOXED[family]) if one.works_bare]
     done = harms_done(verified)
     assert {
         one.name: done[one.name] for one in verified if one.harm not in done[one.name]

@@ -1,5 +1,6 @@
 """Nothing that is handed in raises a mark, harms a neighbour, stays behind or stops a batch."""
 
+import os
 import shutil
 import subprocess
 import sys
@@ -9,6 +10,10 @@ from hostile.batch import faults_of, grade
 from hostile.corpus import BOXED, OPEN
 
 LIMIT = 2.0
+#: With this in the environment every submission is graded; without, a family's sample
+#: and this many others, spread over it evenly.
+WHOLE = os.environ.get("COURSE_HOSTILE") == "whole"
+MOST = 12
 #: Honest answers may do a second's work on a machine that stalls.
 PATIENT = 6.0
 PROBE = ["bwrap", "--unshare-all", "--die-with-parent", "--ro-bind", "/", "/", "true"]
@@ -35,11 +40,20 @@ def box():
 
 def faults_in(family, limit=LIMIT):
     long = sum(one.long for one in family)
-    batch = grade(
-        family, limit=limit, bound=20 + 0.6 * len(family) + 1.2 * limit * long
-    )
+    bound = 20 + 0.6 * len(family) + 1.2 * limit * long
+    batch = grade(family, limit=limit, bound=bound)
+    if not batch.rows:
+        return batch.faults
     own = [fault for one in family for fault in faults_of(one, batch.rows[one.name])]
     return batch.faults + own
+
+
+def chosen(family):
+    """The submissions of a family that are graded where its sample was graded before."""
+    rest = list(family) if WHOLE else [one for one in family if not one.sample]
+    if WHOLE or len(rest) <= MOST:
+        return rest
+    return [rest[index * len(rest) // MOST] for index in range(MOST)]
 
 
 def sample(families):
@@ -67,10 +81,12 @@ def test_a_sample_of_what_a_box_stops(box):
 @pytest.mark.long
 @pytest.mark.parametrize("family", OPEN)
 def test_no_box_is_needed(family):
-    assert faults_in(OPEN[family], PATIENT if family == "honest" else LIMIT) == []
+    assert (
+        faults_in(chosen(OPEN[family]), PATIENT if family == "honest" else LIMIT) == []
+    )
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("family", BOXED)
 def test_the_box_holds(box, family):
-    assert faults_in(BOXED[family]) == []
+    assert faults_in(chosen(BOXED[family])) == []

@@ -24,7 +24,7 @@ from hostile.reaper import PR_SET_CHILD_SUBREAPER, remaining
 from hostile.submission import filled_in
 from hostile.surroundings import SECRET, Surroundings, remove, shared_segments
 
-SECONDS = 5.0
+SECONDS = 8.0
 MEMORY = 3_000_000_000
 
 
