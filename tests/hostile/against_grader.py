@@ -1,16 +1,28 @@
 """Attacks on the grader and on those who are marked beside it.
 
-They aim at nothing but their own parent, files of the batch and processes that the test
-started; process 1 and whole sessions are left alone.
+They aim at nothing but the grader, its other children and files of the batch.
 """
 
 from hostile.submission import Hostile, attack
 
-PARENT = "import os, signal\np = os.getppid()\nif p > 1:\n    "
-C = "import ctypes, os\nc = ctypes.CDLL(None, use_errno=True)\np = os.getppid()\n"
-OTHERS = """
-import os, glob
+#: Who else's parent an orphan may get (a user's whole session, say) is none of our aims:
+#: outside of a box of its own only a parent whose command line bears the seed is one.
+AIM = """
+import os, signal
 p = os.getppid()
+try:
+    boxed = os.readlink('/proc/self/ns/pid') != '{pids}'
+    if not boxed and '{seed}' not in open(f'/proc/{p}/cmdline').read():
+        raise SystemExit('not our parent')
+except OSError:
+    pass
+"""
+PARENT = AIM + "if True:\n    "
+C = "import ctypes\nc = ctypes.CDLL(None, use_errno=True)\n" + AIM
+OTHERS = (
+    AIM
+    + """
+import glob
 others = []
 for f in glob.glob('/proc/[0-9]*/stat'):
     try:
@@ -20,6 +32,7 @@ for f in glob.glob('/proc/[0-9]*/stat'):
     if int(words[1]) == p and int(f.split('/')[2]) != os.getpid():
         others.append(int(f.split('/')[2]))
 """
+)
 REPLIES = """
 import os
 for d, _, names in os.walk('{tmp}'):
@@ -92,10 +105,10 @@ WAYS = {
     "hang-up-parent": ("parent", PARENT + "os.kill(p, signal.SIGHUP)"),
     "group-of-parent": ("parent", PARENT + "if os.getpgid(p) == p: os.killpg(p, 9)"),
     "pidfd-parent": ("parent", PARENT + "signal.pidfd_send_signal(os.pidfd_open(p), 9)"),
-    "ctypes-kill": ("parent", C + "if p > 1: c.kill(p, 9)"),
-    "ctypes-syscall-kill": ("parent", C + "if p > 1: c.syscall(62, p, 9)"),
-    "ctypes-tgkill": ("parent", C + "if p > 1: c.syscall(234, p, p, 9)"),
-    "ctypes-sigqueue": ("parent", C + "if p > 1: c.sigqueue(p, 9, 0)"),
+    "ctypes-kill": ("parent", C + "c.kill(p, 9)"),
+    "ctypes-syscall-kill": ("parent", C + "c.syscall(62, p, 9)"),
+    "ctypes-tgkill": ("parent", C + "c.syscall(234, p, p, 9)"),
+    "ctypes-sigqueue": ("parent", C + "c.sigqueue(p, 9, 0)"),
     "fcntl-owner": ("parent", PARENT + "import fcntl, time\n    r, w = os.pipe()\n"
                     "    fcntl.fcntl(r, fcntl.F_SETOWN, p)\n    fcntl.fcntl(r, 10, 9)\n"
                     "    fcntl.fcntl(r, fcntl.F_SETFL, os.O_ASYNC)\n    os.write(w, b'x')\n"
@@ -103,7 +116,7 @@ WAYS = {
     "lease-or-rlimit-of-parent": ("parent", PARENT + "import resource\n    resource.prlimit("
                                   "p, resource.RLIMIT_CPU, (1, 1))\n    "
                                   "resource.prlimit(p, resource.RLIMIT_NOFILE, (0, 0))"),
-    "ptrace-parent": ("parent", C + "if p > 1 and c.ptrace(16, p, 0, 0) == 0:\n"
+    "ptrace-parent": ("parent", C + "if c.ptrace(16, p, 0, 0) == 0:\n"
                       "    os.kill(p, 9)"),
     "write-parents-memory": ("parent", PARENT + """m = open(f'/proc/{p}/mem', 'r+b', 0)
     for line in open(f'/proc/{p}/maps'):

@@ -17,6 +17,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 from grading.toy_lessons import BLANK, blank, cell, notebook
+from hostile.reaper import end_all
 from hostile.submission import Hostile
 from hostile.surroundings import SECRET, SEED, Surroundings, remove
 
@@ -44,6 +45,7 @@ class Batch:
     faults: list[str] = field(default_factory=list)
     said: str = ""
     seconds: float = 0.0
+    whole: bool = True
 
 
 @contextlib.contextmanager
@@ -64,9 +66,7 @@ def grade(family: Sequence[Hostile], *, limit: float, bound: float) -> Batch:
         before, left = around.watched(), around.left()
         told = _run(around, limit, bound)
         rows = _rows(around.table)
-        batch = Batch(
-            _by_name(family, rows), told["faults"], told["said"], told["seconds"]
-        )
+        batch = Batch(_by_name(family, rows), **told)
         after = around.watched()
         batch.faults += [
             f"changed outside: {path}"
@@ -139,9 +139,12 @@ def _run(around: Surroundings, limit: float, bound: float) -> dict:
         "answer": str(around.root / "answer"),
     }  # fmt: skip
     (around.root / "told").write_text(json.dumps(told))
-    subprocess.run(
-        [sys.executable, str(HERE / "reaper.py"), str(around.root / "told")], check=True
-    )
+    reaper = [sys.executable, str(HERE / "reaper.py"), str(around.root / "told")]
+    ended = subprocess.run(reaper, check=False).returncode
+    if ended:  # an answer whose parent was gone took the reaper for it
+        end_all(str(around.root))
+        return {"faults": [f"the grader and what ran it were killed ({ended})"],
+                "said": "", "seconds": 0.0, "whole": False}  # fmt: skip
     answer = json.loads((around.root / "answer").read_text())
     said = (around.root / "said").read_text(errors="replace")
     faults = [f"left running: {words}" for words in answer["left"]]
@@ -151,7 +154,12 @@ def _run(around: Surroundings, limit: float, bound: float) -> dict:
         faults.append(
             f"the batch took {answer['seconds']:.1f} s, more than {bound:.0f}"
         )
-    return {"faults": faults, "said": said, "seconds": answer["seconds"]}
+    return {
+        "faults": faults,
+        "said": said,
+        "seconds": answer["seconds"],
+        "whole": answer["code"] == 0,
+    }
 
 
 def _rows(table: Path) -> list[dict[str, str]]:

@@ -34,7 +34,7 @@ WAYS = {
                         "        while True: pass\nraise E",
 }  # fmt: skip
 QUICK = {"thread-and-return", "excepthook"}
-SAMPLE = {"thread-and-return", "in-function"}
+SAMPLE = {"thread-and-return"}
 
 FAMILY = [
     *[

@@ -58,6 +58,17 @@ def remaining(patience: float) -> list[str]:
     return told
 
 
+def end_all(word: str) -> None:
+    """End every process whose command line names this folder, which is nobody else's."""
+    for entry in os.listdir("/proc") if os.path.isdir("/proc/self") else ():
+        with contextlib.suppress(OSError):
+            if (
+                entry.isdigit()
+                and word.encode() in Path(f"/proc/{entry}/cmdline").read_bytes()
+            ):
+                os.kill(int(entry), signal.SIGKILL)
+
+
 def descendants(top: int) -> list[int]:
     """Every process that runs below one; those that have ended are taken away first."""
     with contextlib.suppress(ChildProcessError):

@@ -61,7 +61,7 @@ class Surroundings:
             "table": str(self.table), "pages": str(self.pages), "home": str(self.home),
             "handed_in": str(self.handed_in), "checkout": str(self.checkout),
             "site": str(self.site), "tmp": str(self.tmp), "seed": SEED,
-            "won": self.won(name), **ports,
+            "won": self.won(name), "pids": _pid_space(), "word": f"heard-{name}", **ports,
         }  # fmt: skip
 
     def won(self, name: str) -> str:
@@ -87,6 +87,14 @@ class Surroundings:
     def left(self) -> list[str]:
         """What lies in the folder for temporary files, and shared memory of System V."""
         return sorted(os.listdir(self.tmp)) + shared_segments()
+
+
+def _pid_space() -> str:
+    """The name of this process's PID namespace, where there is such a thing."""
+    try:
+        return os.readlink("/proc/self/ns/pid")
+    except OSError:
+        return "none"
 
 
 def remove(folder: Path) -> None:

@@ -42,10 +42,14 @@ def faults_in(family, limit=LIMIT):
     long = sum(one.long for one in family)
     bound = 20 + 0.6 * len(family) + 1.2 * limit * long
     batch = grade(family, limit=limit, bound=bound)
-    if not batch.rows:
+    if not batch.whole:  # what is missing has one reason
         return batch.faults
     own = [fault for one in family for fault in faults_of(one, batch.rows[one.name])]
     return batch.faults + own
+
+
+def none(faults):
+    assert not faults, f"{len(faults)} faults:\n" + "\n".join(faults)
 
 
 def chosen(family):
@@ -62,20 +66,19 @@ def sample(families):
 
 def test_the_corpus_is_large_and_its_names_differ():
     everything = [one for family in (OPEN | BOXED).values() for one in family]
-    assert len(everything) >= 120 and len({one.name for one in everything}) == len(
-        everything
-    )
+    names = [one.name for one in everything]
+    assert len(names) >= 120 and sorted(set(names)) == sorted(names)
     assert sum(one.expect == "full" for one in OPEN["honest"]) >= 34
 
 
 @pytest.mark.slow
 def test_a_sample_of_what_needs_no_box():
-    assert faults_in(sample(OPEN), PATIENT) == []
+    none(faults_in(sample(OPEN), PATIENT))
 
 
 @pytest.mark.slow
 def test_a_sample_of_what_a_box_stops(box):
-    assert faults_in(sample(BOXED)) == []
+    none(faults_in(sample(BOXED)))
 
 
 @pytest.mark.long
@@ -89,4 +92,4 @@ def test_no_box_is_needed(family):
 @pytest.mark.long
 @pytest.mark.parametrize("family", BOXED)
 def test_the_box_holds(box, family):
-    assert faults_in(chosen(BOXED[family])) == []
+    none(faults_in(chosen(BOXED[family]), PATIENT if family == "memory" else LIMIT))

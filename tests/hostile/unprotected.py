@@ -61,7 +61,10 @@ def _try(name: str, source: str, around: Surroundings) -> dict[str, str]:
     parent = os.fork()
     if parent == 0:
         os.setsid()
-        _parent(source, around)
+        try:
+            _parent(source, around)
+        except BaseException:
+            os._exit(1)
     code = _wait(parent, SECONDS + 2)
     harms = {}
     if left := remaining(1.2):
