@@ -229,8 +229,7 @@ def _told_too_much(family: Sequence[Hostile], around: Surroundings) -> list[str]
     faults = []
     for where, text in texts.items():
         if SECRET in text:
-            rows = [row["file"] for row in _rows(around.table) if SECRET in str(row)]
-            faults.append(f"the secret is in {where}: {rows}")
+            faults.append(f"the secret is in {where}")
         faults += [
             f"{one.name} succeeded, says {where}"
             for one in family

@@ -1,5 +1,7 @@
 """All families of the corpus, and what each of them needs."""
 
+import os
+
 from hostile import (
     against_grader,
     broken_files,
@@ -40,3 +42,16 @@ BOXED = {
     "memory": memory.FAMILY,
     "against the grader": against_grader.FAMILY,
 }
+
+#: With this in the environment every submission is graded; without, a family's sample
+#: and this many others, spread over it evenly.
+WHOLE = os.environ.get("COURSE_HOSTILE") == "whole"
+MOST = 12
+
+
+def chosen(family):
+    """The submissions of a family that are graded where its sample was graded before."""
+    rest = list(family) if WHOLE else [one for one in family if not one.sample]
+    if WHOLE or len(rest) <= MOST:
+        return rest
+    return [rest[index * len(rest) // MOST] for index in range(MOST)]

@@ -37,7 +37,7 @@ def named(name, file, **more):
 
 FAMILY = [
     *[attack(f"printed-{n}", f'print("{t}")', sample=n in SAMPLE) for n, t in TEXTS.items()],
-    *[attack(f"raised-{n}", f'raise ValueError("{t}")', sample=n in SAMPLE)
+    *[attack(f"raised-{n}", f'raise ValueError("{t}")')
       for n, t in TEXTS.items()],
     *[attack(f"returned-{n}", f'return "{t}"') for n, t in list(TEXTS.items())[:8]],
     *[attack(f"class-{n}", f'raise type("{t}".replace("\\0", ""), (Exception,), {{}})(2)')

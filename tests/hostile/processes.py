@@ -8,7 +8,7 @@ from hostile.submission import attack
 LATER = (
     "import os, signal, time\\nsignal.signal(1, signal.SIG_IGN)\\n"
     "os.setsid() if os.getpid() != os.getsid(0) else 0\\n"
-    "time.sleep(0.5)\\nopen('{canary}/from-a-child', 'w').write('x')\\ntime.sleep(9)"
+    "time.sleep(0.5)\\nopen('{canary}/from-a-child', 'w').write('x')\\ntime.sleep(4)"
 )
 CHILD = f"""
 import os, sys, time

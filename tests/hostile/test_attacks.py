@@ -8,9 +8,9 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hostile.corpus import BOXED
+from hostile.corpus import BOXED, chosen
+from hostile.submission import attack
 from hostile.surroundings import SECRET, SEED
-from hostile.test_hostile import box, chosen  # noqa: F401
 
 UNPROTECTED = Path(__file__).with_name("unprotected.py")
 OUTER = ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--ro-bind", "/",
@@ -33,10 +33,15 @@ def harms_done(family):
 
 @pytest.mark.long
 @pytest.mark.parametrize("family", BOXED)
-def test_each_does_its_harm_where_nothing_protects(box, family):  # noqa: F811
+def test_each_does_its_harm_where_nothing_protects(box, family):
     verified = [one for one in chosen(BOXED[family]) if one.works_bare]
     done = harms_done(verified)
-    assert {
-        one.name: done[one.name] for one in verified if one.harm not in done[one.name]
-    } == {}
+    failed = {n.name: done[n.name] for n in verified if n.harm not in done[n.name]}
+    assert failed == {}
     assert len(verified) >= 5
+
+
+@pytest.mark.long
+def test_an_innocent_answer_does_no_harm_there(box):
+    done = harms_done([attack("innocent", "print(x)"), attack("raises", "1 / 0")])
+    assert [set(harms) for harms in done.values()] == [{"said"}, {"said"}]

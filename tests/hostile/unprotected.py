@@ -67,7 +67,7 @@ def _try(name: str, source: str, around: Surroundings) -> dict[str, str]:
             os._exit(1)
     code = _wait(parent, SECONDS + 2)
     harms = {}
-    if left := remaining(1.2):
+    if left := remaining(0.8):
         harms["left"] = left[0]
     if shared_segments() != shared:
         harms["left"] = "shared memory"
