@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Literal
 
 import numpy as np
 
-from course.exercises.answer import Outcome, call_all
+from course.exercises.answer import Outcome, call_all, evaluator
 from course.exercises.comparison import Difference, compare, same
 from course.exercises.definition import Case, Exercise, Mistake
 
@@ -53,7 +54,7 @@ def judge(
         )
     if any(o.kind == "unattempted" for o in outcomes):
         return Verdict(exercise.name, "not attempted")
-    expected = answers_of(exercise.reference, exercise, cases)
+    expected = answers_of(exercise.sample or exercise.reference, exercise, cases)
     wrongs = [
         _wrong(exercise, c, o, e)
         for c, o, e in zip(cases, outcomes, expected, strict=True)
@@ -91,7 +92,19 @@ def answers_of(
     function: Any, exercise: Exercise, cases: Sequence[Case]
 ) -> list[Outcome]:
     """What a trusted function (the reference, a planted mistake) gives on the cases."""
+    if exercise.kind == "expression":
+        function = _evaluated(function, tuple(a.name for a in exercise.arguments))
     return call_all(function, [c.arguments for c in cases], len(exercise.results))
+
+
+@cache
+def _evaluated(
+    formula: Callable[..., Any], names: tuple[str, ...]
+) -> Callable[..., Any]:
+    """A formula of symbols as a function of arrays, made once."""
+    import sympy
+
+    return evaluator(formula(*map(sympy.Symbol, names)), names)
 
 
 def diagnose(
