@@ -1,4 +1,4 @@
-"""The source of a formula, cut into what its readers need: a hint, a solution cell, a slip."""
+"""The source of a formula, cut into what a hint, a solution cell and a slip need."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any
 
 
@@ -14,6 +15,7 @@ def source_of(formula: Callable[..., Any]) -> str:
     return textwrap.dedent(inspect.getsource(formula))
 
 
+@cache
 def signature_and_code(formula: Callable[..., Any]) -> tuple[str, str]:
     """The function's text up to the end of its docstring, and all that follows."""
     source = source_of(formula)
@@ -69,7 +71,7 @@ def _function(source: str) -> ast.FunctionDef:
 
 
 def _end_of_head(node: ast.FunctionDef, first: ast.stmt) -> int:
-    """The number of lines before the first one that belongs to the code, comments too."""
+    """How many lines stand before the code and its comments."""
     if first is node.body[0]:
         return first.lineno - 1
     return node.body[0].end_lineno or 0

@@ -12,17 +12,17 @@ from course.exercises.formula_source import signature_and_code
 
 
 def slip(formula: Callable[..., Any], *edits: str) -> Callable[..., Any]:
-    """The formula with ``old`` replaced by ``new`` in its code: slip(formula, old, new).
+    """The formula with one edit of its code, slip(formula, old, new).
 
-    Further pairs of old and new are further edits, each made after those before it. The
-    docstring is left as it is. The result is a function like any other: its source can
+    ``old`` is replaced by ``new``; further pairs are further edits, each made after those
+    before it. The docstring is left as it is. The result is a function like any other: its source can
     be read, so it may be given to ``slip`` again, and an error in it shows its lines.
 
     Args:
         formula: a function of ``course.formulas``, or a slip of one.
         edits: old and new in turn; each old one occurs exactly once in the code.
     Raises:
-        ValueError: an old text that does not occur once, or a new one that changes nothing.
+        ValueError: an old text that does not occur once, or a new one equal to it.
         SyntaxError: the changed text is no Python.
     Example:
         >>> from course import formulas
