@@ -94,7 +94,7 @@ class Exercise:
 
     ``reference`` is the function of ``course.formulas`` that bears the exercise's name.
     For ``kind="expression"`` the arguments are the expression's symbols, ``reference``
-    makes the expression from them, and both expressions are evaluated at the cases' values.
+    makes the expression from them, and both are evaluated at the cases' values.
     ``judged_by="properties"`` is for answers that are not unique: then ``sample`` gives
     an array of the right shape, and the judge never runs the reference.
     """

@@ -27,7 +27,7 @@ def signature_and_code(formula: Callable[..., Any]) -> tuple[str, str]:
 
 
 def body(formula: Callable[..., Any], skipped: int = 0) -> str:
-    """What a student writes: the code without docstring and imports inside the function.
+    """What a student writes: the code without docstring and imports in the function.
 
     Args:
         formula: a function of ``course.formulas``.

@@ -14,9 +14,10 @@ from course.exercises.formula_source import signature_and_code
 def slip(formula: Callable[..., Any], *edits: str) -> Callable[..., Any]:
     """The formula with one edit of its code, slip(formula, old, new).
 
-    ``old`` is replaced by ``new``; further pairs are further edits, each made after those
-    before it. The docstring is left as it is. The result is a function like any other: its source can
-    be read, so it may be given to ``slip`` again, and an error in it shows its lines.
+    ``old`` is replaced by ``new``; further pairs are further edits, each made after
+    those before it. The docstring is left as it is. The result is a function like any
+    other: its source can be read, so it may be given to ``slip`` again, and an error in
+    it shows its lines.
 
     Args:
         formula: a function of ``course.formulas``, or a slip of one.
@@ -50,8 +51,8 @@ def slip(formula: Callable[..., Any], *edits: str) -> Callable[..., Any]:
 def _edited(code: str, old: str, new: str, name: str) -> str:
     if code.count(old) != 1:
         raise ValueError(
-            f"old: expected a text that occurs once in {name}; got {old!r}, which occurs "
-            f"{code.count(old)} times"
+            f"old: expected a text that occurs once in {name}; got {old!r}, which "
+            f"occurs {code.count(old)} times"
         )
     if new == old:
         raise ValueError(f"new: expected another text than old; got {new!r} for both")
