@@ -67,7 +67,7 @@ CONTACT_MATRIX = Exercise(
     reference=formulas.contact_matrix,
     cases=_matrices,
     mistakes=(
-        *(Mistake(name, _slipped(*edits), message) for name, *edits, message in ALIKE),
+        *(Mistake(name, _slipped(of_entry, of_matrix), message) for name, of_entry, of_matrix, message in ALIKE),
         Mistake("every axis turned round",
                 slip(formulas.contact_matrix, "np.swapaxes(rotation, -1, -2)", "rotation.T"),
                 "rotation.T of a batch turns round all three axes, "
