@@ -23,6 +23,7 @@ from course.exercises.slips import slip
 
 
 def _slipped(of_entry: Edits, of_matrix: Edits | None) -> Callable[..., Any]:
+    """The slip in A = J M^-1 J', or where J cannot show it, in each entry."""
     if of_matrix is not None:
         return slip(formulas.contact_matrix, *of_matrix)
     entry = slip(formulas.contact_matrix_entry, *of_entry)

@@ -25,6 +25,10 @@ ROUNDED = np.array([[1e4, 1e4], [1e4, 1e4 - 2e-9]])
 DOWN = np.array([-9.81, -9.81])
 
 
+# A mistake that changes what the programme asks is written by what then comes out. An edit of the formula would say it
+# as well, but the judge would wait for cvxpy eight times for each. Those that cvxpy refuses are edits.
+
+
 def _solution(a: Any, b: Any) -> np.ndarray:
     """The least forces that solve; the shift makes them unique without being seen."""
     from course.contact.solvers.pivot import solve_pivot
@@ -121,7 +125,7 @@ SOLVE_CONTACT_QP = Exercise(
                 "a contact that pulls, and do not fit once it is gone. The limit belongs into the programme."),
         Mistake("the lowest q", lambda a, b: 0.5 * np.dot(b, _solution(a, b)),
                 "One number came: solve() returns the lowest q. The forces are in the variable, f.value."),
-        Mistake("d_ddot = 0 as a limit", lambda a, b: _forced(a, b),
+        Mistake("d_ddot = 0 as a limit", _forced,
                 "With d_ddot = 0 as a limit there may be no f >= 0 at all; cvxpy then leaves None in f.value. It is "
                 "f d_ddot = 0 that holds, and it comes out by itself."),
         Mistake("half forgotten", lambda a, b: 0.5 * _solution(a, b),
