@@ -23,7 +23,7 @@ def free_point_acceleration(acceleration, angular_acceleration, angular_velocity
     p_ddot = v_dot + omega_dot x r + omega x (omega x r)    (slide row 23)
 
     all (..., 3) [m/s^2, rad/s^2, rad/s, m]; returns (..., 3) [m/s^2].
-    Source: Goldstein, "Classical Mechanics", section 4.10.
+    Source: Goldstein, "Classical Mechanics", section 4.9, used twice.
     """
     inward = np.cross(angular_velocity, np.cross(angular_velocity, arm))
     return acceleration + np.cross(angular_acceleration, arm) + inward
