@@ -15,12 +15,14 @@ ROOT = Path(__file__).resolve().parents[1]
 
 FLOORS = [
     {"foundation"},
+    {"formulas"},
     {"shapes"},
     {"overlap", "dynamics"},
     {"detection", "contact"},
     {"simulation"},
     {"study"},
     {"exercises"},
+    {"sandbox"},
     {"workbook", "grading"},
     {"entrance"},
 ]
@@ -33,11 +35,15 @@ GROUND = {
     "environment",
     "installation",
 }  # standard library only; for the upper floors alone
-NUMERICS = 5  # floors 0-5: NumPy and SciPy, no printing
+NUMERICS = 6  # floors 0-6: NumPy and SciPy, no printing
 NUMERIC_LIBRARIES = {"numpy", "scipy"}
+#: The formulas themselves need NumPy; an expression imports SymPy, the turn of a step
+#: SciPy's Rotation, each in its function.
+FORMULAS = "formulas"
 # What else a numeric module may import, and only inside a function.
 WHEN_CALLED = {
     "course.contact.solvers.qp": {"cvxpy"},
+    "course.formulas.contact_forces": {"cvxpy"},
     "course.study.engines": {
         "fcl",
         "coal",
@@ -50,11 +56,8 @@ WHEN_CALLED = {
         "osqp",
     },
 }
-# The lecture's solver, and the exercise on it, whose planted mistakes are what cvxpy itself refuses.
-CVXPY = {
-    "course.contact.solvers.qp",
-    "course.exercises.definitions.lesson_16_contact_forces.solve_contact_qp",
-}
+# The lecture's programme as a student writes it, and as a method of the library.
+CVXPY = {"course.contact.solvers.qp", "course.formulas.contact_forces"}
 HEAVY = {
     "scipy",
     "matplotlib",
@@ -127,6 +130,14 @@ def faults(source, module, *, package=False):
                 f"{module} imports {name}, which is not in the standard library"
             )
         elif (
+            here == FORMULAS
+            and outer != "numpy"
+            and (top or not _when_called(module, outer))
+        ):
+            said.append(
+                f"{module} imports {name}{' at module level' if top else ''}: formulas use NumPy"
+            )
+        elif here != FORMULAS and (
             numeric
             and outer not in NUMERIC_LIBRARIES
             and (top or outer not in WHEN_CALLED.get(module, ()))
@@ -141,6 +152,11 @@ def faults(source, module, *, package=False):
     if numeric:
         said += [f"{module} prints (line {line})" for line in prints(source)]
     return said
+
+
+def _when_called(module, library):
+    """Whether a module of formulas may import this inside a function."""
+    return library in {"sympy", "scipy"} | WHEN_CALLED.get(module, set())
 
 
 def house_faults(module, here, there, numeric):
@@ -224,27 +240,27 @@ def test_every_module_is_looked_at():
         (
             "course.shapes.sphere",
             "from course.overlap import gap",
-            "floor 1) imports course.overlap (floor 2",
+            "floor 2) imports course.overlap (floor 3",
         ),
         (
             "course.overlap.gjk",
             "def f():\n    from course.contact import solve",
-            "imports course.contact (floor 3",
+            "imports course.contact (floor 4",
         ),
         (
             "course.overlap.gjk",
             "import course.dynamics.bodies",
-            "imports course.dynamics (floor 2",
+            "imports course.dynamics (floor 3",
         ),
         (
             "course.overlap.gjk",
             "from course import dynamics",
-            "imports course.dynamics (floor 2",
+            "imports course.dynamics (floor 3",
         ),
         (
             "course.overlap.gjk",
             "from ..dynamics import Bodies",
-            "imports course.dynamics (floor 2",
+            "imports course.dynamics (floor 3",
         ),
         (
             "course.overlap.gjk",
@@ -254,15 +270,15 @@ def test_every_module_is_looked_at():
         (
             "course.grading.judge",
             "from course.workbook import check",
-            "imports course.workbook (floor 7",
+            "imports course.workbook (floor 9",
         ),
         (
             "course.workbook.check",
             "from course.cli import app",
-            "imports course.entrance (floor 8",
+            "imports course.entrance (floor 10",
         ),
         ("course.workbook.check", "from course.attic import ghost", "has no floor"),
-        ("course.arrays", "import course.shapes", "imports course.shapes (floor 1"),
+        ("course.arrays", "import course.shapes", "imports course.shapes (floor 2"),
         ("course.attic", "import numpy", "no floor is given to attic"),
         (
             "course.dynamics.impulse",
@@ -278,6 +294,13 @@ def test_every_module_is_looked_at():
         ("course.simulation.scene", "def f():\n    import k3d", "imports k3d"),
         ("course.contact.solvers.qp", "import cvxpy", "imports cvxpy at module level"),
         ("course.contact.solvers.nnls", "def f():\n    import cvxpy", "imports cvxpy"),
+        ("course.formulas.impulse", "import sympy", "imports sympy at module level"),
+        ("course.formulas.impulse", "def f():\n    import cvxpy", "formulas use NumPy"),
+        (
+            "course.formulas.impulse",
+            "from course.dynamics import impulse",
+            "floor 1) imports course.dynamics (floor 3",
+        ),
         ("course.workbook.plots", "def f():\n    import cvxpy", "imports cvxpy; only"),
         ("course.study.engines", "import pymunk", "imports pymunk at module level"),
         (
@@ -320,6 +343,9 @@ def test_a_broken_floor_is_reported(module, source, said):
     [
         ("course.contact.solvers.qp", "def solve():\n    import cvxpy"),
         ("course.rotations", "from course.arrays import vectors"),
+        ("course.formulas.impulse", "import numpy\ndef f():\n    import sympy as sp"),
+        ("course.formulas.contact_forces", "def f():\n    import cvxpy as cp"),
+        ("course.dynamics.impulse", "from course import formulas"),
         ("course.contact.solve", "from course.contact.solvers.nnls import solve"),
         (
             "course.contact.collisions",

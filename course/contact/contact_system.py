@@ -143,7 +143,7 @@ def contact_system(
     holds I^-1 (tau_external + L x omega), the centripetal terms,
     2 (p_A_dot - p_B_dot).N_dot and the curvature (rows 23 and 24; the slide
     leaves open where the external torque belongs, misprint 9).
-    ``course.contact.by_entries`` computes the same entry by entry.
+    ``course.formulas.contact_matrix_entry`` has one entry of A as the slide has it.
 
     Args:
         bodies: n bodies.

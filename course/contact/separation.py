@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from course import formulas
 from course.arrays import (
     Array,
     ArrayLike,
@@ -52,7 +53,7 @@ def separation(point_a: ArrayLike, point_b: ArrayLike, normal: ArrayLike) -> Arr
     p_a, p_b = vectors("point_a", point_a), vectors("point_b", point_b)
     n = unit_vectors("normal", normal)
     broadcast(point_a=(p_a, 1), point_b=(p_b, 1), normal=(n, 1))
-    return np.sum((p_a - p_b) * n, axis=-1)
+    return formulas.separation(p_a, p_b, n)
 
 
 def separation_rate(bodies: Bodies, contacts: Contacts) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from course import formulas
 from course.arrays import (
     Array,
     ArrayLike,
@@ -42,8 +43,7 @@ def wall_bounce(
     v, n = vectors("velocity", velocity), unit_vectors("normal", normal)
     e = in_range("restitution", restitution, 0, 1)
     broadcast(velocity=(v, 1), normal=(n, 1), restitution=(e, 0))
-    approach = np.minimum(np.sum(v * n, axis=-1), 0.0)
-    return v - ((1 + e) * approach)[..., None] * n
+    return formulas.wall_bounce(v, n, e)
 
 
 def bounce_times(
@@ -69,10 +69,8 @@ def bounce_times(
         array([0.4515, 0.903 , 1.1288])
     """
     count = whole_number("count", count, minimum=1)
-    fall, e = _fall(height, restitution, gravity)
-    powers = e[..., None] ** np.arange(1, count)
-    flights = np.concatenate([np.ones((*e.shape, 1)), 2 * powers], axis=-1)
-    return fall[..., None] * np.cumsum(flights, axis=-1)
+    h, e, g = _drop(height, restitution, gravity)
+    return formulas.bounce_times(h, e, count, g)
 
 
 def bounce_rest_time(
@@ -91,8 +89,8 @@ def bounce_rest_time(
         >>> round(float(bounce_rest_time(1.0, 0.5)), 6)
         1.354571
     """
-    fall, e = _fall(height, restitution, gravity)
-    return _limit(fall, 1 + e, 1 - e)
+    h, e, g = _drop(height, restitution, gravity)
+    return _limit(np.sqrt(2 * h / g), 1 + e, 1 - e)
 
 
 def bounce_path_length(height: ArrayLike, restitution: ArrayLike) -> Array:
@@ -111,13 +109,15 @@ def bounce_path_length(height: ArrayLike, restitution: ArrayLike) -> Array:
     return _limit(h, 1 + e**2, (1 - e) * (1 + e))
 
 
-def _fall(
+def _drop(
     height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike
-) -> tuple[Array, Array]:
+) -> tuple[Array, Array, Array]:
+    """All three over the whole batch."""
     h, e = non_negative("height", height), in_range("restitution", restitution, 0, 1)
     g = positive("gravity", gravity)
     batch = broadcast(height=(h, 0), restitution=(e, 0), gravity=(g, 0))
-    return np.broadcast_to(np.sqrt(2 * h / g), batch), np.broadcast_to(e, batch)
+    h, e, g = (np.broadcast_to(x, batch) for x in (h, e, g))
+    return h, e, g
 
 
 def _limit(first: Array, numerator: Array, denominator: Array) -> Array:

@@ -13,6 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
+from course import formulas
 from course.arrays import (
     Array,
     ArrayLike,
@@ -68,8 +69,7 @@ def momentum_after(
     broadcast(
         momentum_1=(p_1, 1), momentum_2=(p_2, 1), impulse=(p_hat, 0), normal=(n, 1)
     )
-    change = p_hat[..., None] * n
-    return p_1 + change, p_2 - change
+    return formulas.momentum_after(p_1, p_2, p_hat, n)
 
 
 def velocity_after(
@@ -131,8 +131,7 @@ def separation_speed(
     broadcast(
         velocity_1=(v_1, 1), velocity_2=(v_2, 1), normal=(n, 1), restitution=(e, 0)
     )
-    u = np.sum((v_1 - v_2) * n, axis=-1)
-    return np.where(u < 0, e * -u, u)[()]
+    return formulas.separation_speed(v_1, v_2, n, e)[()]
 
 
 def impulse_central(
@@ -222,7 +221,7 @@ def point_velocity(
     )
     r = vectors("arm", arm)
     broadcast(velocity=(v, 1), angular_velocity=(omega, 1), arm=(r, 1))
-    return v + np.cross(omega, r)
+    return formulas.point_velocity(v, omega, r)
 
 
 def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:

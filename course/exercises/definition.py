@@ -92,9 +92,11 @@ class Property:
 class Exercise:
     """An exercise: a function of arrays that the student writes, or an expression in SymPy.
 
-    For ``kind="expression"`` the arguments are the expression's symbols, ``reference`` is the same formula over
-    arrays, and the student's expression is evaluated at the cases' values.
-    ``judged_by="properties"`` is for answers that are not unique: then the reference only shows the shapes.
+    ``reference`` is the function of ``course.formulas`` that bears the exercise's name.
+    For ``kind="expression"`` the arguments are the expression's symbols, ``reference``
+    makes the expression from them, and both are evaluated at the cases' values.
+    ``judged_by="properties"`` is for answers that are not unique: then ``sample`` gives
+    an array of the right shape, and the judge never runs the reference.
     """
 
     name: str
@@ -112,6 +114,7 @@ class Exercise:
     kind: Literal["function", "expression"] = "function"
     judged_by: Literal["reference", "properties"] = "reference"
     properties: tuple[Property, ...] = ()
+    sample: Callable[..., Any] | None = None
 
     def __post_init__(self) -> None:
         if not self.mistakes:
@@ -125,6 +128,11 @@ class Exercise:
         if self.judged_by == "properties" and not self.properties:
             raise ValueError(
                 f"properties: expected at least one in {self.name}, which is judged by them; got none"
+            )
+        if (self.sample is not None) != (self.judged_by == "properties"):
+            raise ValueError(
+                f"sample: expected one in an exercise judged by properties, and in no other; {self.name} "
+                f"is judged by {self.judged_by}"
             )
 
     @property

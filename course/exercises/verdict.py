@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Literal
 
 import numpy as np
 
-from course.exercises.answer import Outcome, call_all
+from course.exercises.answer import Outcome, call_all, evaluator
 from course.exercises.comparison import Difference, compare, same
 from course.exercises.definition import Case, Exercise, Mistake
 
@@ -54,7 +55,7 @@ def judge(
     outcomes = [_or_wrote(c.arguments, o) for c, o in zip(cases, outcomes, strict=True)]
     if any(o.kind == "unattempted" for o in outcomes):
         return Verdict(exercise.name, "not attempted")
-    expected = answers_of(exercise.reference, exercise, cases)
+    expected = answers_of(exercise.sample or exercise.reference, exercise, cases)
     wrongs = [
         _wrong(exercise, c, o, e)
         for c, o, e in zip(cases, outcomes, expected, strict=True)
@@ -92,6 +93,8 @@ def answers_of(
     function: Any, exercise: Exercise, cases: Sequence[Case]
 ) -> list[Outcome]:
     """What a trusted function (the reference, a planted mistake) gives on the cases."""
+    if exercise.kind == "expression":
+        function = _evaluated(function, tuple(a.name for a in exercise.arguments))
     arguments = [c.arguments for c in cases]
     outcomes = call_all(function, arguments, len(exercise.results))
     return [_or_wrote(a, o) for a, o in zip(arguments, outcomes, strict=True)]
@@ -125,6 +128,16 @@ def _unchanged(before: Any, after: Any) -> bool:
         and before.shape == after.shape
         and np.array_equal(before, after, equal_nan=before.dtype.kind == "f")
     )
+
+
+@cache
+def _evaluated(
+    formula: Callable[..., Any], names: tuple[str, ...]
+) -> Callable[..., Any]:
+    """A formula of symbols as a function of arrays, made once."""
+    import sympy
+
+    return evaluator(formula(*map(sympy.Symbol, names)), names)
 
 
 def diagnose(

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import inspect
-import json
-import textwrap
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
-from course.exercises.definition import Exercise, Lesson, find_exercise
+from course.exercises.definition import Exercise, find_exercise
+from course.exercises.formula_source import expression, source_of
 from course.exercises.message import Message, Part
 from course.workbook import progress
-from course.workbook.build import BEGIN, END, ROOT
 from course.workbook.notebook import display_message
 
 TIERS = ("where to look", "the formula in words", "the line with a hole in it")
@@ -33,7 +29,7 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
     if not isinstance(name, str):
         words = 'expected an exercise\'s name or function, as in hint("p_hat")'
         raise ValueError(f"name: {words}; got {name_or_function!r}")
-    lesson, exercise = find_exercise(name)
+    _, exercise = find_exercise(name)
     taken = progress.state().hints.get(name, 0)
     # In a new kernel the first call shows again what was seen before: running a whole notebook opens nothing new.
     tier = (
@@ -54,28 +50,12 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
             Message("not attempted", f"Hint {tier} of 3: {name}", tuple(parts))
         )
         return
-    parts.append(Part("the reference", answer_source(lesson, exercise), "code"))
+    parts.append(Part("the reference", answer_source(exercise), "code"))
     display_message(Message("not attempted", f"The reference: {name}", tuple(parts)))
 
 
-def answer_source(lesson: Lesson, exercise: Exercise, root: Path = ROOT) -> str:
-    """The solution's own cell, what a student would have written; where there are no solutions, the reference's code.
-
-    (The reference in ``course`` also checks its arguments, which would hide the few lines that matter.)
-    """
-    try:
-        cells = json.loads(
-            (root / "solutions" / lesson.file_name).read_text(encoding="utf-8")
-        )["cells"]
-    except (OSError, ValueError, KeyError):
-        cells = []
-    for cell in cells:
-        if cell.get("metadata", {}).get("course", {}).get("exercise") == exercise.name:
-            lines = "".join(cell["source"]).splitlines()
-            kept = [
-                line for line in lines if not BEGIN.match(line) and not END.match(line)
-            ]
-            return "\n".join(
-                line for line in kept if not line.startswith("check(")
-            ).strip()
-    return textwrap.dedent(inspect.getsource(exercise.reference))
+def answer_source(exercise: Exercise) -> str:
+    """The formula as a student would have written it, with the equation and the source above its lines."""
+    if exercise.kind == "expression":
+        return f"{exercise.name} = {expression(exercise.reference)}"
+    return source_of(exercise.reference).rstrip()

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from contact.entry_by_entry import bias_by_entries, matrix_by_entries
 from contact.moving_geometry import (
     EYE,
     KINDS,
@@ -23,7 +24,6 @@ from course.contact import (
     separation_acceleration,
     separation_rate,
 )
-from course.contact.by_entries import contact_bias_by_entries, contact_matrix_by_entries
 from course.dynamics import Bodies
 from course.overlap import Contacts
 
@@ -102,8 +102,8 @@ def test_agrees_with_its_definition_entry_by_entry(seed):
     bodies, contacts, force, torque = soup(seed)
     system = contact_system(bodies, contacts, force, torque, **EVERY)
     slow_a, slow_b = (
-        contact_matrix_by_entries(bodies, contacts),
-        contact_bias_by_entries(bodies, contacts, force, torque),
+        matrix_by_entries(bodies, contacts),
+        bias_by_entries(bodies, contacts, force, torque),
     )
     np.testing.assert_allclose(
         system.A.toarray(), slow_a, rtol=0, atol=1e-13 * np.abs(slow_a).max()

@@ -167,6 +167,7 @@ def test_a_property_judges_where_answers_are_not_unique():
         name="root",
         reference=lambda x: np.sqrt(x),
         judged_by="properties",
+        sample=lambda x: 0 * x,
         properties=(
             Property(
                 "squares", lambda given, y: y**2 - given["x"], "Its square is not x."
@@ -191,7 +192,9 @@ def test_an_exercise_without_mistakes_or_hints_is_refused():
     with pytest.raises(ValueError, match="hints: expected three"):
         _square(hints=("a",))
     with pytest.raises(ValueError, match="properties: expected at least one"):
-        _square(judged_by="properties")
+        _square(judged_by="properties", sample=lambda x: 0 * x)
+    with pytest.raises(ValueError, match="sample: expected one"):
+        _square(sample=lambda x: 0 * x)
 
 
 def test_every_case_is_judged():

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from contact.entry_by_entry import matrix_by_entries
 
-from course.contact.by_entries import contact_matrix_by_entries
 from course.study import ladder
 from course.study.contact_matrices import (
     exact_matrix,
@@ -61,7 +61,7 @@ def test_a_tilted_foot_makes_the_fourth_force_zero():
     "scene", [table(5), wall(2, 2), random_scene(3, contacts=12)], ids=lambda s: s.name
 )
 def test_exact_entries(scene):
-    a = contact_matrix_by_entries(scene.bodies, scene.contacts)
+    a = matrix_by_entries(scene.bodies, scene.contacts)
     np.testing.assert_allclose(
         exact_matrix(scene.bodies, scene.contacts), a, atol=1e-14 * np.abs(a).max()
     )

@@ -18,9 +18,7 @@ from course.dynamics import (
     symplectic_euler,
     torque_free_motion,
 )
-from course.exercises.definitions.lesson_09_energy_and_motion.symplectic_euler_step import (
-    plain_step,
-)
+from course.formulas import symplectic_euler_step
 from course.study.stability import measured_order
 from course.study.tumbling import (
     HANDLE_CENTERS,
@@ -186,14 +184,14 @@ def test_a_step_on_arrays_is_the_method_of_the_library():
     for wrench in (None, pushed):
         mine, theirs = (
             m(bodies, wrench, h, time=2.0)
-            for m in (method_of(plain_step()), symplectic_euler)
+            for m in (method_of(symplectic_euler_step), symplectic_euler)
         )
         for name in ("position", "momentum", "angular_momentum", "rotation"):
             np.testing.assert_allclose(
                 getattr(mine, name), getattr(theirs, name), atol=1e-14
             )
     one, other = (
-        turn_by_plain_steps(bodies, plain_step(), 1.0, h),
+        turn_by_plain_steps(bodies, symplectic_euler_step, 1.0, h),
         turn_for(bodies, explicit_euler, 1.0, h),
     )
     assert (
@@ -209,7 +207,8 @@ def test_the_plain_step_makes_energy_where_splitting_does_not():
     energy = lambda b: (b.angular_momentum * b.angular_velocity).sum()  # noqa: E731
     for step in (0.004, 0.002, 0.001):
         gains.append(
-            energy(turn_by_plain_steps(start, plain_step(), 8.0, step)) / energy(start)
+            energy(turn_by_plain_steps(start, symplectic_euler_step, 8.0, step))
+            / energy(start)
             - 1
         )
     assert gains == pytest.approx([0.183, 0.072, 0.030], abs=1e-3)

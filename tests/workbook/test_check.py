@@ -297,6 +297,19 @@ def test_hints_go_up_in_three_tiers_then_the_reference(work, capsys):
     assert [e["tier"] for e in events] == [1, 2, 3, 4]
 
 
+def test_after_the_tiers_a_hint_shows_the_formula_s_own_lines(capsys):
+    """The function with its equation and source, or for an expression what it returns."""
+    for name, lines in (
+        ("effective_mass", ("1/mu = 1/m1", "Source: Baraff", "return 1 / inverse")),
+        ("rod_impulse", ("rod_impulse = (1 + e) * v / (1 / m",)),
+    ):
+        for _ in range(4):
+            hint(name)
+        shown = said(capsys)
+        assert f"The reference: {name}" in shown
+        assert all(line in shown for line in lines), shown
+
+
 def test_a_hint_shows_those_before_it_again(capsys):
     first, second, third = find_exercise(NAME)[1].hints
     for expected in ([first], [first, second], [first, second]):

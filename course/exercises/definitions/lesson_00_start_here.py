@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import (
     Case,
     Exercise,
@@ -15,6 +16,7 @@ from course.exercises.definition import (
     Prediction,
     Value,
 )
+from course.exercises.slips import slip
 
 
 def _vectors(rng: np.random.Generator) -> Sequence[Case]:
@@ -59,35 +61,41 @@ SPEED_ALONG = Exercise(
     results=(
         Value("speed_along", "(...)", "m/s", "v.n: above 0 leaving, below 0 coming"),
     ),
-    reference=lambda velocity, normal: np.sum(velocity * normal, axis=-1),
+    reference=formulas.speed_along,
     cases=_vectors,
     mistakes=(
         Mistake(
             "no axis",
-            lambda velocity, normal: np.sum(velocity * normal),
+            slip(formulas.speed_along, ", axis=-1", ""),
             "np.sum without an axis adds up the whole batch: one number for all boxes together. Sum over the last "
             "axis only, axis=-1.",
         ),
         Mistake(
             "first axis",
-            lambda velocity, normal: np.sum(velocity * normal, axis=0),
+            slip(formulas.speed_along, "axis=-1", "axis=0"),
             "axis=0 adds over the batch. The components of a vector lie on the last axis: axis=-1.",
         ),
         Mistake(
             "not summed",
-            lambda velocity, normal: velocity * normal,
+            slip(
+                formulas.speed_along,
+                "np.sum(velocity * normal, axis=-1)",
+                "velocity * normal",
+            ),
             "These are the three products, component by component. A dot product is their sum, over the last axis.",
         ),
         Mistake(
             "length",
-            lambda velocity, normal: (
-                np.linalg.norm(velocity, axis=-1) + 0 * np.sum(normal, axis=-1)
+            slip(
+                formulas.speed_along,
+                "np.sum(velocity * normal, axis=-1)",
+                "np.linalg.norm(velocity, axis=-1)",
             ),
             "This is the whole speed |v|. Asked is the part of it along the normal, which has a sign.",
         ),
         Mistake(
             "sign",
-            lambda velocity, normal: -np.sum(velocity * normal, axis=-1),
+            slip(formulas.speed_along, "np.sum", "-np.sum"),
             "The sign is turned round: a box that falls onto the floor has v.n below 0, because n points out of the "
             "floor.",
         ),

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from course.arrays import Array
-from course.contact.by_entries import point_response
 from course.contact.contact_system import contact_jacobian
+from course.formulas import point_response
 from course.study.resting_layouts import RestingScene
 from course.study.resting_scenes import table
 from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
     ANGULAR_MOMENTUM,
@@ -14,10 +15,9 @@ from course.exercises.definitions.turning import (
     drawn_vectors,
     inertias,
     rotation_matrices,
-    solved,
-    times,
     turned_inertia,
 )
+from course.exercises.slips import slip
 
 
 def _spinning(
@@ -31,10 +31,6 @@ def _spinning(
         "torque": drawn_vectors(rng, shape),
     }
     return {**drawn, **fixed}
-
-
-def _angular_acceleration(I: Any, L: Any, torque: Any) -> np.ndarray:  # noqa: E741
-    return solved(I, np.asarray(torque) + np.cross(L, solved(I, L)))
 
 
 ANGULAR_ACCELERATION = Exercise(
@@ -51,7 +47,7 @@ ANGULAR_ACCELERATION = Exercise(
         ),
     ),
     results=(Value("omega_dot", "(..., 3)", "rad/s²"),),
-    reference=_angular_acceleration,
+    reference=formulas.angular_acceleration,
     cases=lambda rng: [
         Case(
             "the case by hand, no torque",
@@ -84,80 +80,96 @@ ANGULAR_ACCELERATION = Exercise(
     mistakes=(
         Mistake(
             "I alpha",
-            lambda I, L, torque: solved(I, torque),  # noqa: E741
+            slip(
+                formulas.angular_acceleration, "(torque + np.cross(L, omega))", "torque"
+            ),
             "This is N = I alpha as the slide prints it. I turns with the body, so torque = d(I omega)/dt holds one "
             "term more: without torque omega would never change, and the handle would never turn over.",
         ),
         Mistake(
             "omega x L",
-            lambda I, L, torque: solved(  # noqa: E741
-                I, np.asarray(torque) - np.cross(L, solved(I, L))
+            slip(
+                formulas.angular_acceleration,
+                "np.cross(L, omega)",
+                "np.cross(omega, L)",
             ),
             "The cross product is the wrong way round: torque = I omega_dot + omega x L, and brought to the other "
             "side it is L x omega.",
         ),
         Mistake(
             "L in place of L x omega",
-            lambda I, L, torque: solved(I, np.asarray(torque) + L),  # noqa: E741
+            slip(formulas.angular_acceleration, "np.cross(L, omega)", "L"),
             "This is I^-1 (torque + L), as a slide prints it. L is no torque (look at the units): it is L x omega.",
         ),
         Mistake(
             "inverse on the torque only",
-            lambda I, L, torque: solved(I, torque) + np.cross(L, solved(I, L)),  # noqa: E741
+            slip(
+                formulas.angular_acceleration,
+                "np.linalg.solve(I, (torque + np.cross(L, omega))[..., None])[..., 0]",
+                "np.linalg.solve(I, torque[..., None])[..., 0] + np.cross(L, omega)",
+            ),
             "I^-1 acts on the torque only. It belongs before the bracket: I^-1 (torque + L x omega).",
         ),
         Mistake(
             "torque forgotten",
-            lambda I, L, torque: solved(I, np.cross(L, solved(I, L))),  # noqa: E741
+            slip(formulas.angular_acceleration, "torque + ", ""),
             "The torque is missing: add it to L x omega before you apply I^-1.",
         ),
         Mistake(
             "I in place of its inverse",
-            lambda I, L, torque: times(  # noqa: E741
-                I, np.asarray(torque) + np.cross(L, solved(I, L))
-            ),
+            slip(formulas.angular_acceleration, "np.linalg.solve(I, (", "(I @ ("),
             "You multiply by I at the end where you must divide: I omega_dot is the bracket, and np.linalg.solve(I, "
             "...) gives omega_dot.",
         ),
         Mistake(
             "the bracket alone",
-            lambda I, L, torque: np.asarray(torque) + np.cross(L, solved(I, L)),  # noqa: E741
+            slip(
+                formulas.angular_acceleration,
+                "np.linalg.solve(I, (torque + np.cross(L, omega))[..., None])[..., 0]",
+                "torque + np.cross(L, omega)",
+            ),
             "This is the bracket, torque + L x omega, in N m. It equals I omega_dot: I^-1 must still be applied.",
         ),
         Mistake(
             "omega from I L",
-            lambda I, L, torque: solved(  # noqa: E741
-                I, np.asarray(torque) + np.cross(L, times(I, L))
+            slip(
+                formulas.angular_acceleration,
+                "np.linalg.solve(I, L[..., None])[..., 0]",
+                "(I @ L[..., None])[..., 0]",
             ),
             "You take omega = I L. It is L = I omega, so omega comes from L by solving, as omega_dot does from the "
             "bracket.",
         ),
         Mistake(
             "omega from the diagonal",
-            lambda I, L, torque: solved(  # noqa: E741
-                I,
-                np.asarray(torque)
-                + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1)),
+            slip(
+                formulas.angular_acceleration,
+                "np.linalg.solve(I, L[..., None])[..., 0]",
+                "L / np.diagonal(I, axis1=-2, axis2=-1)",
             ),
             "For omega you divide L by the diagonal of I. In world axes I has entries off its diagonal: solve for "
             "omega as you do for omega_dot.",
         ),
         Mistake(
             "diagonal only",
-            lambda I, L, torque: (  # noqa: E741
-                (
-                    np.asarray(torque)
-                    + np.cross(L, np.asarray(L) / np.diagonal(I, axis1=-2, axis2=-1))
-                )
-                / np.diagonal(I, axis1=-2, axis2=-1)
+            slip(
+                formulas.angular_acceleration,
+                "np.linalg.solve(I, L[..., None])[..., 0]",
+                "L / np.diagonal(I, axis1=-2, axis2=-1)",
+                "np.linalg.solve(I, (torque + np.cross(L, omega))[..., None])[..., 0]",
+                "(torque + np.cross(L, omega)) / np.diagonal(I, axis1=-2, axis2=-1)",
             ),
             "You divide by the diagonal of I. In world axes I has entries off its diagonal, and dividing by a matrix "
             "is np.linalg.solve.",
         ),
         Mistake(
             "solve without a column",
-            lambda I, L, torque: np.linalg.solve(  # noqa: E741
-                I, np.asarray(torque) + np.cross(L, np.linalg.solve(I, L))
+            slip(
+                formulas.angular_acceleration,
+                "np.linalg.solve(I, L[..., None])[..., 0]",
+                "np.linalg.solve(I, L)",
+                "(torque + np.cross(L, omega))[..., None])[..., 0]",
+                "torque + np.cross(L, omega))",
             ),
             "Right for one body, not for a batch: np.linalg.solve takes a batch of vectors for one matrix. Make each "
             "a column and take it back: np.linalg.solve(I, x[..., None])[..., 0].",

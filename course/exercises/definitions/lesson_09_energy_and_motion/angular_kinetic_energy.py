@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from course.dynamics import angular_kinetic_energy
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
     energy_mistakes,
-    half_a_dot,
 )
 from course.exercises.definitions.turning import drawn_vectors, inertias, times
+from course.exercises.slips import slip
 
 
 def _of_a_turn(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, Any]:
@@ -31,7 +31,7 @@ ANGULAR_KINETIC_ENERGY = Exercise(
         Value("omega", "(..., 3)", "rad/s", "angular velocity"),
     ),
     results=(Value("energy", "(...)", "J"),),
-    reference=angular_kinetic_energy,
+    reference=formulas.angular_kinetic_energy,
     cases=lambda rng: [
         Case(
             "the case by hand",
@@ -48,28 +48,34 @@ ANGULAR_KINETIC_ENERGY = Exercise(
         Case("a 2 by 4 batch", _of_a_turn(rng, (2, 4)), "batch"),
     ],
     mistakes=(
-        *energy_mistakes("L", "omega"),
+        *energy_mistakes(formulas.angular_kinetic_energy, "L", "omega"),
         Mistake(
             "lengths",
-            lambda L, omega: (
-                0.5 * np.linalg.norm(L, axis=-1) * np.linalg.norm(omega, axis=-1)
+            slip(
+                formulas.angular_kinetic_energy,
+                "np.sum(L * omega, axis=-1)",
+                "np.linalg.norm(L, axis=-1) * np.linalg.norm(omega, axis=-1)",
             ),
             "|L||omega|/2 is right only where L points along omega. In general it does not: the dot "
             "product takes the cosine of the angle between them into account.",
         ),
         Mistake(
             "omega twice",
-            lambda L, omega: half_a_dot(omega, omega),
+            slip(formulas.angular_kinetic_energy, "L * omega", "omega * omega"),
             "omega.omega/2 has no inertia in it. The inertia sits in L = I omega: use L once and omega once.",
         ),
         Mistake(
             "L twice",
-            lambda L, omega: half_a_dot(L, L),
+            slip(formulas.angular_kinetic_energy, "L * omega", "L * L"),
             "L.L/2 holds the inertia twice and is no energy (look at the units). Use L once and omega once.",
         ),
         Mistake(
             "cross product",
-            lambda L, omega: 0.5 * np.cross(L, omega),
+            slip(
+                formulas.angular_kinetic_energy,
+                "np.sum(L * omega, axis=-1)",
+                "np.cross(L, omega)",
+            ),
             "This is a cross product, a vector. The energy is a number: half the dot product. (You will need L x "
             "omega soon, for another purpose.)",
         ),

@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from course.dynamics import linear_kinetic_energy
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
     energy_mistakes,
-    half_a_dot,
 )
 from course.exercises.definitions.turning import drawn_vectors
+from course.exercises.slips import slip
 
 
 def _of_a_point(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, Any]:
@@ -32,7 +32,7 @@ LINEAR_KINETIC_ENERGY = Exercise(
         Value("v", "(..., 3)", "m/s", "velocity of the centre of mass"),
     ),
     results=(Value("energy", "(...)", "J"),),
-    reference=linear_kinetic_energy,
+    reference=formulas.linear_kinetic_energy,
     cases=lambda rng: [
         Case(
             "2 kg at 3 m/s along x",
@@ -49,16 +49,16 @@ LINEAR_KINETIC_ENERGY = Exercise(
         Case("a 2 by 4 batch", _of_a_point(rng, (2, 4)), "batch"),
     ],
     mistakes=(
-        *energy_mistakes("p", "v"),
+        *energy_mistakes(formulas.linear_kinetic_energy, "p", "v"),
         Mistake(
             "velocity twice",
-            lambda p, v: half_a_dot(v, v),
+            slip(formulas.linear_kinetic_energy, "p * v", "v * v"),
             "v.v/2 has no mass in it: it is the energy of one kilogram. The mass sits in p = m v: use p once and v "
             "once.",
         ),
         Mistake(
             "momentum twice",
-            lambda p, v: half_a_dot(p, p),
+            slip(formulas.linear_kinetic_energy, "p * v", "p * p"),
             "p.p/2 holds the mass twice, in kg J. p.p/(2 m) would be right; with v at hand, take p.v/2.",
         ),
     ),

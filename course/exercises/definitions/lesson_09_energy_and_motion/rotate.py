@@ -2,78 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.turning import drawn_vectors, exponential, times
-
-
-def rodrigues(
-    *, sign: float = 1.0, across: float = 1.0, half: float = 1.0, unit: bool = True
-) -> Callable[..., Any]:
-    """Rodrigues' formula with slips: the turn's sense, the last term, half the angle, an axis not of unit length."""
-
-    def function(v: Any, theta: Any) -> np.ndarray:
-        v, theta = np.asarray(v, dtype=float), np.asarray(theta, dtype=float)
-        angle = np.linalg.norm(theta, axis=-1, keepdims=True)
-        axis = theta / np.where(angle > 0, angle, 1.0) if unit else theta
-        angle = half * angle
-        turned = np.cos(angle) * v + sign * np.sin(angle) * np.cross(axis, v)
-        return (
-            turned
-            + across
-            * (1 - np.cos(angle))
-            * np.sum(axis * v, axis=-1, keepdims=True)
-            * axis
-        )
-
-    return function
-
-
-def cosine_on_the_axis(v: Any, theta: Any) -> np.ndarray:
-    angle = np.linalg.norm(theta, axis=-1, keepdims=True)
-    axis = np.asarray(theta) / np.where(angle > 0, angle, 1.0)
-    return (
-        rodrigues(across=0.0)(v, theta)
-        + np.cos(angle) * np.sum(axis * v, axis=-1, keepdims=True) * axis
-    )
-
-
-def one_length_for_all(v: Any, theta: Any) -> np.ndarray:
-    angle = np.linalg.norm(theta)
-    axis = np.asarray(theta) / (angle if angle > 0 else 1.0)
-    turned = np.cos(angle) * np.asarray(v) + np.sin(angle) * np.cross(axis, v)
-    return turned + (1 - np.cos(angle)) * np.sum(axis * v) * axis
-
-
-def divided_by_zero(v: Any, theta: Any) -> np.ndarray:
-    angle = np.linalg.norm(theta, axis=-1, keepdims=True)
-    axis = np.asarray(theta) / angle
-    turned = np.cos(angle) * v + np.sin(angle) * np.cross(axis, v)
-    return (
-        turned + (1 - np.cos(angle)) * np.sum(axis * v, axis=-1, keepdims=True) * axis
-    )
-
-
-def stretched(v: Any, theta: Any) -> np.ndarray:
-    longer = np.asarray(v) + np.cross(theta, v)
-    return longer
-
-
-def brought_back(v: Any, theta: Any) -> np.ndarray:
-    longer = stretched(v, theta)
-    return (
-        longer
-        * np.linalg.norm(v, axis=-1, keepdims=True)
-        / np.linalg.norm(longer, axis=-1, keepdims=True)
-    )
-
-
-def _rotate(v: Any, theta: Any) -> np.ndarray:
-    return times(exponential(theta), v)
+from course.exercises.definitions.turning import drawn_vectors
+from course.exercises.slips import slip
 
 
 def _turning(
@@ -94,7 +30,7 @@ ROTATE = Exercise(
         Value("theta", "(..., 3)", "rad", "rotation vectors: axis times angle"),
     ),
     results=(Value("turned", "(..., 3)", ""),),
-    reference=_rotate,
+    reference=formulas.rotate,
     cases=lambda rng: [
         Case(
             "a quarter turn about z",
@@ -134,51 +70,71 @@ ROTATE = Exercise(
     mistakes=(
         Mistake(
             "zero angle",
-            divided_by_zero,
+            slip(formulas.rotate, "np.where(angle > 0, angle, 1.0)", "angle"),
             "NaN where nothing turns: theta/|theta| is 0/0 there. Divide by np.where(angle > 0, angle, 1.0).",
         ),
         Mistake(
             "the other way",
-            rodrigues(sign=-1.0),
+            slip(formulas.rotate, "+ sin *", "- sin *"),
             "It turns the other way. By the right hand, a vector moves along theta x v, not v x theta.",
         ),
         Mistake(
             "last term forgotten",
-            rodrigues(across=0.0),
+            slip(formulas.rotate, " + (1 - cos) * along", ""),
             "The part of v along the axis shrinks by the cosine. It must stay: the term (1 - cos) (u.v) u gives it "
             "back.",
         ),
         Mistake(
             "cosine in the last term",
-            cosine_on_the_axis,
+            slip(formulas.rotate, "(1 - cos)", "cos"),
             "The part of v along the axis comes with cos + cos. The last term has 1 - cos: what the first term takes "
             "from that part, it gives back.",
         ),
         Mistake(
             "one length for the batch",
-            one_length_for_all,
+            slip(
+                formulas.rotate,
+                "theta, axis=-1, keepdims=True",
+                "theta",
+                "u * v, axis=-1, keepdims=True",
+                "u * v",
+            ),
             "Right for one vector, not for a batch: np.linalg.norm(theta) and np.sum(u * v) without an axis make one "
             "number of it all. Take axis=-1, keepdims=True.",
         ),
         Mistake(
             "half the angle",
-            rodrigues(half=0.5),
+            slip(
+                formulas.rotate,
+                "np.cos(angle), np.sin(angle)",
+                "np.cos(angle / 2), np.sin(angle / 2)",
+            ),
             "It turns by half the angle. That half belongs to quaternions, which act twice; here the whole angle "
             "counts.",
         ),
         Mistake(
             "axis not of unit length",
-            rodrigues(unit=False),
+            slip(formulas.rotate, "theta / np.where(angle > 0, angle, 1.0)", "theta"),
             "You use theta itself as the axis. The axis is u = theta/|theta|, of unit length; the angle is |theta|.",
         ),
         Mistake(
             "first order",
-            stretched,
+            slip(
+                formulas.rotate,
+                "cos * v + sin * np.cross(u, v) + (1 - cos) * along",
+                "v + np.cross(theta, v)",
+            ),
             "v + theta x v is explicit Euler: right for tiny angles only, and longer than v wherever it turns.",
         ),
         Mistake(
             "first order, brought back",
-            brought_back,
+            slip(
+                formulas.rotate,
+                "return cos * v + sin * np.cross(u, v) + (1 - cos) * along",
+                "longer = v + np.cross(theta, v)\n"
+                "    size, before = (np.linalg.norm(x, axis=-1) for x in (longer, v))\n"
+                "    return longer * (before / size)[..., None]",
+            ),
             "v + theta x v, brought back to its length, turns by arctan|theta| at most, not by |theta|, and what "
             "lies along the axis is lost from step to step.",
         ),

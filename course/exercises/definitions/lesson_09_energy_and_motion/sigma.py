@@ -3,24 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
-
-
-def _sigma(I_1: Any, I_2: Any, I_3: Any, Omega: Any) -> Any:
-    return Omega * _root((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3))
-
-
-def _root(value: Any) -> Any:
-    """A notebook also runs the reference on SymPy symbols, and simplifies what comes: the root must be exact there."""
-    if hasattr(value, "free_symbols"):
-        import sympy
-
-        return sympy.sqrt(value)
-    return np.sqrt(value)
+from course.exercises.slips import slip
 
 
 def _moments_drawn(rng: np.random.Generator) -> Sequence[Case]:
@@ -53,99 +41,89 @@ SIGMA = Exercise(
         Value("Omega", "scalar", "rad/s", "spin about the middle axis"),
     ),
     results=(Value("sigma", "(...)", "1/s"),),
-    reference=_sigma,
+    reference=formulas.sigma,
     cases=_moments_drawn,
     mistakes=(
         Mistake(
             "square",
-            lambda I_1, I_2, I_3, Omega: _sigma(I_1, I_2, I_3, Omega) ** 2,
+            slip(formulas.sigma, "Omega * sp.sqrt(", "Omega**2 * ("),
             "This is sigma^2: the second rate of exp(sigma t) is sigma^2 exp(sigma t). Take the root.",
         ),
         Mistake(
             "negative root",
-            lambda I_1, I_2, I_3, Omega: -_sigma(I_1, I_2, I_3, Omega),
+            slip(formulas.sigma, "Omega * ", "-Omega * "),
             "This is the root that dies away. Both solve the equation; the one that grows is the positive one.",
         ),
         Mistake(
             "imaginary",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega * np.sqrt((I_2 - I_3) * (I_2 - I_1) / (I_1 * I_3))
+            slip(
+                formulas.sigma, "(I_2 - I_1) * (I_3 - I_2)", "(I_2 - I_3) * (I_2 - I_1)"
             ),
             "What stands under your root is negative. The product of the two brackets is (I_2 - I_3)(I_1 - I_2): "
             "turn both round, and it is positive for the middle axis.",
         ),
         Mistake(
             "no spin",
-            lambda I_1, I_2, I_3, Omega: _sigma(I_1, I_2, I_3, 1.0) + 0 * Omega,
+            slip(formulas.sigma, "Omega * ", ""),
             "Omega is missing: each of the two equations has it once, so sigma^2 has it twice.",
         ),
         Mistake(
             "spin under the root",
-            lambda I_1, I_2, I_3, Omega: _sigma(I_1, I_2, I_3, 1.0) * np.sqrt(Omega),
+            slip(formulas.sigma, "Omega * sp.sqrt(", "sp.sqrt(Omega * "),
             "Omega stands under your root once. Each of the two equations has it once, so their product has Omega^2.",
         ),
         Mistake(
             "not divided",
-            lambda I_1, I_2, I_3, Omega: Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2)),
+            slip(formulas.sigma, " / (I_1 * I_3)", ""),
             "The moments on the left are missing: divide the first equation by I_1, the second by I_3, before you "
             "put one into the other.",
         ),
         Mistake(
             "divided by one moment",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2)) / I_2
-            ),
+            slip(formulas.sigma, " / (I_1 * I_3))", ") / I_2"),
             "You divide by I_2. Nothing on the left has I_2: the moments there are I_1 and I_3.",
         ),
         Mistake(
             "divided by the wrong pair",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_2))
-            ),
+            slip(formulas.sigma, "I_1 * I_3", "I_1 * I_2"),
             "You divide by I_1 and I_2. The second of the two equations has I_3 on its left, not I_2.",
         ),
         Mistake(
             "multiplied by the last moment",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_2) / I_1 * I_3)
-            ),
+            slip(formulas.sigma, "/ (I_1 * I_3)", "/ I_1 * I_3"),
             "a / I_1 * I_3 is (a / I_1) * I_3: Python divides by I_1 only. Put the product below the line in "
             "brackets.",
         ),
         Mistake(
             "square without its second spin",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega * (I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3)
-            ),
+            slip(formulas.sigma, "sp.sqrt(", "("),
             "The root is missing, and one Omega: both equations have an Omega, so sigma^2 has Omega^2, and sigma is "
             "the root of that.",
         ),
         Mistake(
             "outer difference for the first",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega * np.sqrt((I_3 - I_1) * (I_3 - I_2) / (I_1 * I_3))
-            ),
+            slip(formulas.sigma, "I_2 - I_1", "I_3 - I_1"),
             "One bracket is I_3 - I_1, which belongs to the equation of the middle axis. The equation of omega_3 has "
             "I_1 - I_2.",
         ),
         Mistake(
             "outer difference for the second",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega * np.sqrt((I_2 - I_1) * (I_3 - I_1) / (I_1 * I_3))
-            ),
+            slip(formulas.sigma, "I_3 - I_2", "I_3 - I_1"),
             "One bracket is I_3 - I_1, which belongs to the equation of the middle axis. The equation of omega_1 has "
             "I_2 - I_3.",
         ),
         Mistake(
             "spin squared outside the root",
-            lambda I_1, I_2, I_3, Omega: (
-                Omega**2 * np.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3))
-            ),
+            slip(formulas.sigma, "Omega", "Omega**2"),
             "Omega stands outside the root squared. sigma^2 holds Omega^2; the root of that is Omega.",
         ),
         Mistake(
             "one bracket",
-            lambda I_1, I_2, I_3, Omega: Omega * (I_3 - I_1) / np.sqrt(I_1 * I_3),
+            slip(
+                formulas.sigma,
+                "sp.sqrt((I_2 - I_1) * (I_3 - I_2) / (I_1 * I_3))",
+                "(I_3 - I_1) / sp.sqrt(I_1 * I_3)",
+            ),
             "The difference I_3 - I_1 belongs to the equation of the middle axis itself. The two that you need have "
             "I_2 - I_3 and I_1 - I_2.",
         ),

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
     ANGULAR_MOMENTUM,
@@ -14,89 +14,11 @@ from course.exercises.definitions.lesson_09_energy_and_motion.shared import (
 )
 from course.exercises.definitions.turning import (
     drawn_vectors,
-    exponential,
     inertias,
     rotation_matrices,
-    solved,
-    times,
     transposed,
-    turned_inertia,
 )
-
-
-def plain_step(
-    *,
-    x_from: str = "new",
-    turn_from: str = "new",
-    divide: bool = True,
-    frame: str = "world",
-    pushed: bool = True,
-    twisted: bool = True,
-    timed: bool = True,
-    turned: Callable[
-        [np.ndarray, np.ndarray, float], np.ndarray
-    ] = lambda R, omega, h: exponential(h * omega) @ R,
-) -> Callable[..., Any]:
-    """A step with the slips that the options say; none of them is symplectic Euler."""
-
-    def function(
-        x: Any,
-        R: Any,
-        p: Any,
-        L: Any,
-        mass: Any,
-        I_body: Any,
-        force: Any,
-        torque: Any,
-        h: float,
-    ) -> Any:
-        x, R, p, L = (np.asarray(a, dtype=float) for a in (x, R, p, L))
-        span = h if timed else 1.0
-        p_new = p + (span * np.asarray(force) if pushed else 0.0)
-        L_new = L + (span * np.asarray(torque) if twisted else 0.0)
-        moving, spinning = (
-            (p_new if x_from == "new" else p),
-            (L_new if turn_from == "new" else L),
-        )
-        velocity = moving / np.asarray(mass)[..., None] if divide else moving
-        omega = {
-            "world": lambda: solved(turned_inertia(R, I_body), spinning),
-            "body": lambda: solved(I_body, spinning),
-            "half": lambda: solved(I_body, times(transposed(R), spinning)),
-        }[frame]()
-        return x + h * velocity, turned(R, omega, h), p_new, L_new
-
-    return function
-
-
-def first_order(R: np.ndarray, omega: np.ndarray, h: float) -> np.ndarray:
-    return R + h * np.cross(omega[..., None, :], transposed(R)).swapaxes(-1, -2)
-
-
-def one_batch_axis_short(
-    x: Any,
-    R: Any,
-    p: Any,
-    L: Any,
-    mass: Any,
-    I_body: Any,
-    force: Any,
-    torque: Any,
-    h: float,
-) -> Any:
-    p_new, L_new = p + h * np.asarray(force), L + h * np.asarray(torque)
-    omega = solved(turned_inertia(R, I_body), L_new)
-    return x + h * p_new / mass, exponential(h * omega) @ R, p_new, L_new
-
-
-def momenta_first(*given: Any, **named: Any) -> Any:
-    x, R, p, L = plain_step()(*given, **named)
-    return p, L, x, R
-
-
-def linear_then_angular(*given: Any, **named: Any) -> Any:
-    x, R, p, L = plain_step()(*given, **named)
-    return x, p, R, L
+from course.exercises.slips import slip
 
 
 def _plain(value: Any) -> Any:
@@ -160,7 +82,7 @@ SYMPLECTIC_EULER_STEP = Exercise(
         Value("p", "(..., 3)", "kg m/s"),
         Value("L", "(..., 3)", "kg m²/s"),
     ),
-    reference=plain_step(),
+    reference=formulas.symplectic_euler_step,
     cases=lambda rng: [
         Case("a spinning body falls", AT_THE_ORIGIN),
         Case("pushed and twisted", _moving(rng, ())),
@@ -201,92 +123,130 @@ SYMPLECTIC_EULER_STEP = Exercise(
     mistakes=(
         Mistake(
             "explicit Euler",
-            plain_step(x_from="old", turn_from="old"),
+            slip(
+                formulas.symplectic_euler_step,
+                "p, L = ",
+                "p_new, L_new = ",
+                "R, p, L",
+                "R, p_new, L_new",
+            ),
             "You move and turn with the momenta from before the step: that is explicit Euler. Here the *new* momenta "
             "move the body; on a spring this one line decides whether it gains energy without end.",
         ),
         Mistake(
             "moved with the old momentum",
-            plain_step(x_from="old"),
+            slip(
+                formulas.symplectic_euler_step,
+                "p, L = ",
+                "p_new, L = ",
+                "R, p, L",
+                "R, p_new, L",
+            ),
             "The turn uses the new L, but the position still the old p. Take p' in x' = x + h p'/m.",
         ),
         Mistake(
             "turned with the old momentum",
-            plain_step(turn_from="old"),
+            slip(
+                formulas.symplectic_euler_step,
+                "p, L = ",
+                "p, L_new = ",
+                "R, p, L",
+                "R, p, L_new",
+            ),
             "The position uses the new p, but the turn still the old L. Take L' in omega' = I^-1 L'.",
         ),
         Mistake(
             "body-frame inertia",
-            plain_step(frame="body"),
+            slip(
+                formulas.symplectic_euler_step,
+                "R @ I_body @ np.swapaxes(R, -1, -2)",
+                "I_body",
+            ),
             "omega = I_body^-1 L mixes axes: L is in world axes, I_body in those of the body. Turn the inertia "
             "first, R I_body R'.",
         ),
         Mistake(
             "omega in body axes",
-            plain_step(frame="half"),
+            slip(
+                formulas.symplectic_euler_step,
+                "np.linalg.solve(I, L[..., None])",
+                "np.linalg.solve(I_body, np.swapaxes(R, -1, -2) @ L[..., None])",
+            ),
             "Your omega = I_body^-1 R' L is right, but in body axes, and the turn is about a world axis. Bring it "
             "back with R.",
         ),
         Mistake(
             "mass forgotten",
-            plain_step(divide=False),
+            slip(formulas.symplectic_euler_step, " / np.asarray(mass)[..., None]", ""),
             "x' = x + h p' adds a momentum to a position. The velocity is p'/m.",
         ),
         Mistake(
             "step forgotten in the momenta",
-            plain_step(timed=False),
+            slip(
+                formulas.symplectic_euler_step,
+                "p + h * force, L + h * torque",
+                "p + force, L + torque",
+            ),
             "You add the whole force and torque, as if the step were one second. Momentum changes by force times "
             "time, h F.",
         ),
         Mistake(
             "torque forgotten",
-            plain_step(twisted=False),
+            slip(formulas.symplectic_euler_step, "L + h * torque", "L"),
             "L stays as it was. It changes by h times the torque, as p does by h times the force.",
         ),
         Mistake(
             "force forgotten",
-            plain_step(pushed=False),
+            slip(formulas.symplectic_euler_step, "p + h * force", "p"),
             "p stays as it was. It changes by h times the force.",
         ),
         Mistake(
             "turned by a second's worth",
-            plain_step(turned=lambda R, omega, h: exponential(omega) @ R),
+            slip(formulas.symplectic_euler_step, "(h * omega)", "(omega)"),
             "You turn by omega, the angle of one second. In a step the body turns by the rotation vector h omega.",
         ),
         Mistake(
             "turned backwards",
-            plain_step(turned=lambda R, omega, h: exponential(-h * omega) @ R),
+            slip(formulas.symplectic_euler_step, "(h * omega)", "(-h * omega)"),
             "Your body turns backwards: the rotation vector is h omega', not its opposite.",
         ),
         Mistake(
             "momenta returned first",
-            momenta_first,
+            slip(
+                formulas.symplectic_euler_step,
+                "x + h * p / np.asarray(mass)[..., None], turn @ R, p, L",
+                "p, L, x + h * p / np.asarray(mass)[..., None], turn @ R",
+            ),
             "The numbers are right, but p and L come first. Return x, R, p, L in this order.",
         ),
         Mistake(
             "returned in another order",
-            linear_then_angular,
+            slip(formulas.symplectic_euler_step, "turn @ R, p, L", "p, turn @ R, L"),
             "The numbers are right, but p stands where R should. Return x, R, p, L in this order.",
         ),
         Mistake(
             "order of the turns",
-            plain_step(turned=lambda R, omega, h: R @ exponential(h * omega)),
+            slip(formulas.symplectic_euler_step, "turn @ R", "R @ turn"),
             "turn @ R and R @ turn are different. omega is in world axes, so the turn comes after R, on its left.",
         ),
         Mistake(
             "added, not turned",
-            plain_step(turned=first_order),
+            slip(
+                formulas.symplectic_euler_step,
+                "turn @ R",
+                "R + h * np.cross(omega[..., None], R, axis=-2)",
+            ),
             "You add h omega x R to R. That is explicit Euler on nine numbers: its columns get longer as they turn. "
             "Use the rotation matrix of the rotation vector h omega.",
         ),
         Mistake(
             "not turned",
-            plain_step(turned=lambda R, omega, h: R),
+            slip(formulas.symplectic_euler_step, "turn @ R", "R"),
             "R stays as it was. The body turns by the rotation vector h omega'.",
         ),
         Mistake(
             "one batch axis short",
-            one_batch_axis_short,
+            slip(formulas.symplectic_euler_step, "np.asarray(mass)[..., None]", "mass"),
             "Right for one body, not for a batch: mass has shape (...) and p (..., 3), so mass needs one more axis, "
             "np.asarray(mass)[..., None].",
         ),

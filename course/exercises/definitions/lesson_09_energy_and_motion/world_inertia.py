@@ -6,14 +6,15 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_09_energy_and_motion.shared import I_BODY
 from course.exercises.definitions.turning import (
     inertias,
     rotation_matrices,
     transposed,
-    turned_inertia,
 )
+from course.exercises.slips import slip
 
 
 def _oriented(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, Any]:
@@ -33,7 +34,7 @@ WORLD_INERTIA = Exercise(
         I_BODY,
     ),
     results=(Value("I", "(..., 3, 3)", "kg m²", "inertia in world axes"),),
-    reference=turned_inertia,
+    reference=formulas.world_inertia,
     cases=lambda rng: [
         Case(
             "a quarter turn about z",
@@ -67,41 +68,51 @@ WORLD_INERTIA = Exercise(
     mistakes=(
         Mistake(
             "body axes",
-            lambda R, I_body: np.asarray(I_body) * np.ones(np.shape(R)),
+            slip(
+                formulas.world_inertia, "R @ I_body @ np.swapaxes(R, -1, -2)", "I_body"
+            ),
             "This is the inertia in body axes: R is not used. It is right only while the body is not turned.",
         ),
         Mistake(
             "the other way round",
-            lambda R, I_body: transposed(R) @ I_body @ R,
+            slip(
+                formulas.world_inertia,
+                "R @ I_body @ np.swapaxes(R, -1, -2)",
+                "np.swapaxes(R, -1, -2) @ I_body @ R",
+            ),
             "R' I R turns the other way. Read from right to left: R' takes a world vector to body axes, I acts "
             "there, R brings it back.",
         ),
         Mistake(
             "the other way round, with .T",
-            lambda R, I_body: np.asarray(R).T @ I_body @ R,
+            slip(
+                formulas.world_inertia,
+                "R @ I_body @ np.swapaxes(R, -1, -2)",
+                "R.T @ I_body @ R",
+            ),
             "R' I R turns the other way: the transposed R belongs on the right, where the world vector comes in. And "
             "for a batch .T turns *all* axes round; np.swapaxes(R, -1, -2) swaps the last two.",
         ),
         Mistake(
             "one side only",
-            lambda R, I_body: np.asarray(R) @ I_body,
+            slip(formulas.world_inertia, " @ np.swapaxes(R, -1, -2)", ""),
             "Only one rotation. A matrix is turned on both sides: its input comes in world axes (R' first) and its "
             "output must go back to them (R last).",
         ),
         Mistake(
             "not transposed",
-            lambda R, I_body: np.asarray(R) @ I_body @ R,
+            slip(formulas.world_inertia, "np.swapaxes(R, -1, -2)", "R"),
             "The right-hand R must be transposed: R' takes a world vector to body axes.",
         ),
         Mistake(
             ".T of a batch",
-            lambda R, I_body: np.asarray(R) @ I_body @ np.asarray(R).T,
+            slip(formulas.world_inertia, "np.swapaxes(R, -1, -2)", "R.T"),
             "Right for one body, not for a batch: .T turns *all* axes round. np.swapaxes(R, -1, -2) swaps the last "
             "two.",
         ),
         Mistake(
             "products of entries",
-            lambda R, I_body: np.asarray(R) * I_body * transposed(R),
+            slip(formulas.world_inertia, "R @ I_body @", "R * I_body *"),
             "* multiplies entry by entry. The product of matrices is @.",
         ),
     ),

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
-from course.dynamics import impulse
+from course import formulas
 from course.exercises.definition import Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_10_impulse.shared import (
     MASS_1,
@@ -15,42 +13,9 @@ from course.exercises.definitions.lesson_10_impulse.shared import (
     RESTITUTION,
     VELOCITY_1,
     VELOCITY_2,
-    approaching,
-    closing_speed,
     impacts,
-    reduced,
 )
-
-
-def _lost(
-    *,
-    mass: Any = reduced,
-    factor: Any = None,
-    closing: Any = closing_speed,
-    half: float = 0.5,
-    guard: bool = True,
-) -> Any:
-    """T_lost with one of its parts changed."""
-    factor = factor or (lambda e: 1 - np.asarray(e) ** 2)
-
-    def function(
-        mass_1: Any,
-        mass_2: Any,
-        velocity_1: Any,
-        velocity_2: Any,
-        normal: Any,
-        restitution: Any,
-    ) -> Any:
-        speed = closing(velocity_1, velocity_2, normal)
-        value = half * mass(mass_1, mass_2) * factor(restitution) * speed**2
-        return (
-            approaching(closing_speed(velocity_1, velocity_2, normal), value)
-            if guard
-            else value
-        )
-
-    return function
-
+from course.exercises.slips import slip
 
 KINETIC_ENERGY_LOST = Exercise(
     name="kinetic_energy_lost",
@@ -60,7 +25,7 @@ KINETIC_ENERGY_LOST = Exercise(
     task="Return T_lost, the kinetic energy that the impact takes away; 0 for bodies that do not approach.",
     arguments=(MASS_1, MASS_2, VELOCITY_1, VELOCITY_2, NORMAL, RESTITUTION),
     results=(Value("T_lost", "(...)", "J", "kinetic energy lost, never below 0"),),
-    reference=impulse.kinetic_energy_lost,
+    reference=formulas.kinetic_energy_lost,
     cases=impacts,
     properties=(
         Property(
@@ -72,77 +37,93 @@ KINETIC_ENERGY_LOST = Exercise(
     mistakes=(
         Mistake(
             "1 - e",
-            _lost(factor=lambda e: 1 - np.asarray(e)),
+            slip(formulas.kinetic_energy_lost, "restitution**2", "restitution"),
             "The factor is 1 - e where it must be 1 - e^2: energy goes with the square of the speed, and e^2 of the "
             "energy of approach comes back.",
         ),
         Mistake(
             "(1 - e)^2",
-            _lost(factor=lambda e: (1 - np.asarray(e)) ** 2),
+            slip(
+                formulas.kinetic_energy_lost,
+                "(1 - restitution**2)",
+                "(1 - restitution) ** 2",
+            ),
             "(1 - e)^2 is not 1 - e^2. Before the impact the energy of approach is mu u^2/2, after it mu (e u)^2/2: "
             "subtract.",
         ),
         Mistake(
             "what remains",
-            _lost(factor=lambda e: np.asarray(e) ** 2),
+            slip(
+                formulas.kinetic_energy_lost, "(1 - restitution**2)", "restitution**2"
+            ),
             "This is the energy of approach that comes back, e^2 of it. Lost is the rest, 1 - e^2.",
         ),
         Mistake(
             "speed not squared",
-            lambda mass_1, mass_2, velocity_1, velocity_2, normal, restitution: (
-                approaching(
-                    closing_speed(velocity_1, velocity_2, normal),
-                    0.5
-                    * reduced(mass_1, mass_2)
-                    * (1 - np.asarray(restitution) ** 2)
-                    * closing_speed(velocity_1, velocity_2, normal),
-                )
-            ),
+            slip(formulas.kinetic_energy_lost, "closing**2", "closing"),
             "The speed is not squared: your unit is kg m/s, not J.",
         ),
         Mistake(
             "mass of body 1",
-            _lost(mass=lambda a, b: np.asarray(a) + 0 / np.asarray(b)),
+            slip(
+                formulas.kinetic_energy_lost, "1 / (1 / mass_1 + 1 / mass_2)", "mass_1"
+            ),
             "You use the mass of body 1 alone. It is the reduced mass that goes with the speed of approach.",
         ),
         Mistake(
             "half forgotten",
-            _lost(half=1.0),
+            slip(formulas.kinetic_energy_lost, "0.5 * ", ""),
             "Twice too much: the half of m v^2/2 is missing.",
         ),
         Mistake(
             "sum of masses",
-            _lost(mass=lambda a, b: np.asarray(a) + b),
+            slip(
+                formulas.kinetic_energy_lost,
+                "1 / (1 / mass_1 + 1 / mass_2)",
+                "mass_1 + mass_2",
+            ),
             "You use m1 + m2. The energy of approach belongs to the reduced mass, 1/(1/m1 + 1/m2); with m1 + m2 you "
             "could lose more than there is.",
         ),
         Mistake(
             "reduced mass upside down",
-            _lost(mass=lambda a, b: 1 / np.asarray(a) + 1 / np.asarray(b)),
+            slip(
+                formulas.kinetic_energy_lost,
+                "1 / (1 / mass_1 + 1 / mass_2)",
+                "1 / mass_1 + 1 / mass_2",
+            ),
             "Your mass is 1/m1 + 1/m2, in 1/kg. The reduced mass is one over that.",
         ),
         Mistake(
             "reduced mass as a fraction",
-            _lost(mass=lambda a, b: np.asarray(a) * b / (np.asarray(a) + b)),
+            slip(
+                formulas.kinetic_energy_lost,
+                "1 / (1 / mass_1 + 1 / mass_2)",
+                "mass_1 * mass_2 / (mass_1 + mass_2)",
+            ),
             "Right for two bodies, NaN for a wall. Infinity over infinity, as in m1 m2/(m1 + m2), or infinity times 0 "
             "has no value; 1/(1/m1 + 1/m2) does, because 1/infinity is 0.",
         ),
         Mistake(
             "guard the wrong way round",
-            lambda *given: np.where(
-                closing_speed(*given[2:5]) < 0, _lost(guard=False)(*given), 0.0
-            ),
+            slip(formulas.kinetic_energy_lost, "closing > 0", "closing < 0"),
             "Your condition picks the pairs that part. They approach where (v1 - v2).n < 0.",
         ),
         Mistake(
             "whole speed",
-            _lost(closing=lambda a, b, n: np.linalg.norm(np.asarray(b) - a, axis=-1)),
+            slip(
+                formulas.kinetic_energy_lost,
+                "closing**2",
+                "np.linalg.norm(velocity_2 - velocity_1, axis=-1) ** 2",
+            ),
             "You use the whole relative speed. Without friction sliding keeps its energy: only motion along n can "
             "lose any.",
         ),
         Mistake(
             "no guard",
-            _lost(guard=False),
+            slip(
+                formulas.kinetic_energy_lost, "np.where(closing > 0, lost, 0.0)", "lost"
+            ),
             "Bodies that already part lose nothing: there is no impact. Return 0 where (v2 - v1).n <= 0.",
         ),
     ),

@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from course.dynamics import impulse
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.lesson_10_impulse.shared import NORMAL, along
+from course.exercises.definitions.lesson_10_impulse.shared import NORMAL
 from course.exercises.definitions.vectors import unit_vector
+from course.exercises.slips import slip
 
 MOMENTUM_AFTER = Exercise(
     name="momentum_after",
@@ -27,7 +28,7 @@ MOMENTUM_AFTER = Exercise(
         Value("momentum_1", "(..., 3)", "kg m/s"),
         Value("momentum_2", "(..., 3)", "kg m/s"),
     ),
-    reference=impulse.momentum_after,
+    reference=formulas.momentum_after,
     cases=lambda rng: [
         Case(
             "one pair along x",
@@ -60,43 +61,36 @@ MOMENTUM_AFTER = Exercise(
     mistakes=(
         Mistake(
             "both plus",
-            lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 + along(impulse, normal),
-                momentum_2 + along(impulse, normal),
-            ),
+            slip(formulas.momentum_after, "momentum_2 - change", "momentum_2 + change"),
             "Both bodies gain. What pushes body 1 along +n pushes body 2 along -n: p2' = p2 - p_hat n.",
         ),
         Mistake(
             "swapped",
-            lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 - along(impulse, normal),
-                momentum_2 + along(impulse, normal),
+            slip(
+                formulas.momentum_after,
+                "momentum_1 + change, momentum_2 - change",
+                "momentum_1 - change, momentum_2 + change",
             ),
             "The signs are swapped: you push the bodies into each other. n points out of body 2 toward body 1, so "
             "body 1 gets +p_hat n.",
         ),
         Mistake(
             "the pair turned round",
-            lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_2 - along(impulse, normal),
-                momentum_1 + along(impulse, normal),
+            slip(
+                formulas.momentum_after,
+                "momentum_1 + change, momentum_2 - change",
+                "momentum_2 - change, momentum_1 + change",
             ),
             "Both momenta are right, but in the wrong order: return that of body 1 first.",
         ),
         Mistake(
             "no direction",
-            lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 + np.asarray(impulse)[..., None],
-                momentum_2 - np.asarray(impulse)[..., None],
-            ),
+            slip(formulas.momentum_after, " * normal", ""),
             "You add the number p_hat to every component. It acts along n: add p_hat n.",
         ),
         Mistake(
             "one batch axis short",
-            lambda momentum_1, momentum_2, impulse, normal: (
-                momentum_1 + impulse * normal,
-                momentum_2 - impulse * normal,
-            ),
+            slip(formulas.momentum_after, "np.asarray(impulse)[..., None]", "impulse"),
             "Right for one pair, not for a batch: impulse has shape (...) and normal (..., 3), so impulse needs one "
             "more axis, impulse[..., None] * normal. (np.asarray(impulse)[..., None] serves plain numbers too.)",
         ),

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.slips import slip
 
 # p_hat, the last step of the derivation, as an expression.
-
-
-def _scalar_impulse(m_1: Any, m_2: Any, v_1: Any, v_2: Any, e: Any) -> Any:
-    return (1 + e) * (v_2 - v_1) / (1 / m_1 + 1 / m_2)
 
 
 def _points(rng: np.random.Generator) -> Sequence[Case]:
@@ -47,53 +44,53 @@ P_HAT = Exercise(
         Value("e", "scalar", "", "restitution"),
     ),
     results=(Value("p_hat", "(...)", "N s", "impulse along n"),),
-    reference=_scalar_impulse,
+    reference=formulas.p_hat,
     cases=_points,
     mistakes=(
         Mistake(
             "sign",
-            lambda m_1, m_2, v_1, v_2, e: -_scalar_impulse(m_1, m_2, v_1, v_2, e),
+            slip(formulas.p_hat, "(v_2 - v_1)", "(v_1 - v_2)"),
             "The sign is turned round. While they approach, v_1 < v_2 along n, and an impulse that pushes them apart "
             "is positive: it must contain v_2 - v_1.",
         ),
         Mistake(
             "as printed",
-            lambda m_1, m_2, v_1, v_2, e: (1 - e) * (v_2 - v_1) / (1 / m_1 + 1 / m_2),
+            slip(formulas.p_hat, "1 + e", "1 - e"),
             "You used the restitution line as the slide prints it, without its minus sign. It gives 1 - e: no impulse "
             "at all when nothing is lost. Take (v1' - v2').n = -e (v1 - v2).n.",
         ),
         Mistake(
             "only e",
-            lambda m_1, m_2, v_1, v_2, e: e * (v_2 - v_1) / (1 / m_1 + 1 / m_2),
+            slip(formulas.p_hat, "(1 + e)", "e"),
             "The factor is e where it must be 1 + e. The 1 stops the approach, the e sends them back; at e = 0 there "
             "is still an impulse.",
         ),
         Mistake(
             "no e",
-            lambda m_1, m_2, v_1, v_2, e: (v_2 - v_1) / (1 / m_1 + 1 / m_2),
+            slip(formulas.p_hat, "(1 + e) * ", ""),
             "e is missing. This impulse only stops the approach, which is right for e = 0.",
         ),
         Mistake(
             "sum of masses",
-            lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) * (m_1 + m_2),
+            slip(formulas.p_hat, "/ (1 / m_1 + 1 / m_2)", "* (m_1 + m_2)"),
             "You multiply by m_1 + m_2. The same impulse changes v_1 by p_hat/m_1 and v_2 by p_hat/m_2, so the "
             "inverse masses add: divide by 1/m_1 + 1/m_2.",
         ),
         Mistake(
             "divided by the sum of masses",
-            lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) / (m_1 + m_2),
+            slip(formulas.p_hat, "1 / m_1 + 1 / m_2", "m_1 + m_2"),
             "You divide by m_1 + m_2. The velocities change by p_hat/m_1 and p_hat/m_2, so what adds up are the "
             "inverse masses. (Look at the unit: an impulse is kg m/s.)",
         ),
         Mistake(
             "multiplied by the inverse masses",
-            lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) * (1 / m_1 + 1 / m_2),
+            slip(formulas.p_hat, "/ (1", "* (1"),
             "You multiply by 1/m_1 + 1/m_2 where you must divide: that bracket stands beside p_hat, not beside the "
             "speeds.",
         ),
         Mistake(
             "difference of inverse masses",
-            lambda m_1, m_2, v_1, v_2, e: (1 + e) * (v_2 - v_1) / (1 / m_1 - 1 / m_2),
+            slip(formulas.p_hat, "+ 1 / m_2", "- 1 / m_2"),
             "You have 1/m_1 - 1/m_2. Body 2 gets -p_hat, and it is subtracted: v1' - v2' holds "
             "p_hat/m_1 - (-p_hat/m_2), a sum.",
         ),

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-import numpy as np
-
-from course.dynamics import impulse
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_10_impulse.shared import (
     NORMAL,
     RESTITUTION,
     VELOCITY_1,
     VELOCITY_2,
-    closing_speed,
     impacts,
 )
+from course.exercises.slips import slip
 
 
 def _only(names: Sequence[str], cases: Sequence[Case]) -> list[Case]:
@@ -24,24 +21,6 @@ def _only(names: Sequence[str], cases: Sequence[Case]) -> list[Case]:
         Case(c.label, {name: c.arguments[name] for name in names}, c.kind)
         for c in cases
     ]
-
-
-def _speed_mistake(factor: Any) -> Any:
-    """A wrong separation speed: factor(e) times the closing speed, and the guard kept."""
-
-    def function(
-        velocity_1: Any, velocity_2: Any, normal: Any, restitution: Any
-    ) -> Any:
-        closing = closing_speed(velocity_1, velocity_2, normal)
-        return np.where(closing > 0, factor(restitution) * closing, -closing)
-
-    return function
-
-
-def _no_normal(velocity_1: Any, velocity_2: Any, normal: Any, restitution: Any) -> Any:
-    closing = closing_speed(velocity_1, velocity_2, normal)
-    speed = np.linalg.norm(np.asarray(velocity_2) - velocity_1, axis=-1)
-    return np.where(closing > 0, restitution * speed, -closing)
 
 
 SEPARATION_SPEED = Exercise(
@@ -54,81 +33,85 @@ SEPARATION_SPEED = Exercise(
     results=(
         Value("separation_speed", "(...)", "m/s", "(v1' - v2').n, never below 0"),
     ),
-    reference=impulse.separation_speed,
+    reference=formulas.separation_speed,
     cases=lambda rng: _only(
         ("velocity_1", "velocity_2", "normal", "restitution"), impacts(rng)
     ),
     mistakes=(
         Mistake(
             "as printed",
-            _speed_mistake(lambda e: -np.asarray(e)),
+            slip(formulas.separation_speed, "-restitution", "restitution"),
             "The sign is the one the slide prints: after the impact your bodies still approach. Before it "
             "(v1 - v2).n is negative; after it, it must be positive: -e (v1 - v2).n.",
         ),
         Mistake(
             "restitution left out",
-            _speed_mistake(lambda e: 1.0),
+            slip(formulas.separation_speed, "-restitution * u", "-u"),
             "They leave as fast as they came, whatever e is. Multiply the closing speed by e.",
         ),
         Mistake(
             "v2 - v1",
-            lambda velocity_1, velocity_2, normal, restitution: np.where(
-                closing_speed(velocity_1, velocity_2, normal) < 0,
-                -np.asarray(restitution)
-                * closing_speed(velocity_1, velocity_2, normal),
-                closing_speed(velocity_1, velocity_2, normal),
+            slip(
+                formulas.separation_speed,
+                "velocity_1 - velocity_2",
+                "velocity_2 - velocity_1",
             ),
             "Your u is (v2 - v1).n, which is positive while they approach. Then u < 0 picks the pairs that part. Take "
             "(v1 - v2).n.",
         ),
         Mistake(
             "guard the wrong way round",
-            lambda velocity_1, velocity_2, normal, restitution: np.where(
-                closing_speed(velocity_1, velocity_2, normal) < 0,
-                np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal),
-                -closing_speed(velocity_1, velocity_2, normal),
-            ),
+            slip(formulas.separation_speed, "u < 0", "u > 0"),
             "Your condition picks the pairs that part and leaves those that approach as they are. They approach where "
             "(v1 - v2).n < 0.",
         ),
         Mistake(
             "0 for those that part",
-            lambda velocity_1, velocity_2, normal, restitution: np.maximum(
-                np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal),
-                0.0,
+            slip(
+                formulas.separation_speed,
+                "np.where(u < 0, -restitution * u, u)",
+                "np.maximum(-restitution * u, 0.0)",
             ),
             "Right while they approach. Bodies that part have no *impulse*, but they do have a separation speed: the "
             "one they came with.",
         ),
         Mistake(
             "the size for all",
-            lambda velocity_1, velocity_2, normal, restitution: np.abs(
-                np.asarray(restitution) * closing_speed(velocity_1, velocity_2, normal)
+            slip(
+                formulas.separation_speed,
+                "np.where(u < 0, -restitution * u, u)",
+                "np.abs(restitution * u)",
             ),
             "Right while they approach. With the absolute value you slow down bodies that part by themselves: nothing "
             "happens to them, return u.",
         ),
         Mistake(
             "1 + e",
-            _speed_mistake(lambda e: 1 + np.asarray(e)),
+            slip(formulas.separation_speed, "-restitution", "-(1 + restitution)"),
             "1 + e is how much the relative speed *changes*. What is left after the impact is e times the closing "
             "speed.",
         ),
         Mistake(
             "squared",
-            _speed_mistake(lambda e: np.asarray(e) ** 2),
+            slip(formulas.separation_speed, "-restitution", "-(restitution**2)"),
             "e^2 is what remains of the energy of approach; of the speed, e remains.",
         ),
         Mistake(
             "whole speed",
-            _no_normal,
+            slip(
+                formulas.separation_speed,
+                "-restitution * u",
+                "restitution * np.linalg.norm(velocity_1 - velocity_2, axis=-1)",
+            ),
             "You take the length of the whole relative velocity. Only its part along the normal changes; sliding "
             "across it goes on: take the dot product with n.",
         ),
         Mistake(
             "no guard",
-            lambda velocity_1, velocity_2, normal, restitution: (
-                restitution * closing_speed(velocity_1, velocity_2, normal)
+            slip(
+                formulas.separation_speed,
+                "np.where(u < 0, -restitution * u, u)",
+                "-restitution * u",
             ),
             "Right for bodies that approach; those that part you send into each other. Where (v1 - v2).n >= 0 nothing "
             "happens: return it as it is (np.where).",

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Case, Value
-from course.exercises.definitions.vectors import dot, unit_vector
+from course.exercises.definitions.vectors import unit_vector
 
 MASS_1 = Value("mass_1", "(...)", "kg", "mass of body 1")
 MASS_2 = Value("mass_2", "(...)", "kg", "mass of body 2; infinity for a wall")
@@ -108,22 +108,3 @@ def _toward_wall(rng: np.random.Generator) -> dict[str, Any]:
         "normal": normal,
         "velocity_1": -2.0 * normal + np.cross(normal, rng.normal(size=3)),
     }
-
-
-# The formula as it stands in the derivation: the mass, the closing speed and e are what mistakes change.
-
-
-def closing_speed(velocity_1: Any, velocity_2: Any, normal: Any) -> Any:
-    return dot(np.asarray(velocity_2) - velocity_1, normal)
-
-
-def reduced(mass_1: Any, mass_2: Any) -> Any:
-    return 1 / (1 / np.asarray(mass_1) + 1 / np.asarray(mass_2))
-
-
-def approaching(closing: Any, value: Any) -> Any:
-    return np.where(closing > 0, value, 0.0)
-
-
-def along(impulse: Any, normal: Any) -> Any:
-    return np.asarray(impulse)[..., None] * normal

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from course.dynamics import bounce_times
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_11_wall_bounce.wall_bounce import RESTITUTION
+from course.exercises.slips import slip
 
 GRAVITY = Value("gravity", "(...)", "m/s^2", "g, positive")
 
@@ -36,49 +37,6 @@ def _drops(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-def _times(
-    *,
-    double: float = 2.0,
-    first: float = 1.0,
-    power: int = 1,
-    two: float = 2.0,
-    start: int = 1,
-) -> Any:
-    """Impact times with one of the sum's parts changed."""
-
-    def function(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
-        fall = np.sqrt(two * np.asarray(height) / gravity)[..., None]
-        k = np.arange(start, start + count - 1)
-        flights = np.asarray(restitution)[..., None] ** (power * k)
-        zero = np.zeros((*flights.shape[:-1], 1))
-        return fall * (
-            first
-            + double * np.concatenate([zero, np.cumsum(flights, axis=-1)], axis=-1)
-        )
-
-    return function
-
-
-def _lengths_only(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
-    times = np.asarray(bounce_times(height, restitution, count, gravity))
-    return np.diff(times, axis=-1, prepend=0.0)
-
-
-def _closed_sum(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
-    fall, e = (
-        np.sqrt(2 * np.asarray(height) / gravity)[..., None],
-        np.asarray(restitution)[..., None],
-    )
-    with np.errstate(invalid="ignore", divide="ignore"):
-        return fall * (1 + 2 * e * (1 - e ** np.arange(count)) / (1 - e))
-
-
-def _first_axis(height: Any, restitution: Any, count: int, gravity: Any) -> Any:
-    return np.moveaxis(
-        np.asarray(bounce_times(height, restitution, count, gravity)), -1, 0
-    )
-
-
 BOUNCE_TIMES = Exercise(
     name="bounce_times",
     rows=(17, 18),
@@ -92,7 +50,7 @@ BOUNCE_TIMES = Exercise(
         GRAVITY,
     ),
     results=(Value("times", "(..., count)", "s", "from the drop"),),
-    reference=bounce_times,
+    reference=formulas.bounce_times,
     cases=_drops,
     properties=(
         Property(
@@ -104,55 +62,77 @@ BOUNCE_TIMES = Exercise(
     mistakes=(
         Mistake(
             "rises forgotten",
-            _times(double=1.0),
+            slip(
+                formulas.bounce_times,
+                "2 * np.cumsum(powers, axis=-1) - 1",
+                "np.cumsum(powers, axis=-1)",
+            ),
             "Each later flight counts once in your sum. The ball goes up and comes down: twice.",
         ),
         Mistake(
             "from the first impact",
-            _times(first=0.0),
+            slip(formulas.bounce_times, "- 1)", "- 2)"),
             "Your clock starts at the first impact. The first fall, sqrt(2 h/g), comes before it.",
         ),
         Mistake(
             "e squared",
-            _times(power=2),
+            slip(formulas.bounce_times, "np.arange(count)", "(2 * np.arange(count))"),
             "The flights shrink by e^2 in your answer. That is what the heights do; times go with the speed, by e.",
         ),
         Mistake(
             "first flight not shortened",
-            _times(start=0),
+            slip(
+                formulas.bounce_times,
+                "2 * np.cumsum(powers, axis=-1) - 1",
+                "1 + 2 * (np.cumsum(powers, axis=-1) - powers)",
+            ),
             "Your first rise lasts as long as the first fall. The ball has already lost speed there: the powers begin "
             "with e^1.",
         ),
         Mistake(
             "one flight on",
-            lambda height, restitution, count, gravity: np.asarray(
-                bounce_times(height, restitution, count + 1, gravity)
-            )[..., 1:],
+            slip(
+                formulas.bounce_times,
+                "2 * np.cumsum(powers, axis=-1) - 1",
+                "1 + 2 * np.asarray(restitution)[..., None] * np.cumsum(powers, axis=-1)",
+            ),
             "Your times begin with the second impact. The first is the end of the first fall, at t_0.",
         ),
         Mistake(
             "the first fall counted as a flight",
-            _times(first=2.0),
+            slip(formulas.bounce_times, " - 1)", ")"),
             "You count 2 t_0 for the first fall. The ball starts at the top: only the way down is there.",
         ),
         Mistake(
             "closed sum",
-            _closed_sum,
+            slip(
+                formulas.bounce_times,
+                "np.cumsum(powers, axis=-1)",
+                "(1 - np.asarray(restitution)[..., None] * powers) / (1 - np.asarray(restitution)[..., None])",
+            ),
             "Right for e < 1. At e = 1 your sum divides 0 by 0: add the flights up instead of dividing by 1 - e.",
         ),
         Mistake(
             "on the first axis",
-            _first_axis,
+            slip(
+                formulas.bounce_times,
+                "fall[..., None] * (2 * np.cumsum(powers, axis=-1) - 1)",
+                "np.moveaxis(fall[..., None] * (2 * np.cumsum(powers, axis=-1) - 1), -1, 0)",
+            ),
             "Right for one ball. For a batch the impacts must stand on a new *last* axis; yours stand on the first.",
         ),
         Mistake(
             "sqrt(h/g)",
-            _times(two=1.0),
+            slip(formulas.bounce_times, "2 * np.asarray(height)", "np.asarray(height)"),
             "The first fall lasts sqrt(2 h/g): from h = g t^2/2.",
         ),
         Mistake(
             "how long instead of when",
-            _lengths_only,
+            slip(
+                formulas.bounce_times,
+                "fall[..., None] * (2 * np.cumsum(powers, axis=-1) - 1)",
+                "np.diff(fall[..., None] * (2 * np.cumsum(powers, axis=-1) - 1), axis=-1, prepend=0.0)",
+            ),
             "These are the lengths of the flights. Asked are the times of the impacts: add them up (np.cumsum).",
         ),
     ),

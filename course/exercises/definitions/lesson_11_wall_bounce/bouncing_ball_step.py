@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.slips import slip
 
 
 def _states(rng: np.random.Generator) -> Sequence[Case]:
@@ -47,78 +49,6 @@ def _states(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-def _ball_step(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    """The order of the engine with the small error: reflect, or else fall; then move with the new velocity."""
-    hits = (np.asarray(height) < 0) & (np.asarray(velocity) < 0)
-    after = np.where(
-        hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step
-    )
-    return height + step * after, after
-
-
-def _gravity_first(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    after = np.asarray(velocity) - gravity * step
-    after = np.where(
-        (np.asarray(height) < 0) & (after < 0), -restitution * after, after
-    )
-    return height + step * after, after
-
-
-def _move_first(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    _, after = _ball_step(height, velocity, step, restitution, gravity)
-    return height + step * np.asarray(velocity), after
-
-
-def _no_rising_guard(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    after = np.where(
-        np.asarray(height) < 0,
-        -restitution * np.asarray(velocity),
-        np.asarray(velocity) - gravity * step,
-    )
-    return height + step * after, after
-
-
-def _always_gravity(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    hits = (np.asarray(height) < 0) & (np.asarray(velocity) < 0)
-    after = (
-        np.where(hits, -restitution * np.asarray(velocity), velocity) - gravity * step
-    )
-    return height + step * after, after
-
-
-def _no_restitution(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    return _ball_step(height, velocity, step, 1.0, gravity)
-
-
-def _clamped(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    moved, after = _ball_step(height, velocity, step, restitution, gravity)
-    return np.maximum(moved, 0.0), after
-
-
-def _touch_counts(
-    height: Any, velocity: Any, step: Any, restitution: Any, gravity: Any
-) -> Any:
-    hits = (np.asarray(height) <= 0) & (np.asarray(velocity) < 0)
-    after = np.where(
-        hits, -restitution * np.asarray(velocity), np.asarray(velocity) - gravity * step
-    )
-    return height + step * after, after
-
-
 BOUNCING_BALL_STEP = Exercise(
     name="bouncing_ball_step",
     rows=(18,),
@@ -133,60 +63,80 @@ BOUNCING_BALL_STEP = Exercise(
         Value("gravity", "scalar", "m/s^2", "g, positive"),
     ),
     results=(Value("height", "(...)", "m"), Value("velocity", "(...)", "m/s")),
-    reference=_ball_step,
+    reference=formulas.bouncing_ball_step,
     cases=_states,
     mistakes=(
         Mistake(
             "gravity first",
-            _gravity_first,
+            slip(
+                formulas.bouncing_ball_step,
+                "hits =",
+                "velocity = velocity - gravity * step\n    hits =",
+                ", velocity - gravity * step)",
+                ", velocity)",
+            ),
             "Gravity acts before you reflect. This is the other engine's order, the one with the larger error: ask "
             "about the wall first, and let gravity act only where nothing hit.",
         ),
         Mistake(
             "gravity as well",
-            _always_gravity,
+            slip(
+                formulas.bouncing_ball_step,
+                "np.where(hits, -restitution * velocity, velocity - gravity * step)",
+                "np.where(hits, -restitution * velocity, velocity) - gravity * step",
+            ),
             "After reflecting you let gravity act too. In this order a step either reflects or falls.",
         ),
         Mistake(
             "moved with the old velocity",
-            _move_first,
+            slip(formulas.bouncing_ball_step, "step * after", "step * velocity"),
             "You move with the velocity from before. Change the velocity first, then move with the new one.",
         ),
         Mistake(
             "reflects a rising ball",
-            _no_rising_guard,
+            slip(formulas.bouncing_ball_step, " & (velocity < 0)", ""),
             "You reflect every ball below the floor. One that already rises is sent down again and sticks in the "
             "floor: ask for velocity < 0 as well.",
         ),
         Mistake(
             "no restitution",
-            _no_restitution,
+            slip(formulas.bouncing_ball_step, "-restitution * velocity", "-velocity"),
             "Your ball leaves as fast as it came: multiply by e when it is reflected.",
         ),
         Mistake(
             "gravity upward",
-            lambda h, v, step, restitution, gravity: _ball_step(h, v, step, restitution, -gravity),
+            slip(
+                formulas.bouncing_ball_step, "velocity - gravity", "velocity + gravity"
+            ),
             "Gravity pulls your ball up. The velocity counts upward, so it loses g times the step.",
         ),
         Mistake(
             "not turned round",
-            lambda h, v, step, restitution, gravity: _ball_step(h, v, step, -restitution, gravity),
+            slip(formulas.bouncing_ball_step, "-restitution", "restitution"),
             "Your ball slows down at the floor and goes on into it: the new velocity is *minus* e times the old one.",
         ),
         Mistake(
             "velocity first",
-            lambda *given: _ball_step(*given)[::-1],
+            slip(
+                formulas.bouncing_ball_step,
+                "height + step * after, after",
+                "after, height + step * after",
+            ),
             "The two results have changed places: return the height, then the velocity.",
         ),
         Mistake(
             "height clamped",
-            _clamped,
+            slip(
+                formulas.bouncing_ball_step,
+                "height + step * after",
+                "np.maximum(height + step * after, 0.0)",
+            ),
             "You lift the ball to the floor. That gives it energy for nothing; in this step the height is only moved "
             "by step * velocity.",
         ),
         Mistake(
             "touching counts as below",
-            _touch_counts,
+            slip(formulas.bouncing_ball_step, "height < 0", "height <= 0"),
             "A ball exactly at height 0 is not below the floor: reflect where height < 0.",
         ),
     ),

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.slips import slip
 
 # The time to rest, the derivation's last step.
-
-
-def _rest(h: Any, e: Any, g: Any) -> Any:
-    return (2 * h / g) ** 0.5 * (1 + e) / (1 - e)
 
 
 def _rest_points(rng: np.random.Generator) -> Sequence[Case]:
@@ -41,44 +38,44 @@ REST_TIME = Exercise(
         Value("g", "scalar", "m/s^2", "gravity"),
     ),
     results=(Value("rest_time", "(...)", "s"),),
-    reference=_rest,
+    reference=formulas.rest_time,
     cases=_rest_points,
     mistakes=(
         Mistake(
             "first fall twice",
-            lambda h, e, g: (2 * h / g) ** 0.5 * 2 / (1 - e),
+            slip(formulas.rest_time, "(1 + 2", "(2 + 2"),
             "You count 2 t_0 for the first fall. The ball starts at the top: only the half flight t_0 is there; every "
             "later flight counts twice.",
         ),
         Mistake(
             "rises forgotten",
-            lambda h, e, g: (2 * h / g) ** 0.5 / (1 - e),
+            slip(formulas.rest_time, "2 * e", "e"),
             "You count only the falls. Before each later fall the ball rises as long as it falls.",
         ),
         Mistake(
             "first fall forgotten",
-            lambda h, e, g: (2 * h / g) ** 0.5 * 2 * e / (1 - e),
+            slip(formulas.rest_time, "1 + 2 * e", "2 * e"),
             "The first fall, t_0 = sqrt(2 h/g), is missing from the sum.",
         ),
         Mistake(
             "rises and first fall forgotten",
-            lambda h, e, g: (2 * h / g) ** 0.5 * e / (1 - e),
+            slip(formulas.rest_time, "1 + 2 * e", "e"),
             "Two things are missing: the first fall, t_0, and that each later flight goes up and down, twice e^k t_0.",
         ),
         Mistake(
             "upside down",
-            lambda h, e, g: (2 * h / g) ** 0.5 * (1 - e) / (1 + e),
+            slip(formulas.rest_time, "(1 + 2 * e / (1 - e))", "(1 - e) / (1 + e)"),
             "Your time shrinks as e grows. A ball that loses less bounces longer.",
         ),
         Mistake(
             "e squared",
-            lambda h, e, g: (2 * h / g) ** 0.5 * (1 + e**2) / (1 - e**2),
+            slip(formulas.rest_time, "2 * e / (1 - e)", "2 * e**2 / (1 - e**2)"),
             "You sum powers of e^2. The *height* shrinks by e^2 at each bounce; the speed, and so the time of a "
             "flight, by e.",
         ),
         Mistake(
             "sqrt(h/g)",
-            lambda h, e, g: (h / g) ** 0.5 * (1 + e) / (1 - e),
+            slip(formulas.rest_time, "2 * h", "h"),
             "The first fall lasts sqrt(2 h/g): from h = g t^2/2.",
         ),
     ),

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from course.dynamics import wall_bounce
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.vectors import unit_vector
+from course.exercises.slips import slip
 
 
 def _hits(
@@ -57,52 +58,6 @@ def _bounces(rng: np.random.Generator) -> Sequence[Case]:
     ]  # fmt: skip
 
 
-def _bounce(factor: Any, *, guard: bool = True) -> Any:
-    """The bounce with another factor before (v.n) n."""
-
-    def function(velocity: Any, normal: Any, restitution: Any) -> Any:
-        along = np.sum(velocity * normal, axis=-1)[..., None]
-        after = (
-            velocity
-            - np.asarray(factor(np.asarray(restitution)))[..., None] * along * normal
-        )
-        return np.where(along < 0, after, velocity) if guard else after
-
-    return function
-
-
-def _whole_velocity(velocity: Any, normal: Any, restitution: Any) -> Any:
-    along = np.sum(velocity * normal, axis=-1)[..., None]
-    return np.where(along < 0, -np.asarray(restitution)[..., None] * velocity, velocity)
-
-
-def _both_parts(velocity: Any, normal: Any, restitution: Any) -> Any:
-    along = np.sum(velocity * normal, axis=-1)[..., None]
-    return np.where(
-        along < 0,
-        np.asarray(restitution)[..., None] * (velocity - 2 * along * normal),
-        velocity,
-    )
-
-
-def _only_along(velocity: Any, normal: Any, restitution: Any) -> Any:
-    along = np.sum(velocity * normal, axis=-1)[..., None]
-    return np.where(
-        along < 0, -np.asarray(restitution)[..., None] * along * normal, velocity
-    )
-
-
-def _turned_guard(velocity: Any, normal: Any, restitution: Any) -> Any:
-    along = np.maximum(np.sum(velocity * normal, axis=-1), 0.0)[..., None]
-    return velocity - (1 + np.asarray(restitution)[..., None]) * along * normal
-
-
-def _axis_short(velocity: Any, normal: Any, restitution: Any) -> Any:
-    along = np.sum(velocity * normal, axis=-1)
-    after = velocity - (1 + restitution) * along * normal
-    return np.where(along < 0, after, velocity)
-
-
 WALL_BOUNCE = Exercise(
     name="wall_bounce",
     rows=(18,),
@@ -115,7 +70,7 @@ WALL_BOUNCE = Exercise(
         RESTITUTION,
     ),
     results=(Value("velocity", "(..., 3)", "m/s", "velocity after"),),
-    reference=wall_bounce,
+    reference=formulas.wall_bounce,
     cases=_bounces,
     properties=(
         Property(
@@ -134,70 +89,101 @@ WALL_BOUNCE = Exercise(
     mistakes=(
         Mistake(
             "always 2",
-            _bounce(lambda e: 2.0 + 0 * e),
+            slip(formulas.wall_bounce, "(1 + np.asarray(restitution)[..., None])", "2"),
             "The factor is 2, as on the slide. That is right for e = 1 only; in general it is 1 + e.",
         ),
         Mistake(
             "the slide's line",
-            _bounce(lambda e: 2.0 + 0 * e, guard=False),
+            slip(
+                formulas.wall_bounce,
+                "(1 + np.asarray(restitution)[..., None])",
+                "2",
+                "np.where(along < 0, after, velocity)",
+                "after",
+            ),
             "This is the slide's line as it stands: e = 1, and a ball that comes in. In general the factor is 1 + e, "
             "and a ball that already leaves keeps its velocity.",
         ),
         Mistake(
             "the size of v.n",
-            lambda velocity, normal, restitution: (
-                velocity
-                + (1 + np.asarray(restitution))[..., None]
-                * np.abs(np.sum(velocity * normal, axis=-1))[..., None]
-                * normal
+            slip(
+                formulas.wall_bounce,
+                "velocity - (1",
+                "velocity + (1",
+                "* along *",
+                "* np.abs(along) *",
+                "np.where(along < 0, after, velocity)",
+                "after",
             ),
             "Right for balls that come in. With the absolute value you push a ball that already leaves, and it gains "
             "speed: where v.n >= 0 return v as it is.",
         ),
         Mistake(
             "only the part along n",
-            _only_along,
+            slip(
+                formulas.wall_bounce,
+                "velocity - (1 + np.asarray(restitution)[..., None])",
+                "-np.asarray(restitution)[..., None]",
+            ),
             "You return the part along n alone. The part along the wall is not touched and belongs to the answer too.",
         ),
         Mistake(
             "only e",
-            _bounce(lambda e: e),
+            slip(
+                formulas.wall_bounce,
+                "(1 + np.asarray(restitution)[..., None])",
+                "np.asarray(restitution)[..., None]",
+            ),
             "The factor is e where it must be 1 + e: your ball goes on into the wall, only slower.",
         ),
         Mistake(
             "1 - e",
-            _bounce(lambda e: 1 - e),
+            slip(formulas.wall_bounce, "(1 + np", "(1 - np"),
             "The factor is 1 - e. The 1 stops the ball at the wall, and e more sends it back: 1 + e.",
         ),
         Mistake(
             "plus",
-            _bounce(lambda e: -(1 + e)),
+            slip(formulas.wall_bounce, "velocity - (1", "velocity + (1"),
             "The sign is turned round: v.n is negative for a ball that comes in, so subtract (1 + e) (v.n) n.",
         ),
         Mistake(
             "no guard",
-            _bounce(lambda e: 1 + e, guard=False),
+            slip(formulas.wall_bounce, "np.where(along < 0, after, velocity)", "after"),
             "Right for balls that come in. One that already leaves you throw back into the wall: where v.n >= 0 "
             "return v as it is.",
         ),
         Mistake(
             "the test turned round",
-            _turned_guard,
+            slip(formulas.wall_bounce, "along < 0", "along > 0"),
             "You change the balls that leave and let those through that come in: v.n < 0 means that a ball comes in.",
         ),
         Mistake(
             "whole velocity",
-            _whole_velocity,
+            slip(
+                formulas.wall_bounce,
+                "velocity - (1 + np.asarray(restitution)[..., None]) * along * normal",
+                "-np.asarray(restitution)[..., None] * velocity",
+            ),
             "You turn the whole velocity round. Only the part along n meets the wall; the part along the wall stays.",
         ),
         Mistake(
             "friction by the way",
-            _both_parts,
+            slip(
+                formulas.wall_bounce,
+                "velocity - (1 + np.asarray(restitution)[..., None]) * along * normal",
+                "np.asarray(restitution)[..., None] * (velocity - 2 * along * normal)",
+            ),
             "You multiply the whole reflected velocity by e. e acts on the part along n; sliding is not slowed.",
         ),
         Mistake(
             "one batch axis short",
-            _axis_short,
+            slip(
+                formulas.wall_bounce,
+                "axis=-1)[..., None]",
+                "axis=-1)",
+                "np.asarray(restitution)[..., None]",
+                "restitution",
+            ),
             "Right for one ball, not for a batch: v.n has shape (...) and n has (..., 3). Give the numbers one more "
             "axis, (v.n)[..., None], restitution too if it is an array.",
         ),

@@ -7,76 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
-    diagonal,
     drawn_inverse_inertia,
     drawn_number,
     drawn_vector,
-    scaled,
-    times,
-    undone,
     unit_vector,
 )
-
-
-def _applied(
-    *,
-    torque: Any = None,
-    turn: Any = times,
-    mass: Any = None,
-    sign: float = 1.0,
-    order: int = 1,
-) -> Any:
-    """The velocities after the impulse with one of the parts changed."""
-    mass = mass or (lambda inverse: np.asarray(inverse))
-    torque = torque or (
-        lambda arm, normal, impulse: np.cross(arm, scaled(impulse, normal))
-    )
-
-    def function(
-        velocity: Any, angular_velocity: Any, inverse_mass: Any, inverse_inertia: Any,
-        arm: Any, normal: Any, impulse: Any,
-    ) -> Any:  # fmt: skip
-        moved = velocity + sign * scaled(
-            np.asarray(impulse) * mass(inverse_mass), normal
-        )
-        turned = angular_velocity + sign * turn(
-            inverse_inertia, torque(arm, normal, impulse)
-        )
-        return (moved, turned)[::order]
-
-    return function
-
-
-def _matmul_apply(
-    velocity: Any,
-    angular_velocity: Any,
-    inverse_mass: Any,
-    inverse_inertia: Any,
-    arm: Any,
-    normal: Any,
-    impulse: Any,
-) -> Any:
-    push = scaled(impulse, normal)
-    return velocity + scaled(
-        inverse_mass, push
-    ), angular_velocity + inverse_inertia @ np.cross(arm, push)
-
-
-def _short_axis(
-    velocity: Any,
-    angular_velocity: Any,
-    inverse_mass: Any,
-    inverse_inertia: Any,
-    arm: Any,
-    normal: Any,
-    impulse: Any,
-) -> Any:
-    push = impulse * np.asarray(normal)
-    return velocity + inverse_mass * push, angular_velocity + times(
-        inverse_inertia, np.cross(arm, push)
-    )
+from course.exercises.slips import slip
 
 
 def _pushes(rng: np.random.Generator) -> Sequence[Case]:
@@ -148,135 +87,138 @@ APPLY_IMPULSE = Exercise(
         Value("velocity", "(..., 3)", "m/s"),
         Value("angular_velocity", "(..., 3)", "rad/s"),
     ),
-    reference=_applied(),
+    reference=formulas.apply_impulse,
     cases=_pushes,
     mistakes=(
         Mistake(
             "n x r",
-            _applied(
-                torque=lambda arm, normal, impulse: np.cross(
-                    scaled(impulse, normal), arm
-                )
-            ),
+            slip(formulas.apply_impulse, "arm, push", "push, arm"),
             "The spin has the wrong sign: you took n x r. The torque of a push is r x n, arm first.",
         ),
         Mistake(
             "inverse inertia forgotten",
-            _applied(turn=lambda matrix, lever: lever),
+            slip(
+                formulas.apply_impulse,
+                "(inverse_inertia @ np.cross(arm, push)[..., None])[..., 0]",
+                "np.cross(arm, push)",
+            ),
             "You add r x n p_hat to omega. That is the change of angular momentum L; omega changes by I^-1 times it.",
         ),
         Mistake(
             "inverse undone",
-            _applied(turn=undone),
+            slip(
+                formulas.apply_impulse,
+                "(inverse_inertia @ np.cross(arm, push)[..., None])[..., 0]",
+                "np.linalg.solve(inverse_inertia, np.cross(arm, push)[..., None])[..., 0]",
+            ),
             "You divide by the matrix that is already inverted. The argument is I^-1: multiply by it.",
         ),
         Mistake(
             "only the diagonal",
-            _applied(turn=diagonal),
+            slip(
+                formulas.apply_impulse,
+                "(inverse_inertia @ np.cross(arm, push)[..., None])[..., 0]",
+                "np.diagonal(inverse_inertia, axis1=-2, axis2=-1) * np.cross(arm, push)",
+            ),
             "You use only the diagonal of the inverse inertia. A body that has turned has in general a "
             "full matrix in world axes: a push can spin it about an axis it was not pushed about.",
         ),
         Mistake(
             "arm not crossed",
-            _applied(
-                torque=lambda arm, normal, impulse: (
-                    scaled(impulse, normal) + 0 * np.asarray(arm)
-                )
-            ),
+            slip(formulas.apply_impulse, "np.cross(arm, push)", "push"),
             "You multiply I^-1 by the push itself. What turns a body is the torque, r x the push.",
         ),
         Mistake(
             "entry by entry",
-            _applied(
-                torque=lambda arm, normal, impulse: (
-                    np.asarray(arm) * scaled(impulse, normal)
-                )
-            ),
+            slip(formulas.apply_impulse, "np.cross(arm, push)", "(arm * push)"),
             "Your torque is r times n, entry by entry. The cross product is np.cross.",
         ),
         Mistake(
             "impulse missing in the torque",
-            _applied(torque=lambda arm, normal, impulse: np.cross(arm, normal)),
+            slip(formulas.apply_impulse, "arm, push", "arm, normal"),
             "Your spin does not know how strong the push was: r x n is the torque of 1 N s. Take the impulse into it.",
         ),
         Mistake(
             "the arm for the torque",
-            _applied(torque=lambda arm, normal, impulse: scaled(impulse, arm)),
+            slip(
+                formulas.apply_impulse,
+                "np.cross(arm, push)",
+                "(np.asarray(impulse)[..., None] * arm)",
+            ),
             "You multiply I^-1 by the arm. What turns a body is the torque r x p_hat n: how far the push is out of the "
             "centre, not how far the point is.",
         ),
         Mistake(
             "the bare arm",
-            _applied(torque=lambda arm, normal, impulse: np.asarray(arm)),
+            slip(formulas.apply_impulse, "np.cross(arm, push)", "arm"),
             "You multiply I^-1 by the bare arm, which knows neither the direction of the push nor its strength. What "
             "turns a body is the torque, the cross product of the arm and the push.",
         ),
         Mistake(
             "inverse mass forgotten",
-            _applied(mass=lambda inverse: np.ones(np.shape(inverse))),
+            slip(
+                formulas.apply_impulse,
+                "np.asarray(inverse_mass)[..., None] * push",
+                "push",
+            ),
             "You add p_hat n to the velocity. That is the change of momentum; the velocity changes by it times 1/m.",
         ),
         Mistake(
             "divided by the inverse mass",
-            _applied(mass=lambda inverse: 1 / np.asarray(inverse)),
+            slip(
+                formulas.apply_impulse,
+                "np.asarray(inverse_mass)[..., None] * push",
+                "push / np.asarray(inverse_mass)[..., None]",
+            ),
             "You divide by the inverse mass, and so multiply by the mass. The argument is 1/m already.",
         ),
         Mistake(
             "sign",
-            _applied(sign=-1.0),
+            slip(
+                formulas.apply_impulse,
+                "velocity + moved, angular_velocity + turned",
+                "velocity - moved, angular_velocity - turned",
+            ),
             "Both changes have the wrong sign: the impulse acts along +n. The minus of body 2 comes with its p_hat.",
         ),
         Mistake(
             "the pair turned round",
-            _applied(order=-1),
+            slip(
+                formulas.apply_impulse,
+                "velocity + moved, angular_velocity + turned",
+                "angular_velocity + turned, velocity + moved",
+            ),
             "Both are right, but in the wrong order: return the velocity first, then the angular velocity.",
         ),
         Mistake(
             "velocity of the point",
-            lambda velocity, angular_velocity, inverse_mass, inverse_inertia, arm, normal, impulse: (
-                _applied()(
-                    velocity,
-                    angular_velocity,
-                    inverse_mass,
-                    inverse_inertia,
-                    arm,
-                    normal,
-                    impulse,
-                )[0]
-                + np.cross(
-                    _applied()(
-                        velocity,
-                        angular_velocity,
-                        inverse_mass,
-                        inverse_inertia,
-                        arm,
-                        normal,
-                        impulse,
-                    )[1],
-                    arm,
-                ),
-                _applied()(
-                    velocity,
-                    angular_velocity,
-                    inverse_mass,
-                    inverse_inertia,
-                    arm,
-                    normal,
-                    impulse,
-                )[1],
+            slip(
+                formulas.apply_impulse,
+                "velocity + moved,",
+                "velocity + moved + np.cross(angular_velocity + turned, arm),",
             ),
             "The spin is right, but your velocity is that of the contact point. Asked is that of the centre of mass: "
             "v + p_hat n / m, wherever the push acts.",
         ),
         Mistake(
             "one batch axis short",
-            _short_axis,
+            slip(
+                formulas.apply_impulse,
+                "np.asarray(impulse)[..., None]",
+                "impulse",
+                "np.asarray(inverse_mass)[..., None]",
+                "inverse_mass",
+            ),
             "Right for one body, not for a batch: impulse and inverse_mass have shape (...), normal has (..., 3). Give "
             "them one more axis, np.asarray(impulse)[..., None] * normal.",
         ),
         Mistake(
             "matrix times vector in a batch",
-            _matmul_apply,
+            slip(
+                formulas.apply_impulse,
+                "(inverse_inertia @ np.cross(arm, push)[..., None])[..., 0]",
+                "inverse_inertia @ np.cross(arm, push)",
+            ),
             "Right for one body. In a batch `matrix @ vector` takes the vectors for a matrix: write "
             "(matrix @ vector[..., None])[..., 0].",
         ),

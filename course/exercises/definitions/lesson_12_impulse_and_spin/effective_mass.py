@@ -7,19 +7,18 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
     NORMAL,
-    diagonal,
     drawn_inverse_inertia,
     drawn_number,
     drawn_vector,
-    scaled,
     times,
-    undone,
     unit_vector,
 )
 from course.exercises.definitions.vectors import dot
+from course.exercises.slips import slip
 
 
 def _apart(
@@ -33,48 +32,6 @@ def _apart(
         if np.all(good(case)):
             return case
     raise RuntimeError("no case found")
-
-
-def _effective_mass(
-    *,
-    levers: Any = np.cross,
-    turn: Any = times,
-    first: float = 1.0,
-    second: float = 1.0,
-    masses: Any = None,
-    whole: Any = None,
-) -> Any:
-    """The effective mass with one of its parts changed."""
-    masses = masses or (lambda one, two: np.asarray(one) + two)
-    whole = whole or (lambda inverse: 1 / inverse)
-
-    def function(
-        inverse_mass_1: Any, inverse_mass_2: Any, inverse_inertia_1: Any, inverse_inertia_2: Any,
-        arm_1: Any, arm_2: Any, normal: Any,
-    ) -> Any:  # fmt: skip
-        inverse = masses(inverse_mass_1, inverse_mass_2)
-        for share, inertia, arm in (
-            (first, inverse_inertia_1, arm_1),
-            (second, inverse_inertia_2, arm_2),
-        ):
-            lever = levers(arm, normal)
-            inverse = inverse + share * dot(lever, turn(inertia, lever))
-        return whole(inverse)
-
-    return function
-
-
-def _by_length(matrix: Any, vector: Any) -> Any:
-    """|I^-1 a| along a: what remains where the second lever is forgotten, per length of the first."""
-    turned = times(matrix, vector)
-    length = np.linalg.norm(vector, axis=-1)
-    share = np.divide(
-        np.linalg.norm(turned, axis=-1),
-        length**2,
-        out=np.zeros(np.shape(length)),
-        where=length > 0,
-    )
-    return scaled(share, vector)
 
 
 def _bodies(rng: np.random.Generator, shape: tuple[int, ...] = ()) -> dict[str, Any]:
@@ -148,17 +105,6 @@ def _masses(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-def _matmul_mass(
-    inverse_mass_1: Any, inverse_mass_2: Any, inverse_inertia_1: Any, inverse_inertia_2: Any,
-    arm_1: Any, arm_2: Any, normal: Any,
-) -> Any:  # fmt: skip
-    lever_1, lever_2 = np.cross(arm_1, normal), np.cross(arm_2, normal)
-    turned = dot(lever_1, inverse_inertia_1 @ lever_1) + dot(
-        lever_2, inverse_inertia_2 @ lever_2
-    )
-    return 1 / (np.asarray(inverse_mass_1) + inverse_mass_2 + turned)
-
-
 EFFECTIVE_MASS = Exercise(
     name="effective_mass",
     rows=(17, 22),
@@ -182,7 +128,7 @@ EFFECTIVE_MASS = Exercise(
         NORMAL,
     ),
     results=(Value("effective_mass", "(...)", "kg"),),
-    reference=_effective_mass(),
+    reference=formulas.effective_mass,
     cases=_masses,
     properties=(
         Property(
@@ -199,89 +145,123 @@ EFFECTIVE_MASS = Exercise(
     mistakes=(
         Mistake(
             "one over forgotten",
-            _effective_mass(whole=lambda inverse: inverse),
+            slip(formulas.effective_mass, "1 / inverse", "inverse"),
             "This is 1/mu, in 1/kg. Return one over it.",
         ),
         Mistake(
             "spin left out",
-            _effective_mass(first=0.0, second=0.0),
+            slip(
+                formulas.effective_mass,
+                "inverse + np.sum(lever * turned, axis=-1)",
+                "inverse",
+            ),
             "This is 1/(1/m1 + 1/m2), the mass felt by an impulse through both centres. Add what turning contributes "
             "to 1/mu for each body.",
         ),
         Mistake(
             "only body 1 turns",
-            _effective_mass(second=0.0),
+            slip(formulas.effective_mass, ", (inverse_inertia_2, arm_2)", ","),
             "Only body 1 turns in your formula. Body 2 gives way by turning as well, unless it is fixed.",
         ),
         Mistake(
             "only body 2 turns",
-            _effective_mass(first=0.0),
+            slip(
+                formulas.effective_mass,
+                "(inverse_inertia_1, arm_1), (inverse_inertia_2, arm_2)",
+                "(inverse_inertia_2, arm_2),",
+            ),
             "Only body 2 turns in your formula. Body 1 gives way by turning as well.",
         ),
         Mistake(
             "body 2's sign",
-            _effective_mass(second=-1.0),
+            slip(formulas.effective_mass, "(inverse_inertia_2", "(-inverse_inertia_2"),
             "Body 2's term is subtracted. Body 2 gets the opposite impulse, and its motion is subtracted from that of "
             "body 1: two minus signs, so its term adds to 1/mu.",
         ),
         Mistake(
             "both signs",
-            _effective_mass(first=-1.0, second=-1.0),
+            slip(formulas.effective_mass, "inverse + np.sum", "inverse - np.sum"),
             "The turning terms are subtracted: a cross product stands in the wrong order. (I^-1 (r x n)) x r is the "
             "velocity the turning gives the point; r x (I^-1 (r x n)) is the opposite.",
         ),
         Mistake(
             "r where r x n belongs",
-            _effective_mass(levers=lambda arm, normal: arm),
+            slip(formulas.effective_mass, "np.cross(arm, normal)", "arm"),
             "You put the arm itself on both sides of I^-1. What turns a body is the lever r x n: an arm along n does "
             "nothing.",
         ),
         Mistake(
             "entry by entry",
-            _effective_mass(levers=lambda arm, normal: np.asarray(arm) * normal),
+            slip(formulas.effective_mass, "np.cross(arm, normal)", "arm * normal"),
             "Your lever is r times n, entry by entry. The cross product is np.cross(r, n).",
         ),
         Mistake(
             "only the diagonal",
-            _effective_mass(turn=diagonal),
+            slip(
+                formulas.effective_mass,
+                "(inverse_inertia @ lever[..., None])[..., 0]",
+                "np.diagonal(inverse_inertia, axis1=-2, axis2=-1) * lever",
+            ),
             "You use only the diagonal of the inverse inertia. It is diagonal in the body's own axes, but a body that "
             "has turned has in general a full matrix in world axes.",
         ),
         Mistake(
             "inverse undone",
-            _effective_mass(turn=undone),
+            slip(
+                formulas.effective_mass,
+                "(inverse_inertia @ lever[..., None])[..., 0]",
+                "np.linalg.solve(inverse_inertia, lever[..., None])[..., 0]",
+            ),
             "You divide by the matrix that is already inverted, and so multiply by the inertia. The argument is I^-1: "
             "multiply by it.",
         ),
         Mistake(
             "second lever forgotten",
-            _effective_mass(turn=_by_length),
+            slip(
+                formulas.effective_mass,
+                "np.sum(lever * turned, axis=-1)",
+                "np.linalg.norm(turned, axis=-1)",
+            ),
             "You add the length of I^-1 (r x n), which is a spin per impulse. The point moves by that spin times its "
             "lever: dot it with r x n once more.",
         ),
         Mistake(
             "masses not inverse",
-            _effective_mass(
-                masses=lambda one, two: 1 / np.asarray(one) + 1 / np.asarray(two)
+            slip(
+                formulas.effective_mass,
+                "inverse_mass_1 + inverse_mass_2",
+                "1 / np.asarray(inverse_mass_1) + 1 / np.asarray(inverse_mass_2)",
             ),
             "You invert the masses again. The arguments are inverse masses already, so that a fixed body is a plain 0: "
             "add them.",
         ),
         Mistake(
             "masses not inverse, plain numbers",
-            _effective_mass(masses=lambda one, two: 1 / one + 1 / two),
+            slip(
+                formulas.effective_mass,
+                "inverse_mass_1 + inverse_mass_2",
+                "1 / inverse_mass_1 + 1 / inverse_mass_2",
+            ),
             "The masses come inverse, and a fixed body's is 0: that is why yours stops at 1/0. Add the inverse masses "
             "as they are.",
         ),
         Mistake(
             "to masses and back",
-            _effective_mass(masses=lambda one, two: 1 / (1 / one) + 1 / (1 / two)),
+            slip(
+                formulas.effective_mass,
+                "inverse_mass_1 + inverse_mass_2",
+                "1 / (1 / inverse_mass_1) + 1 / (1 / inverse_mass_2)",
+            ),
             "Right where both bodies are free. You turn the inverse masses into masses first, and a fixed body, whose "
             "inverse mass is 0, has none to compute: 1/mu needs 1/m only.",
         ),
         Mistake(
             "matrix times vector in a batch",
-            _matmul_mass,
+            slip(
+                formulas.effective_mass,
+                "(inverse_inertia @ lever[..., None])[..., 0]",
+                "inverse_inertia @ lever",
+            ),
             "Right for one pair. In a batch `matrix @ vector` takes the vectors for a matrix: write "
             "(matrix @ vector[..., None])[..., 0].",
         ),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
     NORMAL,
@@ -15,36 +16,9 @@ from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
     scaled,
     unit_vector,
 )
-from course.exercises.definitions.vectors import dot
+from course.exercises.slips import slip
 
 RESTITUTION = Value("restitution", "(...)", "", "e, from 0 to 1")
-
-
-def _point_impulse(
-    *, closing: Any = None, factor: Any = None, felt: Any = None, guard: Any = None
-) -> Any:
-    """The impulse with one of its parts changed."""
-    closing = closing or (lambda one, two, n: -dot(np.asarray(one) - two, n))
-    factor = factor or (lambda e: 1 + np.asarray(e))
-    felt = felt or (lambda mass: mass)
-    guard = guard or (lambda u, value: np.where(u < 0, value, 0.0))
-
-    def function(
-        point_velocity_1: Any,
-        point_velocity_2: Any,
-        normal: Any,
-        mass_felt: Any,
-        restitution: Any,
-    ) -> Any:
-        u = dot(np.asarray(point_velocity_1) - point_velocity_2, normal)
-        return guard(
-            u,
-            factor(restitution)
-            * closing(point_velocity_1, point_velocity_2, normal)
-            * felt(mass_felt),
-        )
-
-    return function
 
 
 def _hits(rng: np.random.Generator) -> Sequence[Case]:
@@ -117,7 +91,7 @@ IMPULSE_AT_POINT = Exercise(
         RESTITUTION,
     ),
     results=(Value("p_hat", "(...)", "N s", "impulse along n, never below 0"),),
-    reference=_point_impulse(),
+    reference=formulas.impulse_at_point,
     cases=_hits,
     properties=(
         Property(
@@ -129,100 +103,99 @@ IMPULSE_AT_POINT = Exercise(
     mistakes=(
         Mistake(
             "no guard",
-            _point_impulse(guard=lambda u, value: value),
+            slip(
+                formulas.impulse_at_point,
+                "np.where(u < 0, -(1 + restitution) * u * mass_felt, 0.0)",
+                "-(1 + restitution) * u * mass_felt",
+            ),
             "Right while they approach. Points that already part get a negative impulse from you: it pulls them back. "
             "Where u >= 0 the impulse is 0.",
         ),
         Mistake(
             "the size for all",
-            _point_impulse(guard=lambda u, value: np.abs(value)),
+            slip(
+                formulas.impulse_at_point,
+                "np.where(u < 0, -(1 + restitution) * u * mass_felt, 0.0)",
+                "np.abs(-(1 + restitution) * u * mass_felt)",
+            ),
             "Right while they approach. With the absolute value you also push points that already part: there the "
             "impulse is 0.",
         ),
         Mistake(
             "guard the wrong way round",
-            _point_impulse(guard=lambda u, value: np.where(u > 0, value, 0.0)),
+            slip(formulas.impulse_at_point, "u < 0", "u > 0"),
             "Your condition picks the points that part. They approach where u = (v1 - v2).n < 0.",
         ),
         Mistake(
             "v2 - v1",
-            _point_impulse(
-                closing=lambda one, two, n: dot(np.asarray(one) - two, n),
-                guard=lambda u, value: np.where(u > 0, value, 0.0),
+            slip(
+                formulas.impulse_at_point,
+                "point_velocity_1 - point_velocity_2",
+                "point_velocity_2 - point_velocity_1",
             ),
             "Your u is turned round, v2 - v1 where it should be v1 - v2. So u < 0 picks the points that part, and they "
             "get the impulse.",
         ),
         Mistake(
             "sign",
-            _point_impulse(closing=lambda one, two, n: dot(np.asarray(one) - two, n)),
+            slip(formulas.impulse_at_point, "-(1 + restitution)", "(1 + restitution)"),
             "The sign is turned round: u is negative while they approach, and the impulse is -(1 + e) u mu, positive.",
         ),
         Mistake(
             "only e",
-            _point_impulse(factor=lambda e: np.asarray(e)),
+            slip(formulas.impulse_at_point, "-(1 + restitution)", "-restitution"),
             "The factor is e where it must be 1 + e: the 1 stops the approach, the e sends the points back.",
         ),
         Mistake(
             "1 - e",
-            _point_impulse(factor=lambda e: 1 - np.asarray(e)),
+            slip(formulas.impulse_at_point, "1 + restitution", "1 - restitution"),
             "The factor is 1 - e. After the impact u' = -e u, so the change is -(1 + e) u: at e = 1 there is twice the "
             "impulse of e = 0, not none.",
         ),
         Mistake(
             "no e",
-            _point_impulse(factor=lambda e: 1.0 + 0 * np.asarray(e)),
+            slip(formulas.impulse_at_point, "-(1 + restitution) * u", "-u"),
             "e is missing: you stop the approach and no more.",
         ),
         Mistake(
             "1 + e u",
-            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: (
-                np.where(
-                    dot(np.asarray(point_velocity_1) - point_velocity_2, normal) < 0,
-                    (
-                        1
-                        - restitution
-                        * dot(np.asarray(point_velocity_1) - point_velocity_2, normal)
-                    )
-                    * mass_felt,
-                    0.0,
-                )
+            slip(
+                formulas.impulse_at_point,
+                "-(1 + restitution) * u",
+                "(1 - restitution * u)",
             ),
             "Brackets: 1 + e is one factor. You computed 1 and e times the closing speed, added.",
         ),
         Mistake(
             "divided by the mass",
-            _point_impulse(felt=lambda mass: 1 / np.asarray(mass)),
+            slip(formulas.impulse_at_point, "* mass_felt", "/ mass_felt"),
             "You divide by the mass felt. An impulse is a mass times a change of velocity: multiply.",
         ),
         Mistake(
             "whole speed",
-            _point_impulse(
-                closing=lambda one, two, n: np.linalg.norm(
-                    np.asarray(one) - two, axis=-1
-                )
+            slip(
+                formulas.impulse_at_point,
+                "-(1 + restitution) * u",
+                "(1 + restitution) * np.linalg.norm(point_velocity_1 - point_velocity_2, axis=-1)",
             ),
             "You take the length of the relative velocity. Without friction only its part along n matters: the dot "
             "product with n.",
         ),
         Mistake(
             "point 1 only",
-            _point_impulse(closing=lambda one, two, n: -dot(one, n)),
+            slip(
+                formulas.impulse_at_point,
+                "-(1 + restitution) * u",
+                "-(1 + restitution) * np.sum(point_velocity_1 * normal, axis=-1)",
+            ),
             "The velocity of body 2's point is missing: what counts is the relative velocity of the two points.",
         ),
         Mistake(
             "a vector",
-            lambda point_velocity_1, point_velocity_2, normal, mass_felt, restitution: (
-                scaled(
-                    _point_impulse()(
-                        point_velocity_1,
-                        point_velocity_2,
-                        normal,
-                        mass_felt,
-                        restitution,
-                    ),
-                    normal,
-                )
+            slip(
+                formulas.impulse_at_point,
+                "np.where(u < 0, -(1 + restitution) * u * mass_felt, 0.0)",
+                "np.where(u < 0, -(1 + restitution) * u * mass_felt, 0.0)[..., None] * normal",
             ),
             "You return the vector p_hat n. Return the number p_hat, one for each contact.",
         ),

@@ -7,19 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from course.dynamics import impulse
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
     drawn_vector,
-    scaled,
 )
-from course.exercises.definitions.vectors import dot
-
-
-def _slipped_cross(a: Any, b: Any) -> Any:
-    """a x b entry by entry, with the middle one's sign slipped."""
-    x, y, z = np.moveaxis(np.asarray(np.cross(a, b)), -1, 0)
-    return np.stack([x, -y, z], axis=-1)
+from course.exercises.slips import slip
 
 
 def _points(rng: np.random.Generator) -> Sequence[Case]:
@@ -71,61 +64,67 @@ POINT_VELOCITY = Exercise(
         Value("arm", "(..., 3)", "m", "r, from the centre of mass to the point"),
     ),
     results=(Value("velocity", "(..., 3)", "m/s", "of the point"),),
-    reference=impulse.point_velocity,
+    reference=formulas.point_velocity,
     cases=_points,
     mistakes=(
         Mistake(
             "r x omega",
-            lambda velocity, angular_velocity, arm: (
-                velocity + np.cross(arm, angular_velocity)
+            slip(
+                formulas.point_velocity,
+                "angular_velocity, arm",
+                "arm, angular_velocity",
             ),
             "You took r x omega. The cross product changes its sign with the order: it is omega x r. Try the wheel: "
             "rolling to +x, it turns about +y, and its top runs ahead.",
         ),
         Mistake(
             "minus",
-            lambda velocity, angular_velocity, arm: (
-                np.cross(angular_velocity, arm) - velocity
-            ),
+            slip(formulas.point_velocity, "return velocity", "return -velocity"),
             "The velocity of the centre has the wrong sign: the point moves with the centre *and* round it.",
         ),
         Mistake(
             "only turning",
-            lambda velocity, angular_velocity, arm: (
-                np.cross(angular_velocity, arm) + 0 * np.asarray(velocity)
-            ),
+            slip(formulas.point_velocity, "velocity + ", ""),
             "This is the motion round the centre only. Add the velocity of the centre.",
         ),
         Mistake(
             "only moving",
-            lambda velocity, angular_velocity, arm: (
-                velocity + 0 * np.cross(angular_velocity, arm)
-            ),
+            slip(formulas.point_velocity, " + np.cross(angular_velocity, arm)", ""),
             "This is the velocity of the centre. A point away from it also moves round it.",
         ),
         Mistake(
             "entry by entry",
-            lambda velocity, angular_velocity, arm: (
-                velocity + np.asarray(angular_velocity) * arm
+            slip(
+                formulas.point_velocity,
+                "np.cross(angular_velocity, arm)",
+                "angular_velocity * arm",
             ),
             "`*` multiplies entry by entry. The cross product is np.cross(a, b); it takes batches as they are.",
         ),
         Mistake(
             "v x r",
-            lambda velocity, angular_velocity, arm: velocity + np.cross(velocity, arm),
+            slip(
+                formulas.point_velocity,
+                "np.cross(angular_velocity, arm)",
+                "np.cross(velocity, arm)",
+            ),
             "You crossed the velocity with the arm. What turns the arm is the angular velocity.",
         ),
         Mistake(
             "dot product",
-            lambda velocity, angular_velocity, arm: (
-                velocity + scaled(dot(angular_velocity, arm), np.ones(3))
+            slip(
+                formulas.point_velocity,
+                "np.cross(angular_velocity, arm)",
+                "np.sum(angular_velocity * arm, axis=-1, keepdims=True)",
             ),
             "You took the dot product of omega and r. A point moves *across* its arm: take the cross product.",
         ),
         Mistake(
             "a sign inside the cross product",
-            lambda velocity, angular_velocity, arm: (
-                velocity + _slipped_cross(angular_velocity, arm)
+            slip(
+                formulas.point_velocity,
+                "np.cross(angular_velocity, arm)",
+                "[1, -1, 1] * np.cross(angular_velocity, arm)",
             ),
             "One entry of your cross product has the wrong sign, the middle one: it is a_z b_x - a_x b_z. "
             "np.cross does it for you.",

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from course import formulas
 from course.dynamics import impulse
 from course.exercises.definition import Prediction
-from course.exercises.definitions.lesson_12_impulse_and_spin.shared import at_once
 
 
 def _rod_centre() -> float:
@@ -32,10 +32,9 @@ def _box_in_turn() -> str:
 
 def _clamped() -> str:
     u = np.array([-1.0, 0.1])
-    push = at_once(
-        np.array([[2.0, -1.0], [-1.0, 2.0]]), np.array([2 * u[0], u[1]]), 0.0
-    )
-    change = float(push @ u + 0.5 * push @ np.array([[2.0, -1.0], [-1.0, 2.0]]) @ push)
+    a = np.array([[2.0, -1.0], [-1.0, 2.0]])
+    push = formulas.simultaneous_impulses(a, np.array([2 * u[0], u[1]]), 0.0)
+    change = float(push @ u + 0.5 * push @ a @ push)
     return "kept" if abs(change) < 1e-9 else "gained" if change > 0 else "lost"
 
 

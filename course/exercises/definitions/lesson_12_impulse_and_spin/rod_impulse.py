@@ -3,37 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import drawn_number
+from course.exercises.slips import slip
 
 # rod_impulse, the student's step of the derivation.
-
-
-def _rod_impulse(m: Any, v: Any, theta: Any, e: Any, ell: Any) -> Any:
-    return (1 + e) * m * v / (1 + 3 * _cosine(theta) ** 2)
-
-
-def _cosine(angle: Any) -> Any:
-    if hasattr(
-        angle, "free_symbols"
-    ):  # the reference is lent in the student's own symbols
-        import sympy
-
-        return sympy.cos(angle)
-    return np.cos(angle)
-
-
-def _rod(
-    *, factor: Any = lambda e: 1 + e, bracket: Any = lambda c, s: 1 + 3 * c**2
-) -> Any:
-    def function(m: Any, v: Any, theta: Any, e: Any, ell: Any) -> Any:
-        return factor(e) * m * v / bracket(np.cos(theta), np.sin(theta))
-
-    return function
 
 
 def _rods(rng: np.random.Generator) -> Sequence[Case]:
@@ -69,77 +47,79 @@ ROD_IMPULSE = Exercise(
         Value("ell", "scalar", "m", "length of the rod; it need not occur"),
     ),
     results=(Value("rod_impulse", "(...)", "N s", "impulse of the floor, upward"),),
-    reference=_rod_impulse,
+    reference=formulas.rod_impulse,
     cases=_rods,
     mistakes=(
         Mistake(
             "inertia about the end",
-            _rod(bracket=lambda c, s: 1 + 0.75 * c**2),
+            slip(formulas.rod_impulse, "/ 12", "/ 3"),
             "You took m ell^2/3, the inertia of a rod about its end. Here the arm is measured from the centre of mass, "
             "and about that point the rod has m ell^2/12.",
         ),
         Mistake(
             "arm of the whole length",
-            _rod(bracket=lambda c, s: 1 + 12 * c**2),
+            slip(formulas.rod_impulse, "ell / 2", "ell"),
             "Your arm is the whole length. It runs from the centre of mass to the end: half the length.",
         ),
         Mistake(
             "sine",
-            _rod(bracket=lambda c, s: 1 + 3 * s**2),
+            slip(formulas.rod_impulse, "sp.cos", "sp.sin"),
             "You have the sine where the cosine belongs. Only the part of the arm across n turns the rod, and n points "
             "up: look at the upright rod, which is not turned at all.",
         ),
         Mistake(
             "not squared",
-            _rod(bracket=lambda c, s: 1 + 3 * c),
+            slip(
+                formulas.rod_impulse,
+                "(ell / 2 * sp.cos(theta)) ** 2",
+                "(ell / 2) ** 2 * sp.cos(theta)",
+            ),
             "The lever counts twice: a longer one gives more spin, and each bit of spin moves the point more. So its "
             "square stands in the effective mass.",
         ),
         Mistake(
             "angle left out",
-            _rod(bracket=lambda c, s: 4 + 0 * c),
+            slip(formulas.rod_impulse, " * sp.cos(theta)", ""),
             "Right for the level rod only. At an angle the lever r x n is shorter than half the length.",
         ),
         Mistake(
             "spin left out",
-            _rod(bracket=lambda c, s: 1 + 0 * c),
+            slip(
+                formulas.rod_impulse,
+                " + (ell / 2 * sp.cos(theta)) ** 2 / (m * ell**2 / 12)",
+                "",
+            ),
             "This is the impulse on a body that cannot turn. Divide by 1/m and what turning adds to it.",
         ),
         Mistake(
             "only turning",
-            _rod(bracket=lambda c, s: 3 * c**2),
+            slip(formulas.rod_impulse, "1 / m + ", ""),
             "You divide by what turning adds, and 1/m is missing: the end gives way by moving and by turning.",
         ),
         Mistake(
             "multiplied by the inertia",
-            lambda m, v, theta, e, ell: (
-                (1 + e)
-                * v
-                / (1 / m + (0.5 * ell * np.cos(theta)) ** 2 * (m * ell**2 / 12))
-            ),
+            slip(formulas.rod_impulse, "** 2 / (m", "** 2 * (m"),
             "You multiply the lever's square by the inertia. It is the *inverse* inertia that stands there: a "
             "body that is hard to turn gives way less.",
         ),
         Mistake(
             "upside down",
-            lambda m, v, theta, e, ell: (
-                (1 + e) * v * (1 / m) * (1 + 3 * np.cos(theta) ** 2)
-            ),
+            slip(formulas.rod_impulse, "v / (1", "v * (1"),
             "You multiply by 1/mu. The impulse is -(1 + e) u mu; look at the unit, which must be kg m/s.",
         ),
         Mistake(
             "only e",
-            _rod(factor=lambda e: e),
+            slip(formulas.rod_impulse, "(1 + e)", "e"),
             "The factor is e where it must be 1 + e: the 1 stops the approach, the e sends the end back.",
         ),
         Mistake(
             "no e",
-            _rod(factor=lambda e: 1 + 0 * e),
+            slip(formulas.rod_impulse, "(1 + e) * ", ""),
             "e is missing: this impulse stops the end and no more.",
         ),
         Mistake(
             "sign",
-            _rod(factor=lambda e: -(1 + e)),
+            slip(formulas.rod_impulse, "(1 + e)", "-(1 + e)"),
             "Your impulse points down. The end falls, so u = -v is negative and -(1 + e) u mu is positive: the floor "
             "pushes up.",
         ),

@@ -63,26 +63,9 @@ def drawn_inverse_inertia(
     return np.asarray(np.round(2.8 * size * np.linalg.inv(inertia), 2))
 
 
-# The formula's parts, which mistakes change one at a time.
-
-
 def times(matrix: Any, vector: Any) -> Any:
     return np.einsum("...ij,...j->...i", matrix, vector)
 
 
-def undone(matrix: Any, vector: Any) -> Any:
-    return np.linalg.solve(matrix, np.asarray(vector)[..., None])[..., 0]
-
-
-def diagonal(matrix: Any, vector: Any) -> Any:
-    return np.diagonal(matrix, axis1=-2, axis2=-1) * vector
-
-
 def scaled(number: Any, vector: Any) -> Any:
     return np.asarray(number)[..., None] * vector
-
-
-def at_once(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-    from course.contact.solvers.nnls import solve_nnls
-
-    return solve_nnls(matrix, (1 + restitution) * np.asarray(normal_velocity)).force

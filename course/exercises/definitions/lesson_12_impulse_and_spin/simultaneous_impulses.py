@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
-    at_once,
     drawn_number,
 )
+from course.exercises.slips import slip
 
 
 def _left(given: Any, impulse: Any) -> Any:
@@ -86,21 +87,6 @@ def _many(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-def _instead(target: Any) -> Any:
-    """The right solver on another right-hand side: w = A p + target(u, e)."""
-
-    def function(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-        return at_once(matrix, target(np.asarray(normal_velocity), restitution), 0.0)
-
-    return function
-
-
-def _alone(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-    return np.maximum(
-        -(1 + restitution) * np.asarray(normal_velocity) / np.diagonal(matrix), 0.0
-    )
-
-
 def _solved(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
     return np.linalg.lstsq(
         matrix, -(1 + restitution) * np.asarray(normal_velocity), rcond=1e-9
@@ -111,27 +97,6 @@ def _in_turn(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
     from course.study.impact_laws import impulses_in_turn
 
     return impulses_in_turn(matrix, normal_velocity, restitution, passes=200)[0]
-
-
-def _stepping(step: Any) -> Any:
-    """The loop of the text with another change of p_i; it does not settle, so the number of rounds matters."""
-
-    def function(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-        impulse = np.zeros(len(normal_velocity))
-        with np.errstate(all="ignore"):
-            for _ in range(500):
-                for i in range(len(impulse)):
-                    w = matrix[i] @ impulse + (1 + restitution) * normal_velocity[i]
-                    impulse[i] = max(0.0, step(impulse[i], w, matrix[i, i]))
-        return impulse
-
-    return function
-
-
-def _one_sweep(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-    from course.study.impact_laws import impulses_at_once
-
-    return impulses_at_once(matrix, normal_velocity, restitution, sweeps=1)[0]
 
 
 SIMULTANEOUS_IMPULSES = Exercise(
@@ -152,9 +117,10 @@ SIMULTANEOUS_IMPULSES = Exercise(
         Value("restitution", "scalar", "", "e, from 0 to 1"),
     ),
     results=(Value("impulse", "(c,)", "N s", "p, none below 0"),),
-    reference=at_once,
+    reference=formulas.simultaneous_impulses,
     cases=_many,
     judged_by="properties",
+    sample=lambda matrix, normal_velocity, restitution: np.zeros(len(normal_velocity)),
     properties=(
         Property(
             "pushes",
@@ -179,25 +145,31 @@ SIMULTANEOUS_IMPULSES = Exercise(
     mistakes=(
         Mistake(
             "each as if alone",
-            _alone,
+            slip(
+                formulas.simultaneous_impulses,
+                "range(500)",
+                "range(1)",
+                "matrix[i] @ impulse + ",
+                "",
+            ),
             "Each contact gets the impulse it would get alone. But an impulse at one changes the velocity at the "
             "others: that is what the entries off the diagonal say.",
         ),
         Mistake(
             "one sweep",
-            _one_sweep,
+            slip(formulas.simultaneous_impulses, "range(500)", "range(1)"),
             "You went through the contacts once. A later impulse disturbs those before it: go round again until "
             "nothing changes any more (a few hundred times will do here).",
         ),
         Mistake(
             "not divided by a_ii",
-            _stepping(lambda p, w, a: p - w),
+            slip(formulas.simultaneous_impulses, " / matrix[i, i]", ""),
             "Your loop does not settle: it changes p_i by w_i itself. But 1 N s at contact i changes w_i by a_ii: "
             "divide by that.",
         ),
         Mistake(
             "replaced instead of added",
-            _stepping(lambda p, w, a: -w / a),
+            slip(formulas.simultaneous_impulses, "impulse[i] - surplus", "-surplus"),
             "Your loop does not settle: it puts -w_i/a_ii in the place of p_i. The w_i you compute holds the part of "
             "the old p_i already: what comes out is a change, to be added to it.",
         ),
@@ -221,17 +193,21 @@ SIMULTANEOUS_IMPULSES = Exercise(
         ),
         Mistake(
             "no e",
-            _instead(lambda u, e: u),
+            slip(formulas.simultaneous_impulses, "(1 + restitution) * ", ""),
             "e is missing: your contacts only stop approaching. w holds (1 + e) u.",
         ),
         Mistake(
             "only e",
-            _instead(lambda u, e: e * u),
+            slip(formulas.simultaneous_impulses, "(1 + restitution)", "restitution"),
             "The factor is e where it must be 1 + e: after the impact u' = u + A p, and it must reach -e u.",
         ),
         Mistake(
             "sign",
-            _instead(lambda u, e: -(1 + e) * u),
+            slip(
+                formulas.simultaneous_impulses,
+                "(1 + restitution)",
+                "-(1 + restitution)",
+            ),
             "The sign of u is turned round: u < 0 approaches, and w = A p + (1 + e) u must be lifted up to 0.",
         ),
     ),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_13_separation.shared import (
     NORMAL,
@@ -17,36 +18,7 @@ from course.exercises.definitions.lesson_13_separation.shared import (
     draw,
 )
 from course.exercises.definitions.vectors import dot, unit_vector
-
-
-def _edge_rate(
-    *,
-    project: bool = True,
-    divide: Any = None,
-    sign: bool = True,
-    part_a: float = 1.0,
-    part_b: float = 1.0,
-    swap: bool = False,
-) -> Any:
-    """The rate of the normal of two edges with one of its parts changed."""
-
-    def function(e_a: Any, e_b: Any, omega_a: Any, omega_b: Any, n: Any) -> Any:
-        if swap:
-            omega_a, omega_b = omega_b, omega_a
-        q = np.cross(e_a, e_b)
-        q_dot = part_a * np.cross(np.cross(omega_a, e_a), e_b) + part_b * np.cross(
-            e_a, np.cross(omega_b, e_b)
-        )
-        length = np.linalg.norm(q, axis=-1)[..., None]
-        rate = divide(q_dot, length) if divide else q_dot / length
-        rate = np.sign(dot(q, n))[..., None] * rate if sign else rate
-        return rate - dot(rate, n)[..., None] * n if project else rate
-
-    return function
-
-
-def _made_unit(vector: Any) -> Any:
-    return vector / np.linalg.norm(vector, axis=-1)[..., None]
+from course.exercises.slips import slip
 
 
 def _edges(rng: np.random.Generator) -> Sequence[Case]:
@@ -99,7 +71,7 @@ EDGE_NORMAL_RATE = Exercise(
         NORMAL,
     ),
     results=(Value("n_dot", "(..., 3)", "1/s", "rate of N"),),
-    reference=_edge_rate(),
+    reference=formulas.edge_normal_rate,
     cases=lambda rng: _in_order(_edges(rng)),
     properties=(
         Property(
@@ -111,73 +83,103 @@ EDGE_NORMAL_RATE = Exercise(
     mistakes=(
         Mistake(
             "not projected",
-            _edge_rate(project=False),
+            slip(
+                formulas.edge_normal_rate,
+                " - np.sum(rate * n, axis=-1)[..., None] * n",
+                "",
+            ),
             "Only the part of q_dot across N turns it; the part along N changes the length of q, which N does not "
             "have. Take it away: rate - (rate.N) N.",
         ),
         Mistake(
             "not divided",
-            _edge_rate(divide=lambda q_dot, length: q_dot),
+            slip(
+                formulas.edge_normal_rate,
+                " / np.linalg.norm(q, axis=-1)[..., None]",
+                "",
+            ),
             "q = e_A x e_B is shorter than 1 where the edges are not square to each other, and a short arrow turns "
             "further by the same change: divide by |q|.",
         ),
         Mistake(
             "divided twice",
-            _edge_rate(divide=lambda q_dot, length: q_dot / length**2),
+            slip(
+                formulas.edge_normal_rate,
+                "norm(q, axis=-1)[..., None]",
+                "norm(q, axis=-1)[..., None] ** 2",
+            ),
             "You divide by |q|^2. N is q/|q|, so its rate holds |q| once.",
         ),
         Mistake(
             "divided by its own length",
-            _edge_rate(divide=lambda q_dot, length: _made_unit(q_dot)),
+            slip(formulas.edge_normal_rate, "norm(q,", "norm(q_dot,"),
             "You divide by |q_dot| where it is |q|. N_dot is a rate: its length says how fast N turns, and is not 1.",
         ),
         Mistake(
             "a unit vector",
-            _edge_rate(
-                divide=lambda q_dot, length: _made_unit(q_dot),
-                sign=False,
-                project=False,
+            slip(
+                formulas.edge_normal_rate,
+                "side * ",
+                "",
+                "norm(q,",
+                "norm(q_dot,",
+                " - np.sum(rate * n, axis=-1)[..., None] * n",
+                "",
             ),
             "You made q_dot a unit vector. It is N that has length 1; N_dot is a rate, and its length says how fast N "
             "turns. Divide by |q|, and see to the sign and to the part along N.",
         ),
         Mistake(
             "sign left out",
-            _edge_rate(sign=False),
+            slip(formulas.edge_normal_rate, "side * ", ""),
             "Right where N lies along e_A x e_B. Where it lies against it, N_dot is turned round as well: the sign of "
             "q.N.",
         ),
         Mistake(
             "only the edge of A",
-            _edge_rate(part_b=0.0),
+            slip(formulas.edge_normal_rate, " + np.cross(e_a, e_b_dot)", ""),
             "The edge of B turns too: q_dot has two terms, one for each edge.",
         ),
         Mistake(
             "only the edge of B",
-            _edge_rate(part_a=0.0),
+            slip(formulas.edge_normal_rate, "np.cross(e_a_dot, e_b) + ", ""),
             "The edge of A turns too: q_dot has two terms, one for each edge.",
         ),
         Mistake(
             "spins swapped",
-            _edge_rate(swap=True),
+            slip(
+                formulas.edge_normal_rate,
+                "np.cross(omega_a, e_a), np.cross(omega_b, e_b)",
+                "np.cross(omega_b, e_a), np.cross(omega_a, e_b)",
+            ),
             "Each edge turns with the omega of the other body.",
         ),
         Mistake(
             "mean spin",
-            lambda e_a, e_b, omega_a, omega_b, n: np.cross(
-                0.5 * (np.asarray(omega_a) + omega_b), n
+            slip(
+                formulas.edge_normal_rate,
+                "rate - np.sum(rate * n, axis=-1)[..., None] * n",
+                "np.cross(0.5 * (omega_a + omega_b), n)",
             ),
             "You turn N with the mean of the two spins. Each edge turns with its own body, and what that does to N "
             "depends on how the edges lie: take the rate of their cross product.",
         ),
         Mistake(
             "a face of B",
-            lambda e_a, e_b, omega_a, omega_b, n: np.cross(omega_b, n),
+            slip(
+                formulas.edge_normal_rate,
+                "rate - np.sum(rate * n, axis=-1)[..., None] * n",
+                "np.cross(omega_b, n)",
+            ),
             "omega_B x N is the rule for a face of B. Two edges carry the normal together.",
         ),
         Mistake(
             "sign of the second term",
-            _edge_rate(part_b=-1.0),
+            slip(
+                formulas.edge_normal_rate,
+                "+ np.cross(e_a, e_b_dot)",
+                "- np.cross(e_a, e_b_dot)",
+            ),
             "The second term of q_dot has the wrong sign: the product rule adds.",
         ),
     ),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_13_separation.shared import (
     NORMAL,
@@ -16,10 +17,7 @@ from course.exercises.definitions.lesson_13_separation.shared import (
     draw,
 )
 from course.exercises.definitions.vectors import dot, unit_vector
-
-
-def _rate_of_normal(n: Any, omega_a: Any, omega_b: Any, face: str) -> Any:
-    return np.cross(omega_b if face == "face_b" else omega_a, n)
+from course.exercises.slips import slip
 
 
 def _faces(rng: np.random.Generator) -> Sequence[Case]:
@@ -65,7 +63,7 @@ NORMAL_RATE = Exercise(
         Value("face", "word", "", '"face_b" or "face_a"', dtype="str"),
     ),
     results=(Value("n_dot", "(..., 3)", "1/s", "rate of N"),),
-    reference=_rate_of_normal,
+    reference=formulas.normal_rate,
     cases=_faces,
     properties=(
         Property(
@@ -77,68 +75,76 @@ NORMAL_RATE = Exercise(
     mistakes=(
         Mistake(
             "order",
-            lambda n, omega_a, omega_b, face: (
-                -_rate_of_normal(n, omega_a, omega_b, face)
-            ),
+            slip(formulas.normal_rate, "omega_of_face, n", "n, omega_of_face"),
             "The sign is turned round: a cross product changes its sign with the order. What turns with omega changes "
             "by omega x (itself). (A's own outward normal is -N, but it turns by the same rule.)",
         ),
         Mistake(
             "the other body",
-            lambda n, omega_a, omega_b, face: np.cross(
-                omega_a if face == "face_b" else omega_b, n
-            ),
+            slip(formulas.normal_rate, "==", "!="),
             "You took the omega of the other body. N is fixed to the body whose face it belongs to, and turns with it.",
         ),
         Mistake(
             "always B",
-            lambda n, omega_a, omega_b, face: np.cross(omega_b, n),
+            slip(
+                formulas.normal_rate,
+                'omega_b if face == "face_b" else omega_a',
+                "omega_b",
+            ),
             'Right for a face of B. When the face is A\'s (face == "face_a") the normal turns with A.',
         ),
         Mistake(
             "always A",
-            lambda n, omega_a, omega_b, face: np.cross(omega_a, n),
+            slip(
+                formulas.normal_rate,
+                'omega_b if face == "face_b" else omega_a',
+                "omega_a",
+            ),
             'Right for a face of A. When the face is B\'s (face == "face_b") the normal turns with B.',
         ),
         Mistake(
             "sign for A",
-            lambda n, omega_a, omega_b, face: np.cross(
-                omega_b if face == "face_b" else -omega_a, n
-            ),
+            slip(formulas.normal_rate, "else omega_a", "else -omega_a"),
             "Right for a face of B. For a face of A you turned the sign round: A's outward normal is -N, its rate is "
             "-N_dot, and the two signs cancel.",
         ),
         Mistake(
             "relative spin",
-            lambda n, omega_a, omega_b, face: np.cross(
-                np.asarray(omega_a) - omega_b, n
+            slip(
+                formulas.normal_rate,
+                'omega_b if face == "face_b" else omega_a',
+                "omega_a - omega_b",
             ),
             "You took the spin of A against B. The face knows nothing of the other body: one omega is enough.",
         ),
         Mistake(
             "relative spin, turned round",
-            lambda n, omega_a, omega_b, face: np.cross(
-                np.asarray(omega_b) - omega_a, n
+            slip(
+                formulas.normal_rate,
+                'omega_b if face == "face_b" else omega_a',
+                "omega_b - omega_a",
             ),
             "You took the spin of B against A. The face knows nothing of the other body: one omega is enough.",
         ),
         Mistake(
             "relative spin, own minus other",
-            lambda n, omega_a, omega_b, face: np.cross(
-                (np.asarray(omega_b) - omega_a) * (1.0 if face == "face_b" else -1.0), n
+            slip(
+                formulas.normal_rate,
+                'omega_b if face == "face_b" else omega_a',
+                'omega_b - omega_a if face == "face_b" else omega_a - omega_b',
             ),
             "You took the spin of the face's body as seen from the other one. The face knows nothing of the other "
             "body: its own omega is enough.",
         ),
         Mistake(
             "none",
-            lambda n, omega_a, omega_b, face: 0.0 * np.cross(omega_b, n),
+            slip(formulas.normal_rate, "return np", "return 0 * np"),
             "You leave the normal as it is. It is fixed to a face, and the face turns.",
         ),
         Mistake(
             "no cross",
-            lambda n, omega_a, omega_b, face: (
-                np.asarray(omega_b if face == "face_b" else omega_a) * n
+            slip(
+                formulas.normal_rate, "np.cross(omega_of_face, n)", "omega_of_face * n"
             ),
             "You multiply component by component. A turning arrow changes by a cross product: np.cross.",
         ),

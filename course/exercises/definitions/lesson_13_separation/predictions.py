@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from course import contact
+from course import contact, formulas
 from course.dynamics import point_velocity
 from course.exercises.definition import Prediction
-from course.exercises.definitions.lesson_13_separation.shared import UP, ZERO, gap_rate
+from course.exercises.definitions.lesson_13_separation.shared import UP, ZERO
 
 
 def _closing() -> float:
@@ -24,7 +24,9 @@ def _left_corner() -> float:
         np.array([3.0, 0.0, 0.0]),
     )
     p = np.array([0.0, -0.5, 0.7])
-    return float(gap_rate(p, p * (1, 1, 0), body, (ZERO, ZERO, ZERO), UP, ZERO))
+    floor = (ZERO, ZERO, ZERO)
+    below = p * (1, 1, 0)
+    return float(formulas.separation_rate(p, below, body, floor, UP, ZERO))
 
 
 def _top_speed() -> float:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from course import contact
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_13_separation.shared import (
     NORMAL,
@@ -16,7 +16,8 @@ from course.exercises.definitions.lesson_13_separation.shared import (
     UP,
     draw,
 )
-from course.exercises.definitions.vectors import dot, unit_vector
+from course.exercises.definitions.vectors import unit_vector
+from course.exercises.slips import slip
 
 
 def _gaps(rng: np.random.Generator) -> Sequence[Case]:
@@ -65,49 +66,65 @@ SEPARATION = Exercise(
     results=(
         Value("d", "(...)", "m", "above 0 apart, 0 touching, below 0 penetrating"),
     ),
-    reference=contact.separation,
+    reference=formulas.separation,
     cases=_gaps,
     mistakes=(
         Mistake(
             "turned round",
-            lambda p_a, p_b, n: -dot(p_a - p_b, n),
+            slip(formulas.separation, "np.sum", "-np.sum"),
             "The sign is turned round. N points out of B toward A, so p_A - p_B lies along +N while they are apart.",
         ),
         Mistake(
             "distance",
-            lambda p_a, p_b, n: np.linalg.norm(p_a - p_b, axis=-1),
+            slip(
+                formulas.separation,
+                "np.sum((p_a - p_b) * n, axis=-1)",
+                "np.linalg.norm(p_a - p_b, axis=-1)",
+            ),
             "You return the distance of the two points. What lies across N does not count, and a distance can never "
             "say that the bodies penetrate: project on N.",
         ),
         Mistake(
             "size",
-            lambda p_a, p_b, n: np.abs(dot(p_a - p_b, n)),
+            slip(
+                formulas.separation,
+                "np.sum((p_a - p_b) * n, axis=-1)",
+                "np.abs(np.sum((p_a - p_b) * n, axis=-1))",
+            ),
             "The size is right and the sign is lost, and with it the difference between a gap and a penetration.",
         ),
         Mistake(
             "no sum",
-            lambda p_a, p_b, n: (p_a - p_b) * n,
+            slip(
+                formulas.separation,
+                "np.sum((p_a - p_b) * n, axis=-1)",
+                "(p_a - p_b) * n",
+            ),
             "You multiply component by component and stop there. A dot product adds the three products up: "
             "np.sum(..., axis=-1).",
         ),
         Mistake(
             "sum over everything",
-            lambda p_a, p_b, n: np.sum((p_a - p_b) * n),
+            slip(formulas.separation, ", axis=-1", ""),
             "Right for one pair. For a batch you add all pairs up into one number: sum over the last axis only.",
         ),
         Mistake(
             "a vector",
-            lambda p_a, p_b, n: dot(p_a - p_b, n)[..., None] * n,
+            slip(
+                formulas.separation,
+                "np.sum((p_a - p_b) * n, axis=-1)",
+                "np.sum((p_a - p_b) * n, axis=-1)[..., None] * n",
+            ),
             "You return the vector d N. Asked is the number d, one for each pair.",
         ),
         Mistake(
             "only A",
-            lambda p_a, p_b, n: dot(p_a, n) + 0 * dot(p_b, n),
+            slip(formulas.separation, "(p_a - p_b)", "p_a"),
             "p_B is missing: this is how far p_A is from the origin along N, not from B.",
         ),
         Mistake(
             "projected on B",
-            lambda p_a, p_b, n: dot(p_a - p_b, p_b),
+            slip(formulas.separation, "* n", "* p_b"),
             "You project on p_B, which is a place. The direction to project on is N.",
         ),
     ),

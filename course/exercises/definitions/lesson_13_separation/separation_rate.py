@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_13_separation.shared import (
     NORMAL,
@@ -15,39 +16,9 @@ from course.exercises.definitions.lesson_13_separation.shared import (
     UP,
     ZERO,
     draw,
-    gap_rate,
     short_unit_vector,
-    velocity,
 )
-from course.exercises.definitions.vectors import dot
-
-
-def _rate_with(
-    *,
-    arm_a: Any = None,
-    arm_b: Any = None,
-    sign_b: float = -1.0,
-    turning: float = 1.0,
-    swap: bool = False,
-    carried: float = 1.0,
-) -> Any:
-    """The rate with one of its parts changed."""
-
-    def function(
-        p_a: Any, p_b: Any, body_a: Any, body_b: Any, n: Any, n_dot: Any
-    ) -> Any:
-        given = (p_a, p_b, body_a[0], body_b[0])
-        r_a = arm_a(*given) if arm_a else p_a - body_a[0]
-        r_b = arm_b(*given) if arm_b else p_b - body_b[0]
-        omega_a, omega_b = (body_b[2], body_a[2]) if swap else (body_a[2], body_b[2])
-        relative = (
-            body_a[1]
-            + turning * np.cross(omega_a, r_a)
-            + sign_b * (body_b[1] + turning * np.cross(omega_b, r_b))
-        )
-        return dot(relative, n) + carried * dot(p_a - p_b, n_dot)
-
-    return function
+from course.exercises.slips import slip
 
 
 def _pairs(rng: np.random.Generator) -> Sequence[Case]:
@@ -115,90 +86,103 @@ SEPARATION_RATE = Exercise(
         Value("n_dot", "(..., 3)", "1/s", "rate of N"),
     ),
     results=(Value("d_dot", "(...)", "m/s", "rate of the separation"),),
-    reference=gap_rate,
+    reference=formulas.separation_rate,
     cases=_pairs,
     mistakes=(
         Mistake(
             "no turning",
-            _rate_with(turning=0.0),
+            slip(formulas.separation_rate, "p_a_dot - p_b_dot", "v_a - v_b"),
             "You use the velocities of the centres. The points that meet are elsewhere on the bodies, and move by "
             "omega x r besides.",
         ),
         Mistake(
             "cross product turned round",
-            _rate_with(turning=-1.0),
+            slip(
+                formulas.separation_rate,
+                "v_a + np",
+                "v_a - np",
+                "v_b + np",
+                "v_b - np",
+            ),
             "omega x r has the wrong sign: either the order is r x omega, or the arm runs from the point to the "
             "centre. It is omega x r with r = p - x, from the centre to the point.",
         ),
         Mistake(
             "one arm for both bodies",
-            _rate_with(arm_b=lambda p_a, p_b, x_a, x_b: p_a - x_a),
+            slip(formulas.separation_rate, "p_b - x_b", "p_a - x_a"),
             "Both bodies turn with the arm of A. Each has its own arm, from its own centre to its own point: "
             "r_B = p_B - x_B.",
         ),
         Mistake(
             "arm from the origin",
-            _rate_with(
-                arm_a=lambda p_a, p_b, x_a, x_b: p_a,
-                arm_b=lambda p_a, p_b, x_a, x_b: p_b,
-            ),
+            slip(formulas.separation_rate, "p_a - x_a", "p_a", "p_b - x_b", "p_b"),
             "Your arm is the place of the point, measured from the origin of the axes. A body turns about its own "
             "centre: r = p - x.",
         ),
         Mistake(
             "arms from the other centre",
-            _rate_with(
-                arm_a=lambda p_a, p_b, x_a, x_b: p_a - x_b,
-                arm_b=lambda p_a, p_b, x_a, x_b: p_b - x_a,
+            slip(
+                formulas.separation_rate,
+                "p_a - x_a",
+                "p_a - x_b",
+                "p_b - x_b",
+                "p_b - x_a",
             ),
             "The arms start at the centre of the other body: r_A = p_A - x_A, r_B = p_B - x_B.",
         ),
         Mistake(
             "p_A on both bodies",
-            _rate_with(arm_b=lambda p_a, p_b, x_a, x_b: p_a - x_b),
+            slip(formulas.separation_rate, "p_b - x_b", "p_a - x_b"),
             "B's arm ends at p_A. That is the same while they touch; while they are apart, B's point is p_B.",
         ),
         Mistake(
             "spins swapped",
-            _rate_with(swap=True),
+            slip(
+                formulas.separation_rate,
+                "omega_a, p_a",
+                "omega_b, p_a",
+                "omega_b, p_b",
+                "omega_a, p_b",
+            ),
             "Each arm turns with the omega of the other body. Go through which tuple is whose.",
         ),
         Mistake(
             "sign of body B",
-            _rate_with(sign_b=1.0),
+            slip(formulas.separation_rate, "p_a_dot - p_b_dot", "p_a_dot + p_b_dot"),
             "The velocities of the two points are added. What counts is how p_A moves as seen from p_B: subtract.",
         ),
         Mistake(
             "only A",
-            _rate_with(sign_b=0.0),
+            slip(formulas.separation_rate, " - p_b_dot", ""),
             "Body B is missing. It may move and turn as well, and then its point moves.",
         ),
         Mistake(
             "N_dot lost",
-            _rate_with(carried=0.0),
+            slip(formulas.separation_rate, " + (p_a - p_b) * n_dot", ""),
             "The second term, N_dot.(p_A - p_B), is missing. It is zero where the points touch or lie opposite each "
             "other along N, and these need not.",
         ),
         Mistake(
             "sign of N_dot",
-            _rate_with(carried=-1.0),
+            slip(formulas.separation_rate, "+ (p_a", "- (p_a"),
             "The second term has the wrong sign. By the product rule both terms are added.",
         ),
         Mistake(
             "N_dot twice",
-            _rate_with(carried=2.0),
+            slip(formulas.separation_rate, "+ (p_a", "+ 2 * (p_a"),
             "The second term is taken twice. A factor 2 comes in the *second* derivative only.",
         ),
         Mistake(
             "turned round",
-            lambda *given: -gap_rate(*given),
+            slip(formulas.separation_rate, "np.sum", "-np.sum"),
             "The whole has the wrong sign: below 0 they approach. Take A minus B in both terms.",
         ),
         Mistake(
             "whole speed",
-            lambda p_a, p_b, body_a, body_b, n, n_dot: np.linalg.norm(
-                velocity(body_a, p_a - body_a[0]) - velocity(body_b, p_b - body_b[0]),
-                axis=-1,
+            slip(
+                formulas.separation_rate,
+                "np.sum((p_a_dot - p_b_dot) * n + (p_a - p_b) * n_dot, axis=-1)",
+                "np.linalg.norm(p_a_dot - p_b_dot, axis=-1)",
             ),
             "You return how fast the points move past each other. Only the part along N changes the gap: take the dot "
             "product with N.",

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
-from course.dynamics import point_velocity
 from course.exercises.definition import Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
     unit_vector as short_unit_vector,
 )
-from course.exercises.definitions.vectors import dot
 
 POINT_A = Value("p_a", "(..., 3)", "m", "the point on body A")
 POINT_B = Value("p_b", "(..., 3)", "m", "the point on body B")
 __all__ = [
     "NORMAL", "OMEGA_A", "OMEGA_B", "POINT_A", "POINT_B", "UP", "ZERO",
-    "draw", "gap_rate", "short_unit_vector", "velocity",
+    "draw", "short_unit_vector",
 ]  # fmt: skip
 
 NORMAL = Value("n", "(..., 3)", "", "unit vector out of body B toward body A")
@@ -34,12 +30,3 @@ def draw(
 
 UP = np.array([0.0, 0.0, 1.0])
 ZERO = np.zeros(3)
-
-
-def velocity(body: Any, arm: Any) -> Any:
-    return point_velocity(body[1], body[2], arm)
-
-
-def gap_rate(p_a: Any, p_b: Any, body_a: Any, body_b: Any, n: Any, n_dot: Any) -> Any:
-    relative = velocity(body_a, p_a - body_a[0]) - velocity(body_b, p_b - body_b[0])
-    return dot(relative, n) + dot(p_a - p_b, n_dot)

@@ -3,21 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.slips import slip
 
 # top_rate, the student's step of the derivation: the rate of the gap between a ladder's top and the wall.
-
-
-def _top_rate(v_y: Any, omega: Any, theta: Any, ell: Any) -> Any:
-    if isinstance(theta, (float, np.ndarray)):
-        return -v_y + ell / 2 * omega * np.sin(theta)
-    import sympy
-
-    return -v_y + ell / 2 * omega * sympy.sin(theta)
 
 
 def _ladders(rng: np.random.Generator) -> Sequence[Case]:
@@ -47,60 +40,64 @@ TOP_RATE = Exercise(
     results=(
         Value("top_rate", "(...)", "m/s", "rate of the gap between top and wall"),
     ),
-    reference=_top_rate,
+    reference=formulas.top_rate,
     cases=_ladders,
     mistakes=(
         Mistake(
             "turned round",
-            lambda v_y, omega, theta, ell: v_y - ell / 2 * omega * np.sin(theta),
+            slip(formulas.top_rate, "-v_y + ell", "v_y - ell"),
             "Both signs are turned round: you give the rate of +y + (ell/2) cos(theta), which is the speed of the top "
             "toward the wall. The gap shrinks when the top comes nearer.",
         ),
         Mistake(
             "chain rule",
-            lambda v_y, omega, theta, ell: -v_y + ell / 2 * np.sin(theta),
+            slip(formulas.top_rate, " * omega", ""),
             "omega is missing: theta depends on time, so the derivative of cos(theta) is -sin(theta) times the rate of "
             "theta. (Look at the unit: metres and metres per second do not add.)",
         ),
         Mistake(
             "sign of the cosine",
-            lambda v_y, omega, theta, ell: -v_y - ell / 2 * omega * np.sin(theta),
+            slip(formulas.top_rate, "+ ell", "- ell"),
             "The second sign: the derivative of cos(theta) is -sin(theta), and a minus stands before it already.",
         ),
         Mistake(
             "cosine kept",
-            lambda v_y, omega, theta, ell: -v_y - ell / 2 * omega * np.cos(theta),
+            slip(
+                formulas.top_rate,
+                "+ ell / 2 * omega * sp.sin",
+                "- ell / 2 * omega * sp.cos",
+            ),
             "You multiplied by omega but left the cosine standing. Its derivative is -sin(theta).",
         ),
         Mistake(
             "only y differentiated",
-            lambda v_y, omega, theta, ell: -v_y - ell / 2 * np.cos(theta),
+            slip(formulas.top_rate, "+ ell / 2 * omega * sp.sin", "- ell / 2 * sp.cos"),
             "You differentiated y and left the second term as it stood. theta changes too: differentiate cos(theta) by "
             "the chain rule. (Look at the unit: metres and metres per second do not add.)",
         ),
         Mistake(
             "that of the foot",
-            lambda v_y, omega, theta, ell: -v_y + ell / 2 * omega * np.cos(theta),
+            slip(formulas.top_rate, "sin", "cos"),
             "cos(theta) belongs to the rate of the foot's gap. d_2 holds the cosine, whose derivative is a sine.",
         ),
         Mistake(
             "whole length",
-            lambda v_y, omega, theta, ell: -v_y + ell * omega * np.sin(theta),
+            slip(formulas.top_rate, "ell / 2", "ell"),
             "Your arm is the whole ladder. y is where the *centre* is: from there to the top it is half the length.",
         ),
         Mistake(
             "centre alone",
-            lambda v_y, omega, theta, ell: -v_y + 0 * theta,
+            slip(formulas.top_rate, " + ell / 2 * omega * sp.sin(theta)", ""),
             "This is the rate for a ladder that does not turn. theta changes too.",
         ),
         Mistake(
             "turning alone",
-            lambda v_y, omega, theta, ell: ell / 2 * omega * np.sin(theta),
+            slip(formulas.top_rate, "-v_y + ", ""),
             "This is the rate for a ladder that turns about a fixed centre. y changes too, at the rate v_y.",
         ),
         Mistake(
             "first sign",
-            lambda v_y, omega, theta, ell: v_y + ell / 2 * omega * np.sin(theta),
+            slip(formulas.top_rate, "-v_y", "v_y"),
             "The sign of v_y: d_2 holds -y. When the centre moves toward the wall, to the right, the gap shrinks.",
         ),
     ),

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_14_separation_acceleration.shared import (
     ZERO,
     apply,
     draw,
-    spin_rate,
 )
+from course.exercises.slips import slip
 
 
 def _spins(rng: np.random.Generator) -> Sequence[Case]:
@@ -70,59 +71,84 @@ ANGULAR_ACCELERATION_FREE = Exercise(
         Value("torque", "(..., 3)", "N m", "external torque about the centre of mass"),
     ),
     results=(Value("omega_dot", "(..., 3)", "rad/s^2", "angular acceleration"),),
-    reference=spin_rate,
+    reference=formulas.angular_acceleration_free,
     cases=_spins,
     mistakes=(
         Mistake(
             "L x omega forgotten",
-            lambda i, l_, w, tau: spin_rate(i, l_, w, tau, gyroscopic=0.0),
+            slip(formulas.angular_acceleration_free, "torque + gyroscopic", "torque"),
             "L x omega is missing. Without a torque L stays, but the body turns under it, so its inertia in world axes "
             "changes and omega with it.",
         ),
         Mistake(
             "omega x L",
-            lambda i, l_, w, tau: spin_rate(i, l_, w, tau, gyroscopic=-1.0),
+            slip(
+                formulas.angular_acceleration_free,
+                "angular_momentum, angular_velocity",
+                "angular_velocity, angular_momentum",
+            ),
             "The cross product is turned round: it is L x omega, as it comes to the side of the torque with a minus.",
         ),
         Mistake(
             "as printed",
-            lambda i, l_, w, tau: apply(i, np.asarray(tau) + l_),
+            slip(
+                formulas.angular_acceleration_free,
+                "torque + gyroscopic",
+                "torque + angular_momentum",
+            ),
             "You have I^-1 L where I^-1 (L x omega) belongs. I^-1 L is omega itself, in rad/s, not an acceleration.",
         ),
         Mistake(
             "not through the inverse inertia",
-            lambda i, l_, w, tau: apply(i, tau) + np.cross(l_, w),
+            slip(
+                formulas.angular_acceleration_free,
+                "torque + gyroscopic)",
+                "torque) + gyroscopic",
+            ),
             "L x omega is a torque like tau, in N m: it must go through I^-1 as well.",
         ),
         Mistake(
             "torque forgotten",
-            lambda i, l_, w, tau: apply(i, np.cross(l_, w)) + 0.0 * np.asarray(tau),
+            slip(
+                formulas.angular_acceleration_free, "torque + gyroscopic", "gyroscopic"
+            ),
             "The external torque is missing: it acts without any contact, so it belongs to b.",
         ),
         Mistake(
             "inertia for its inverse",
-            lambda i, l_, w, tau: np.linalg.solve(
-                i, (np.asarray(tau) + np.cross(l_, w))[..., None]
-            )[..., 0],
+            slip(
+                formulas.angular_acceleration_free,
+                'np.einsum("...ij,...j->...i", inverse_inertia, torque + gyroscopic)',
+                "np.linalg.solve(inverse_inertia, (torque + gyroscopic)[..., None])[..., 0]",
+            ),
             "You divide by I^-1, which multiplies by I. What is given is the inverse already: multiply by it.",
         ),
         Mistake(
             "matrix product with @",
-            lambda i, l_, w, tau: np.asarray(i) @ (np.asarray(tau) + np.cross(l_, w)),
+            slip(
+                formulas.angular_acceleration_free,
+                'np.einsum("...ij,...j->...i", inverse_inertia, torque + gyroscopic)',
+                "inverse_inertia @ (torque + gyroscopic)",
+            ),
             "Right for one body. In a batch, @ takes the last two axes of both sides for matrices, and your vectors "
             'have one: np.einsum("...ij,...j->...i", matrix, vector) does it for any batch.',
         ),
         Mistake(
             "product with *",
-            lambda i, l_, w, tau: np.asarray(i) * (np.asarray(tau) + np.cross(l_, w)),
+            slip(
+                formulas.angular_acceleration_free,
+                'np.einsum("...ij,...j->...i", inverse_inertia, torque + gyroscopic)',
+                "inverse_inertia * (torque + gyroscopic)",
+            ),
             "With * each entry of the matrix is multiplied by itself alone, and a matrix comes out. Matrix times "
             'vector also adds up: np.einsum("...ij,...j->...i", matrix, vector).',
         ),
         Mistake(
             "diagonal alone",
-            lambda i, l_, w, tau: (
-                np.einsum("...ii->...i", np.asarray(i))
-                * (np.asarray(tau) + np.cross(l_, w))
+            slip(
+                formulas.angular_acceleration_free,
+                'np.einsum("...ij,...j->...i", inverse_inertia, torque + gyroscopic)',
+                'np.einsum("...ii->...i", inverse_inertia) * (torque + gyroscopic)',
             ),
             "You use the diagonal of I^-1 alone. In general that is right only while the body's axes lie along "
             "those of the world: multiply by the whole matrix.",

@@ -7,63 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_14_separation_acceleration.shared import (
     ZERO,
     draw,
 )
-from course.exercises.definitions.vectors import dot, unit_vector
+from course.exercises.definitions.vectors import unit_vector
+from course.exercises.slips import slip
 
 UP = np.array([0.0, 0.0, 1.0])
-
-
-def _bias_with(
-    *,
-    factor: float = 2.0,
-    sign_b: float = -1.0,
-    swung_b: float = 1.0,
-    moved_b: float = 1.0,
-    face: Any = None,
-    arm_a: Any = None,
-    arm_b: Any = None,
-    swing: float = 1.0,
-    inward: float = 1.0,
-    turning: float = 1.0,
-    whole: float = 1.0,
-    pull: float = 0.0,
-    summed: bool = True,
-) -> Any:
-    """b with one of its parts changed.
-
-    ``face(word, omega_a, omega_b)`` gives the omega that turns N; ``swung_b`` and ``moved_b`` multiply what B brings
-    to the accelerations and to the velocities alone; ``pull`` is added to A's acceleration along z.
-    """
-
-    def function(p: Any, n: Any, word: str, body_a: Any, body_b: Any) -> Any:
-        def motion(body: Any, arm: Any) -> tuple[Any, Any]:
-            x, v, omega, v_dot, omega_dot = body
-            r = arm(p, body_a[0], body_b[0]) if arm else p - x
-            p_dot = v + turning * np.cross(omega, r)
-            return p_dot, v_dot + swing * np.cross(omega_dot, r) + inward * np.cross(
-                omega, np.cross(omega, r)
-            )
-
-        (v_a, a_a), (v_b, a_b) = motion(body_a, arm_a), motion(body_b, arm_b)
-        of_face = (
-            face(word, body_a[2], body_b[2])
-            if face
-            else body_b[2]
-            if word == "face_b"
-            else body_a[2]
-        )
-        n_dot = np.cross(of_face, n)
-        a_b, v_b = sign_b * swung_b * a_b, sign_b * moved_b * v_b
-        p_ddot, p_dot = a_a + pull * UP + a_b, v_a + v_b
-        if not summed:
-            return p_ddot * n + factor * p_dot * n_dot
-        return whole * (dot(p_ddot, n) + factor * dot(p_dot, n_dot))
-
-    return function
 
 
 def _touching(rng: np.random.Generator) -> Sequence[Case]:
@@ -134,140 +87,176 @@ CONTACT_BIAS = Exercise(
     results=(
         Value("b", "(...)", "m/s^2", "second rate of the gap without contact forces"),
     ),
-    reference=_bias_with(),
+    reference=formulas.contact_bias,
     cases=_touching,
     mistakes=(
         Mistake(
             "factor 2 missing",
-            _bias_with(factor=1.0),
+            slip(formulas.contact_bias, "2 * (p_a_dot", "(p_a_dot"),
             "The factor 2 is missing. The product rule, used twice, gives the mixed term twice: once each time.",
         ),
         Mistake(
             "N_dot lost",
-            _bias_with(factor=0.0),
+            slip(formulas.contact_bias, " + 2 * (p_a_dot - p_b_dot) * n_dot", ""),
             "The term with N_dot is missing. It is zero only if the normal stands still or the points move as one.",
         ),
         Mistake(
             "sign of N_dot",
-            _bias_with(factor=-2.0),
+            slip(formulas.contact_bias, "+ 2 *", "- 2 *"),
             "The term with N_dot has the wrong sign. N_dot is omega x N, in this order, and the velocities are A minus "
             "B: p_A_dot - p_B_dot.",
         ),
         Mistake(
             "minus for a face of A",
-            _bias_with(face=lambda word, a, b: b if word == "face_b" else -a),
+            slip(formulas.contact_bias, "else omega_a", "else -omega_a"),
             "Right for a face of B. For a face of A it is omega_A x N too, without a minus: what turns the face's "
             "outward normal -N turns N as well (lesson 13, step 3).",
         ),
         Mistake(
             "sign of body B",
-            _bias_with(sign_b=1.0),
+            slip(
+                formulas.contact_bias,
+                "- p_b_ddot",
+                "+ p_b_ddot",
+                "- p_b_dot",
+                "+ p_b_dot",
+            ),
             "Body B's motion is added. What counts is how p_A moves as seen from p_B: subtract, in both terms.",
         ),
         Mistake(
             "only A",
-            _bias_with(sign_b=0.0),
+            slip(formulas.contact_bias, " - p_b_ddot", "", " - p_b_dot", ""),
             "Body B is missing. It may move, turn and fall as well.",
         ),
         Mistake(
             "acceleration of B added",
-            _bias_with(swung_b=-1.0),
+            slip(formulas.contact_bias, "- p_b_ddot", "+ p_b_ddot"),
             "In the first term the acceleration of B's point is added. It is p_A_ddot - p_B_ddot.",
         ),
         Mistake(
             "acceleration of B left out",
-            _bias_with(swung_b=0.0),
+            slip(formulas.contact_bias, " - p_b_ddot", ""),
             "The acceleration of B's point is left out. Even where its centre stands still, a point of a turning body "
             "is accelerated toward the axis.",
         ),
         Mistake(
             "velocity of B added",
-            _bias_with(moved_b=-1.0),
+            slip(formulas.contact_bias, "- p_b_dot", "+ p_b_dot"),
             "In the term with N_dot the velocity of B's point is added. It is p_A_dot - p_B_dot.",
         ),
         Mistake(
             "velocity of B left out",
-            _bias_with(moved_b=0.0),
+            slip(formulas.contact_bias, " - p_b_dot", ""),
             "In the term with N_dot the velocity of B's point is left out: what counts is how A's point moves as seen "
             "from it.",
         ),
         Mistake(
             "omega of the wrong body in N_dot",
-            _bias_with(face=lambda word, a, b: a if word == "face_b" else b),
+            slip(formulas.contact_bias, "==", "!="),
             "N turns with the other body: for a face of B it is omega_B x N, for a face of A omega_A x N.",
         ),
         Mistake(
             "always a face of B",
-            _bias_with(face=lambda word, a, b: b),
+            slip(
+                formulas.contact_bias,
+                'omega_b if face == "face_b" else omega_a',
+                "omega_b",
+            ),
             'Right for a face of B. Where face is "face_a" the normal turns with A.',
         ),
         Mistake(
             "relative spin in N_dot",
-            _bias_with(face=lambda word, a, b: a - b),
+            slip(
+                formulas.contact_bias,
+                'omega_b if face == "face_b" else omega_a',
+                "omega_a - omega_b",
+            ),
             "You turn N with the spin of A against B. It belongs to a face, and turns with that face's body alone.",
         ),
         Mistake(
             "one arm for both bodies",
-            _bias_with(arm_b=lambda p, x_a, x_b: p - x_a),
+            slip(formulas.contact_bias, "p - x_a, p - x_b", "p - x_a, p - x_a"),
             "Both bodies have the arm of A. They touch in one point, but their centres are different: r_B = p - x_B.",
         ),
         Mistake(
             "arm from the origin",
-            _bias_with(arm_a=lambda p, x_a, x_b: p, arm_b=lambda p, x_a, x_b: p),
+            slip(formulas.contact_bias, "p - x_a, p - x_b", "p, p"),
             "Your arm is the place of the point. It is measured from the centre of mass: r = p - x.",
         ),
         Mistake(
             "arms turned round",
-            _bias_with(
-                arm_a=lambda p, x_a, x_b: x_a - p, arm_b=lambda p, x_a, x_b: x_b - p
-            ),
+            slip(formulas.contact_bias, "p - x_a, p - x_b", "x_a - p, x_b - p"),
             "The arms run from the point to the centre. It is r = p - x.",
         ),
         Mistake(
             "arms swapped",
-            _bias_with(
-                arm_a=lambda p, x_a, x_b: p - x_b, arm_b=lambda p, x_a, x_b: p - x_a
-            ),
+            slip(formulas.contact_bias, "p - x_a, p - x_b", "p - x_b, p - x_a"),
             "Each body has the arm of the other. A point of A has r_A = p - x_A, a point of B r_B = p - x_B.",
         ),
         Mistake(
             "r x omega",
-            _bias_with(turning=-1.0),
+            slip(formulas.contact_bias, "v_a + np", "v_a - np", "v_b + np", "v_b - np"),
             "In the term with N_dot the velocities have r x omega. It is omega x r, in this order.",
         ),
         Mistake(
             "gravity once more",
-            _bias_with(pull=-9.81),
+            slip(formulas.contact_bias, "(p_a_ddot -", "(p_a_ddot + [0, 0, -9.81] -"),
             "You add gravity to A. It is in v_dot already, with all the other external forces.",
         ),
         Mistake(
             "products not summed",
-            _bias_with(summed=False),
+            slip(
+                formulas.contact_bias,
+                "np.sum((p_a_ddot - p_b_ddot) * n + 2 * (p_a_dot - p_b_dot) * n_dot, axis=-1)",
+                "(p_a_ddot - p_b_ddot) * n + 2 * (p_a_dot - p_b_dot) * n_dot",
+            ),
             "a * b of two vectors is a vector of products. A dot product adds them up: np.sum(a * b, axis=-1).",
         ),
         Mistake(
             "no omega_dot",
-            _bias_with(swing=0.0),
+            slip(
+                formulas.contact_bias,
+                "v_a_dot, omega_a_dot,",
+                "v_a_dot, 0 * omega_a_dot,",
+                "v_b_dot, omega_b_dot,",
+                "v_b_dot, 0 * omega_b_dot,",
+            ),
             "omega_dot x r is missing in the accelerations of the points.",
         ),
         Mistake(
             "no centripetal term",
-            _bias_with(inward=0.0),
+            slip(
+                formulas.contact_bias,
+                "omega_a_dot, omega_a, r_a",
+                "omega_a_dot, 0 * omega_a, r_a",
+                "omega_b_dot, omega_b, r_b",
+                "omega_b_dot, 0 * omega_b, r_b",
+            ),
             "omega x (omega x r) is missing in the accelerations of the points.",
         ),
         Mistake(
             "centres in the velocity",
-            _bias_with(turning=0.0),
+            slip(
+                formulas.contact_bias,
+                "v_a + np.cross(omega_a, r_a), v_b + np.cross(omega_b, r_b)",
+                "v_a, v_b",
+            ),
             "In the term with N_dot you use the velocities of the centres. It wants the points': v + omega x r.",
         ),
         Mistake(
             "centres alone",
-            _bias_with(turning=0.0, swing=0.0, inward=0.0),
+            slip(
+                formulas.contact_bias,
+                "v_a + np.cross(omega_a, r_a), v_b + np.cross(omega_b, r_b)",
+                "v_a, v_b",
+                "p_a_ddot - p_b_ddot",
+                "v_a_dot - v_b_dot",
+            ),
             "You use velocity and acceleration of the centres throughout. The points that touch are elsewhere.",
         ),
         Mistake(
             "turned round",
-            _bias_with(whole=-1.0),
+            slip(formulas.contact_bias, "np.sum", "-np.sum"),
             "The whole has the wrong sign. Take A minus B: gravity on A over a floor must give b below 0.",
         ),
     ),

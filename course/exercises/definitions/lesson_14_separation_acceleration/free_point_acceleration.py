@@ -7,41 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_14_separation_acceleration.shared import (
     ZERO,
     draw,
 )
-
-
-def _point(
-    *,
-    turning: float = 1.0,
-    inward: float = 1.0,
-    crossed: bool = True,
-    twice: bool = True,
-    flat: bool = False,
-    extra: float = 0.0,
-) -> Any:
-    """The acceleration of a point with one of its parts changed."""
-
-    def function(
-        acceleration: Any, angular_acceleration: Any, angular_velocity: Any, arm: Any
-    ) -> Any:
-        once = np.cross(angular_velocity, arm)
-        inner = np.cross(angular_velocity, once) if twice else once
-        if flat:
-            inner = -np.sum(np.asarray(angular_velocity) ** 2, axis=-1)[..., None] * arm
-        swing = (
-            np.cross(angular_acceleration, arm)
-            if crossed
-            else np.asarray(angular_acceleration)
-        )
-        return (
-            np.asarray(acceleration) + turning * swing + inward * inner + extra * once
-        )
-
-    return function
+from course.exercises.slips import slip
 
 
 def _points(rng: np.random.Generator) -> Sequence[Case]:
@@ -87,56 +59,80 @@ FREE_POINT_ACCELERATION = Exercise(
         Value("arm", "(..., 3)", "m", "r, from the centre of mass to the point"),
     ),
     results=(Value("p_ddot", "(..., 3)", "m/s^2", "acceleration of the point"),),
-    reference=_point(),
+    reference=formulas.free_point_acceleration,
     cases=_points,
     mistakes=(
         Mistake(
             "x r left out",
-            _point(crossed=False),
+            slip(
+                formulas.free_point_acceleration,
+                "np.cross(angular_acceleration, arm)",
+                "angular_acceleration",
+            ),
             "omega_dot is added as it is, as in the slide's table, where I^-1 tau lacks its x r. It is in rad/s^2: "
             "crossed with the arm it becomes an acceleration.",
         ),
         Mistake(
             "no centripetal term",
-            _point(inward=0.0),
+            slip(formulas.free_point_acceleration, " + inward", ""),
             "The last term is missing or zero. It is omega x (omega x r); with the brackets the other way, "
             "(omega x omega) x r is always zero.",
         ),
         Mistake(
             "no omega_dot",
-            _point(turning=0.0),
+            slip(
+                formulas.free_point_acceleration,
+                "np.cross(angular_acceleration, arm) + ",
+                "",
+            ),
             "omega_dot x r is missing: the turning itself may speed up or change its axis.",
         ),
         Mistake(
             "outward",
-            _point(inward=-1.0),
+            slip(formulas.free_point_acceleration, "+ inward", "- inward"),
             "The last term has the wrong sign. A point on a circle is accelerated toward the middle: "
             "omega x (omega x r) points inward by itself.",
         ),
         Mistake(
             "order of omega_dot x r",
-            _point(turning=-1.0),
+            slip(
+                formulas.free_point_acceleration,
+                "angular_acceleration, arm",
+                "arm, angular_acceleration",
+            ),
             "omega_dot x r is turned round: a cross product changes its sign with the order.",
         ),
         Mistake(
             "omega x r once",
-            _point(twice=False),
+            slip(
+                formulas.free_point_acceleration,
+                "np.cross(angular_velocity, np.cross(angular_velocity, arm))",
+                "np.cross(angular_velocity, arm)",
+            ),
             "The last term is a velocity: omega x r. Differentiated once more it is omega x (omega x r).",
         ),
         Mistake(
             "omega squared times r",
-            _point(flat=True),
+            slip(
+                formulas.free_point_acceleration,
+                "np.cross(angular_velocity, np.cross(angular_velocity, arm))",
+                "-np.sum(angular_velocity**2, axis=-1)[..., None] * arm",
+            ),
             "You have -|omega|^2 r, which is omega x (omega x r) only for an arm at right angles to omega. A point on "
             "the axis is not accelerated at all.",
         ),
         Mistake(
             "factor 2",
-            _point(inward=2.0),
+            slip(formulas.free_point_acceleration, "+ inward", "+ 2 * inward"),
             "The last term is taken twice. The arm is fixed to the body: differentiate omega x r, and it comes once.",
         ),
         Mistake(
             "with the velocity",
-            _point(extra=1.0),
+            slip(
+                formulas.free_point_acceleration,
+                "+ inward",
+                "+ inward + np.cross(angular_velocity, arm)",
+            ),
             "omega x r itself is added too. That is the velocity of the point, in m/s.",
         ),
     ),

@@ -18,17 +18,3 @@ def draw(
 
 def apply(matrix: Any, vector: Any) -> Any:
     return np.einsum("...ij,...j->...i", matrix, vector)
-
-
-def spin_rate(
-    inverse_inertia: Any,
-    angular_momentum: Any,
-    angular_velocity: Any,
-    torque: Any,
-    *,
-    gyroscopic: float = 1.0,
-) -> Any:
-    twist = np.asarray(torque) + gyroscopic * np.cross(
-        angular_momentum, angular_velocity
-    )
-    return apply(inverse_inertia, twist)

@@ -2,29 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_15_contact_matrix.shared import (
     BODIES,
     CONTACTS,
     TOGETHER,
+    Edits,
 )
 from course.exercises.definitions.lesson_15_contact_matrix.touching import (
-    by_product,
     central_stack,
     drawn_contacts,
-    matrix,
-    transposed_throughout,
-    with_masses,
-    without_masses,
 )
+from course.exercises.slips import slip
+
+
+def _slipped(of_entry: Edits, of_matrix: Edits | None) -> Callable[..., Any]:
+    """The slip in A = J M^-1 J', or where J cannot show it, in each entry."""
+    if of_matrix is not None:
+        return slip(formulas.contact_matrix, *of_matrix)
+    entry = slip(formulas.contact_matrix_entry, *of_entry)
+
+    def every_entry(contacts: Any, bodies: Any) -> Any:
+        c = range(len(contacts[0]))
+        return np.array([[entry(i, j, contacts, bodies) for j in c] for i in c])
+
+    return every_entry
+
 
 #: Those that a student who builds J can make as well.
-ALIKE = tuple(slip for slip in TOGETHER if slip[0] != "one point for both")
+ALIKE = tuple(row for row in TOGETHER if row[0] != "one point for both")
 
 
 def _matrices(rng: np.random.Generator) -> Sequence[Case]:
@@ -53,18 +65,35 @@ CONTACT_MATRIX = Exercise(
     task="Return the whole contact matrix A = J M^-1 J'.",
     arguments=(CONTACTS, BODIES),
     results=(Value("A", "(c, c)", "1/kg", "contact matrix"),),
-    reference=by_product,
+    reference=formulas.contact_matrix,
     cases=_matrices,
     mistakes=(
-        *(Mistake(name, matrix(**options), message) for name, options, message in ALIKE),
-        Mistake("every axis turned round", transposed_throughout, "rotation.T of a batch turns round all three axes, "
+        *(Mistake(name, _slipped(of_entry, of_matrix), message) for name, of_entry, of_matrix, message in ALIKE),
+        Mistake("every axis turned round",
+                slip(formulas.contact_matrix, "np.swapaxes(rotation, -1, -2)", "rotation.T"),
+                "rotation.T of a batch turns round all three axes, "
                 "the bodies too. R' of each body is np.swapaxes(rotation, -1, -2)."),
-        Mistake("masses left out", without_masses, "This is J J'. Between the two stands M^-1: 1/m for the first three "
+        Mistake("masses left out", slip(formulas.contact_matrix, "@ weighed.reshape", "@ J.reshape"),
+                "This is J J'. Between the two stands M^-1: 1/m for the first three "
                 "columns of a body, R I^-1 R' for the other three."),
-        Mistake("masses for their inverses", with_masses, "Heavy bodies answer more in your A, and light ones less: M "
+        Mistake("masses for their inverses",
+                slip(formulas.contact_matrix, "/ mass", "* mass", ", world,", ", np.linalg.pinv(world),"),
+                "Heavy bodies answer more in your A, and light ones less: M "
                 "stands where M^-1 belongs."),
-        Mistake("one triangle", matrix(shown=np.tril), "Only one triangle is filled. A is symmetric."),
-        Mistake("diagonal alone", matrix(shown=lambda a: np.diag(np.diag(a))), "Only the diagonal is there. Contacts "
+        Mistake("one triangle",
+                slip(
+                    formulas.contact_matrix,
+                    "J.reshape(len(point), -1) @ weighed.reshape(len(point), -1).T",
+                    "np.tril(J.reshape(len(point), -1) @ weighed.reshape(len(point), -1).T)",
+                ),
+                "Only one triangle is filled. A is symmetric."),
+        Mistake("diagonal alone",
+                slip(
+                    formulas.contact_matrix,
+                    "J.reshape(len(point), -1) @ weighed.reshape(len(point), -1).T",
+                    "np.diag(np.sum(J * weighed, axis=(1, 2)))",
+                ),
+                "Only the diagonal is there. Contacts "
                 "that share a body feel each other."),
     ),
     properties=(

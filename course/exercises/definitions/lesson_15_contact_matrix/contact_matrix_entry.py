@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_15_contact_matrix.shared import (
     BODIES,
@@ -16,9 +17,8 @@ from course.exercises.definitions.lesson_15_contact_matrix.shared import (
 from course.exercises.definitions.lesson_15_contact_matrix.touching import (
     central_stack,
     drawn_contacts,
-    entry,
 )
-from course.exercises.definitions.turning import times
+from course.exercises.slips import slip
 
 #: Sharing in every way: A with A, A with B, B with A, both, both crosswise, none, the same contact twice.
 SHARED = {
@@ -78,23 +78,38 @@ CONTACT_MATRIX_ENTRY = Exercise(
         BODIES,
     ),
     results=(Value("a_ij", "scalar", "1/kg", "entry of the contact matrix"),),
-    reference=entry(),
+    reference=formulas.contact_matrix_entry,
     cases=_entries,
     mistakes=(
-        *(Mistake(name, entry(**options), message) for name, options, message in TOGETHER),
-        Mistake("turned round", entry(whole=-1.0), "The whole has the wrong sign. A push at a contact opens its own "
+        *(Mistake(name, slip(formulas.contact_matrix_entry, *edits), message) for name, edits, _, message in TOGETHER),
+        Mistake("turned round", slip(formulas.contact_matrix_entry, "return a_ij", "return -a_ij"),
+                "The whole has the wrong sign. A push at a contact opens its own "
                 "gap: a_ii must be above 0."),
-        Mistake("the other arm twice", entry(arms=lambda p, q, x, *_: (p - x, p - x)), "Both arms go to the point "
+        Mistake("the other arm twice",
+                slip(formulas.contact_matrix_entry, "point[j] - position[body]", "point[i] - position[body]"),
+                "Both arms go to the point "
                 "that answers. The torque is made where the body is pushed: r_j = p_j - x."),
-        Mistake("pushed along N_i", entry(normals=lambda n_i, n_j: (n_i, n_i)), "You push along the normal of the "
+        Mistake("pushed along N_i",
+                slip(formulas.contact_matrix_entry, "push_sign * normal[j]", "push_sign * normal[i]"),
+                "You push along the normal of the "
                 "contact that answers. The force at j acts along N_j."),
-        Mistake("not along N_i", entry(normals=lambda n_i, n_j: (np.eye(3), n_j)), "Your answer is the acceleration of "
+        Mistake("not along N_i", slip(formulas.contact_matrix_entry, "normal[i] @ answer", "answer"),
+                "Your answer is the acceleration of "
                 "the point, a vector. The gap feels its part along the normal: dot it with N_i."),
-        Mistake("inertia for its inverse", entry(apply=lambda m, v: times(np.linalg.pinv(m), v)), "You invert the "
+        Mistake("inertia for its inverse",
+                slip(formulas.contact_matrix_entry, "mass[body], world", "mass[body], np.linalg.pinv(world)"),
+                "You invert the "
                 "inertia once more: what is given is the inverse already. Only its axes have to be turned."),
-        Mistake("normals left out", entry(dotted=False), "The first part is 1/m, as if both pushes had one "
+        Mistake("normals left out",
+                slip(
+                    formulas.contact_matrix_entry,
+                    "normal[i] @ answer",
+                    "(normal[i] @ (answer - push / mass[body]) + push_sign / mass[body])",
+                ),
+                "The first part is 1/m, as if both pushes had one "
                 "direction. It is N_i.N_j/m."),
-        Mistake("asked along N_j", entry(normals=lambda n_i, n_j: (n_j, n_j)), "You take the part of the answer along "
+        Mistake("asked along N_j", slip(formulas.contact_matrix_entry, "normal[i] @", "normal[j] @"),
+                "You take the part of the answer along "
                 "N_j. The gap at i is measured along N_i."),
     ),
     hints=(

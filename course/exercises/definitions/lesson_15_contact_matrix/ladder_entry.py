@@ -3,41 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.slips import slip
 
 # ladder_entry, the student's step of the derivation: what a force at the top does to the gap at the foot.
-
-
-def _ladder(
-    *, factor: float = -3.0, power: float = 1.0, form: str = "both", extra: float = 0.0
-) -> Any:
-    """a_12 of the ladder with one of its parts changed."""
-
-    def function(mass: Any, theta: Any, ell: Any) -> Any:
-        if not isinstance(theta, (float, np.ndarray)):
-            import sympy
-
-            return -3 * sympy.sin(theta) * sympy.cos(theta) / mass
-        sin, cos = np.sin(theta), np.cos(theta)
-        shape = {
-            "both": sin * cos,
-            "cos": cos * cos,
-            "sin": sin * sin,
-            "arm": sin * cos / ell,
-            "unit": sin * cos / ell**2,
-            "none": 0.0 * sin,
-        }[form]
-        return factor * shape / mass**power + extra / mass + 0.0 * ell
-
-    return function
-
-
-def _with_inertia(mass: Any, theta: Any, ell: Any) -> Any:
-    return -(ell**2) / 4 * np.sin(theta) * np.cos(theta) * mass * ell**2 / 12
 
 
 def _ladders(rng: np.random.Generator) -> Sequence[Case]:
@@ -65,31 +38,46 @@ LADDER_ENTRY = Exercise(
         Value("ell", "scalar", "m", "length of the ladder"),
     ),
     results=(Value("ladder_entry", "(...)", "1/kg", "a_12"),),
-    reference=_ladder(),
+    reference=formulas.ladder_entry,
     cases=_ladders,
     mistakes=(
-        Mistake("sign", _ladder(factor=3.0), "The sign is turned round. The top is pushed to the left: which way does "
+        Mistake("sign", slip(formulas.ladder_entry, "-3", "3"),
+                "The sign is turned round. The top is pushed to the left: which way does "
                 "the ladder begin to turn, and where does that take the foot?"),
-        Mistake("zero", _ladder(form="none"), "You say that the foot feels nothing. N_1.N_2 = 0 is true of the pushes "
+        Mistake("zero", slip(formulas.ladder_entry, "-3", "0"),
+                "You say that the foot feels nothing. N_1.N_2 = 0 is true of the pushes "
                 "themselves, but the push at the top also turns the ladder."),
-        Mistake("with 1/m", _ladder(extra=1.0), "You add 1/m. The push at the top is horizontal: the centre is "
+        Mistake("with 1/m", slip(formulas.ladder_entry, "/ mass", "/ mass + 1 / mass"),
+                "You add 1/m. The push at the top is horizontal: the centre is "
                 "accelerated to the left, which does not move the foot up or down."),
-        Mistake("whole arms", _ladder(factor=-12.0), "Too large by 4: both arms are half the ladder, not the whole."),
-        Mistake("moment about the end", _ladder(factor=-0.75), "Too small by 4: m l^2/3 is the moment about an end. "
+        Mistake("whole arms", slip(formulas.ladder_entry, "-3", "-12"),
+                "Too large by 4: both arms are half the ladder, not the whole."),
+        Mistake("moment about the end", slip(formulas.ladder_entry, "-3", "-3 / 4"),
+                "Too small by 4: m l^2/3 is the moment about an end. "
                 "Torques are taken about the centre here, where it is m l^2/12."),
-        Mistake("two cosines", _ladder(form="cos"), "You have cosine squared. That is the foot's own arm twice: at the "
+        Mistake("two cosines", slip(formulas.ladder_entry, "sp.sin", "sp.cos"),
+                "You have cosine squared. That is the foot's own arm twice: at the "
                 "top the part of the arm that lies across N_2 counts, which is the sine."),
-        Mistake("two sines", _ladder(form="sin"), "You have sine squared. That is the top's own arm twice: at the foot "
+        Mistake("two sines", slip(formulas.ladder_entry, "sp.cos", "sp.sin"),
+                "You have sine squared. That is the top's own arm twice: at the foot "
                 "the part of the arm that lies across N_1 counts, which is the cosine."),
-        Mistake("half as large", _ladder(factor=-1.5), "Too small by 2. Both arms are ell/2, and 12/4 is 3."),
-        Mistake("mass forgotten", _ladder(power=0.0), "The mass is missing: it stands in I = m l^2/12."),
-        Mistake("one arm left out", _ladder(factor=-6.0, form="arm"), "A length is left over, as if one of the "
+        Mistake("half as large", slip(formulas.ladder_entry, "-3", "-3 / 2"),
+                "Too small by 2. Both arms are ell/2, and 12/4 is 3."),
+        Mistake("mass forgotten", slip(formulas.ladder_entry, " / mass", ""),
+                "The mass is missing: it stands in I = m l^2/12."),
+        Mistake("one arm left out", slip(formulas.ladder_entry, "-3", "-6", "/ mass", "/ (mass * ell)"),
+                "A length is left over, as if one of the "
                 "two arms were missing: the torque brings one, the way from the turn to the foot the other."),
-        Mistake("the 12 forgotten", _ladder(factor=-0.25), "Too small by 12: the moment of a rod about its centre is "
+        Mistake("the 12 forgotten", slip(formulas.ladder_entry, "-3", "-1 / 4"),
+                "Too small by 12: the moment of a rod about its centre is "
                 "m l^2/12."),
-        Mistake("directions for arms", _ladder(factor=-12.0, form="unit"), "Your arms have length 1. Each is half the "
+        Mistake("directions for arms",
+                slip(formulas.ladder_entry, "-3", "-12", "/ mass", "/ (mass * ell**2)"),
+                "Your arms have length 1. Each is half the "
                 "ladder long, and then the length cancels."),
-        Mistake("inertia for its inverse", _with_inertia, "You multiply by the inertia. The angular acceleration is "
+        Mistake("inertia for its inverse",
+                slip(formulas.ladder_entry, "-3", "-(ell**2) / 4", "/ mass", "* mass * ell**2 / 12"),
+                "You multiply by the inertia. The angular acceleration is "
                 "torque divided by I."),
     ),
     hints=(

@@ -7,17 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
-from course.exercises.definitions.lesson_15_contact_matrix.touching import (
-    response,
-)
 from course.exercises.definitions.turning import (
     drawn_vectors,
     inverse_moments,
     rotation_matrices,
-    times,
     turned_inertia,
 )
+from course.exercises.slips import slip
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -78,32 +76,69 @@ POINT_RESPONSE = Exercise(
         Value("push", "(..., 3)", "N", "force on the body"),
     ),
     results=(Value("p_ddot", "(..., 3)", "m/s^2", "acceleration of the point that answers"),),
-    reference=response(),
+    reference=formulas.point_response,
     cases=_responses,
     mistakes=(
-        Mistake("arms swapped", response(arms=lambda i, j: (j, i)), "The arms have changed places: the torque is made "
+        Mistake("arms swapped",
+                slip(
+                    formulas.point_response,
+                    "push_arm, push",
+                    "arm, push",
+                    "omega_dot, arm",
+                    "omega_dot, push_arm",
+                ),
+                "The arms have changed places: the torque is made "
                 "where the body is pushed, with r_j; the turning is felt where it answers, at r_i."),
-        Mistake("arm of the push twice", response(arms=lambda i, j: (j, j)), "You use the arm of the push for the "
+        Mistake("arm of the push twice",
+                slip(formulas.point_response, "omega_dot, arm", "omega_dot, push_arm"),
+                "You use the arm of the push for the "
                 "answer too. That is how the pushed point itself moves: r_A in the table is that of i, not j."),
-        Mistake("arm of the answer twice", response(arms=lambda i, j: (i, i)), "You use the arm of the answering point "
+        Mistake("arm of the answer twice", slip(formulas.point_response, "push_arm, push", "arm, push"),
+                "You use the arm of the answering point "
                 "for the torque too. The torque is made by the arm of the push."),
-        Mistake("a cross product turned round", response(turning=-1.0), "One of the two cross products is turned "
+        Mistake("a cross product turned round",
+                slip(formulas.point_response, "omega_dot, arm", "arm, omega_dot"),
+                "One of the two cross products is turned "
                 "round. The torque is r_j x F, and what it does to the point omega_dot x r_i."),
-        Mistake("x r left out", response(crossed=False), "You add omega_dot as it is, in rad/s^2. Crossed with the arm "
+        Mistake("x r left out", slip(formulas.point_response, "np.cross(omega_dot, arm)", "omega_dot"),
+                "You add omega_dot as it is, in rad/s^2. Crossed with the arm "
                 "of the point that answers it becomes an acceleration."),
-        Mistake("no turning", response(turning=0.0), "This is how the centre is accelerated. A push off the centre "
+        Mistake("no turning", slip(formulas.point_response, " + np.cross(omega_dot, arm)", ""),
+                "This is how the centre is accelerated. A push off the centre "
                 "turns the body as well."),
-        Mistake("only turning", response(moving=0.0), "The push also accelerates the body as a whole, by F/m."),
-        Mistake("mass forgotten", response(divided=False), "The force is added as it is, in N: divide it by the mass."),
-        Mistake("mass without an axis", response(axis=False), "Right for one mass. A batch of masses needs one more "
+        Mistake("only turning", slip(formulas.point_response, "push / np.asarray(mass)[..., None] + ", ""),
+                "The push also accelerates the body as a whole, by F/m."),
+        Mistake("mass forgotten", slip(formulas.point_response, " / np.asarray(mass)[..., None]", ""),
+                "The force is added as it is, in N: divide it by the mass."),
+        Mistake("mass without an axis", slip(formulas.point_response, "np.asarray(mass)[..., None]", "mass"),
+                "Right for one mass. A batch of masses needs one more "
                 "axis before it divides vectors: np.asarray(mass)[..., None]."),
-        Mistake("inertia not used", response(apply=lambda m, v: v + 0.0 * m[..., 0]), "The torque is used as if it "
+        Mistake("inertia not used",
+                slip(
+                    formulas.point_response,
+                    'np.einsum("...ij,...j->...i", inverse_inertia, np.cross(push_arm, push))',
+                    "np.cross(push_arm, push)",
+                ),
+                "The torque is used as if it "
                 "were omega_dot: it has to go through I^-1."),
-        Mistake("inertia for its inverse", response(apply=lambda m, v: times(np.linalg.pinv(m), v)),
+        Mistake("inertia for its inverse",
+                slip(formulas.point_response, "inverse_inertia, np", "np.linalg.pinv(inverse_inertia), np"),
                 "You use I where its inverse belongs. What is given is I^-1 already: multiply by it."),
-        Mistake("diagonal alone", response(apply=lambda m, v: np.einsum("...ii->...i", m) * v), "You use the diagonal "
+        Mistake("diagonal alone",
+                slip(
+                    formulas.point_response,
+                    'np.einsum("...ij,...j->...i", inverse_inertia, np.cross(push_arm, push))',
+                    'np.einsum("...ii->...i", inverse_inertia) * np.cross(push_arm, push)',
+                ),
+                "You use the diagonal "
                 "of I^-1 alone. In general that is right only while the body's axes lie along those of the world."),
-        Mistake("matrix product with @", response(apply=lambda m, v: m @ v), "Right for one body. In a batch, @ takes "
+        Mistake("matrix product with @",
+                slip(
+                    formulas.point_response,
+                    'np.einsum("...ij,...j->...i", inverse_inertia, np.cross(push_arm, push))',
+                    "inverse_inertia @ np.cross(push_arm, push)",
+                ),
+                "Right for one body. In a batch, @ takes "
                 'the last two axes of both sides for matrices: np.einsum("...ij,...j->...i", matrix, vector).'),
     ),
     hints=(

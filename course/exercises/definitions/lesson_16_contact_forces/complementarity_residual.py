@@ -7,42 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_16_contact_forces.shared import (
     LEVER,
     PAIR,
     ROW,
-    apply,
     drawn_system,
 )
-
-
-def _residual(
-    *,
-    judge: Any = None,
-    scale: Any = None,
-    diagonal: bool = True,
-    sign: float = 1.0,
-    best: Any = None,
-) -> Any:
-    """The residual with one of its parts changed."""
-
-    def function(a: Any, f: Any, b: Any) -> Any:
-        d = np.diagonal(a, axis1=-2, axis2=-1) if diagonal else 1.0
-        push, w = d * np.asarray(f), apply(a, f) + sign * np.asarray(b)
-        wrong = judge(push, w) if judge else np.abs(np.minimum(push, w))
-        size, largest = apply(np.abs(a), f), np.abs(b).max(axis=-1, keepdims=True)
-        below = scale(a, f, size, largest) if scale else size + largest
-        rows = np.divide(wrong, below, out=np.zeros(np.shape(wrong)), where=below > 0)
-        return best(rows) if best else rows.max(axis=-1)
-
-    return function
-
-
-def _without_guard(a: Any, f: Any, b: Any) -> Any:
-    w, d = apply(a, f) + b, np.diagonal(a, axis1=-2, axis2=-1)
-    scale = apply(np.abs(a), f) + np.abs(b).max(axis=-1, keepdims=True)
-    return np.max(np.abs(np.minimum(d * f, w)) / scale, axis=-1)
+from course.exercises.slips import slip
 
 
 def _tried_forces(rng: np.random.Generator) -> Sequence[Case]:
@@ -88,10 +61,6 @@ def _tried_forces(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-def _residual_with_own_b(a: Any, f: Any, b: Any) -> Any:
-    return _residual(scale=lambda a, f, size, _: size + np.abs(b))(a, f, b)
-
-
 COMPLEMENTARITY_RESIDUAL = Exercise(
     name="complementarity_residual",
     rows=(20, 25),
@@ -105,42 +74,74 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
         Value("b", "(..., c)", "m/s^2", "d_ddot without contact forces"),
     ),
     results=(Value("residual", "(...)", "", "0 for a solution"),),
-    reference=_residual(),
+    reference=formulas.complementarity_residual,
     cases=_tried_forces,
     mistakes=(
-        Mistake("no abs", _residual(judge=np.minimum),
+        Mistake("no abs",
+                slip(
+                    formulas.complementarity_residual, "np.abs(np.minimum(d * f, w))", "np.minimum(d * f, w)"
+                ),
                 "Without the absolute value a contact that sinks in, d_ddot < 0, has a residual below 0, and the "
                 "largest one hides it."),
-        Mistake("abs too early", _residual(judge=lambda p, w: np.minimum(np.abs(p), np.abs(w))),
+        Mistake("abs too early",
+                slip(
+                    formulas.complementarity_residual,
+                    "np.abs(np.minimum(d * f, w))",
+                    "np.minimum(np.abs(d * f), np.abs(w))",
+                ),
                 "The absolute values come too early: with f = 0 and d_ddot < 0 the smaller of |a_ii f| and "
                 "|d_ddot| is 0, and the contact sinks in unseen. First the minimum, then its absolute value."),
-        Mistake("approach alone", _residual(judge=lambda p, w: np.maximum(-w, 0)),
+        Mistake("approach alone",
+                slip(formulas.complementarity_residual, "np.abs(np.minimum(d * f, w))", "np.maximum(-w, 0)"),
                 "You see only the contacts that sink in. A contact that pushes although the bodies part is wrong too."),
-        Mistake("product", _residual(judge=lambda p, w: np.abs(p * w)),
+        Mistake("product",
+                slip(formulas.complementarity_residual, "np.abs(np.minimum(d * f, w))", "np.abs(d * f * w)"),
                 "You judge the product f d_ddot. It is 0 for f = 0 whatever d_ddot is: a contact that sinks in "
                 "passes."),
-        Mistake("no scale", _residual(scale=lambda a, f, size, largest: np.ones_like(size)),
+        Mistake("no scale",
+                slip(
+                    formulas.complementarity_residual,
+                    'np.einsum("...ij,...j->...i", np.abs(a), f) + largest',
+                    "np.ones(wrong.shape)",
+                ),
                 "The scale is missing: m/s^2 would be judged alike for a crumb and for a ship."),
-        Mistake("scale without b", _residual(scale=lambda a, f, size, largest: size),
+        Mistake("scale without b", slip(formulas.complementarity_residual, " + largest", ""),
                 "max |b| is missing in the scale. Without it a row with no forces has no scale at all."),
-        Mistake("scale by A f", _residual(scale=lambda a, f, size, largest: np.abs(apply(a, f)) + largest),
+        Mistake("scale by A f",
+                slip(
+                    formulas.complementarity_residual,
+                    'np.einsum("...ij,...j->...i", np.abs(a), f)',
+                    'np.abs(np.einsum("...ij,...j->...i", a, f))',
+                ),
                 "The scale has |A f|, where terms cancel. It is |A| f: the absolute value of each entry first."),
         Mistake("no absolute values in the scale",
-                _residual(scale=lambda a, f, size, largest: apply(a, f) + largest),
+                slip(formulas.complementarity_residual, "np.abs(a), f", "a, f"),
                 "The scale has A f, where terms cancel and which may be below 0. It is |A| f: np.abs(a)."),
-        Mistake("each row's own b", _residual_with_own_b,
+        Mistake("each row's own b",
+                slip(formulas.complementarity_residual, "np.abs(b).max(axis=-1, keepdims=True)", "np.abs(b)"),
                 "The scale has |b_i| of each row. It is the largest |b| of the system, in every row."),
-        Mistake("one b for the whole batch", _residual(scale=lambda a, f, size, largest: size + np.max(largest)),
+        Mistake("one b for the whole batch",
+                slip(formulas.complementarity_residual, "max(axis=-1, keepdims=True)", "max()"),
                 "Right for one system. In a batch each has its own largest |b|: max(axis=-1, keepdims=True)."),
         Mistake("one scale for all rows",
-                _residual(scale=lambda a, f, size, largest: size.max(-1, keepdims=True) + largest),
+                slip(
+                    formulas.complementarity_residual,
+                    'np.einsum("...ij,...j->...i", np.abs(a), f)',
+                    'np.einsum("...ij,...j->...i", np.abs(a), f).max(axis=-1, keepdims=True)',
+                ),
                 "All rows have the largest scale. Each row is judged against its own terms; only max |b| is common."),
-        Mistake("rows added up", _residual(best=lambda rows: rows.sum(axis=-1)),
+        Mistake("rows added up", slip(formulas.complementarity_residual, "rows.max", "rows.sum"),
                 "You add the rows up. The residual is the worst of them."),
-        Mistake("D missing", _residual(diagonal=False),
+        Mistake("D missing", slip(formulas.complementarity_residual, "d * f", "f"),
                 "The minimum is taken of newtons and m/s^2. a_ii f_i is in m/s^2, as d_ddot_i is."),
-        Mistake("sign of b", _residual(sign=-1.0), "The sign of b: d_ddot = A f + b is the acceleration of the gaps."),
-        Mistake("0/0", _without_guard,
+        Mistake("sign of b", slip(formulas.complementarity_residual, "f) + b", "f) - b"),
+                "The sign of b: d_ddot = A f + b is the acceleration of the gaps."),
+        Mistake("0/0",
+                slip(
+                    formulas.complementarity_residual,
+                    "np.divide(wrong, scale, out=np.zeros(wrong.shape), where=scale > 0)",
+                    "wrong / scale",
+                ),
                 "0/0 where nothing pushes and b = 0: there the residual is 0. np.divide(x, y, out=np.zeros(...), "
                 "where=y > 0) leaves such rows at 0."),
     ),

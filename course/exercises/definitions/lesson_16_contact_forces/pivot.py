@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_16_contact_forces.shared import (
     LEVER,
@@ -16,69 +16,7 @@ from course.exercises.definitions.lesson_16_contact_forces.shared import (
     B,
     drawn_system,
 )
-
-STOPS = (
-    100  # more than any contact of these systems needs; a slip can go round for ever
-)
-
-Block = Callable[[Any, list[int], int], Any]
-
-
-def _answer(a: Any, pushing: list[int], k: int) -> Any:
-    """How the pushing forces answer a unit of force at k, -A_CC^-1 A_Ck."""
-    return -np.linalg.solve(a[np.ix_(pushing, pushing)], a[pushing, k])
-
-
-def _entries(a: Any, pushing: list[int], k: int) -> Any:
-    """A_CC taken as a[C, C], which numpy reads as the diagonal entries."""
-    return -np.linalg.solve(a[pushing, pushing], a[pushing, k])
-
-
-def _pivoting(
-    *,
-    answer: Block = _answer,
-    leave: bool = True,
-    join: bool = True,
-    falling: bool = True,
-    listed: bool = True,
-    removed: bool = True,
-    skip: bool = True,
-) -> Any:
-    """Baraff's method with one of its steps left out."""
-
-    def function(a: Any, b: Any) -> Any:
-        f, w = np.zeros(len(b)), np.array(b, dtype=float)
-        pushing: list[int] = []
-        for k in range(len(b)):
-            for _ in range(STOPS):
-                if w[k] >= -1e-12 and (skip or abs(w[k]) <= 1e-12):
-                    break
-                change = np.zeros(len(b))
-                change[k] = 1.0
-                change[pushing] = answer(a, pushing, k)
-                rate = a @ change
-                out = [i for i in pushing if leave and (change[i] < 0 or not falling)]
-                back = [
-                    i
-                    for i in range(k)
-                    if join and i not in pushing and (rate[i] < 0 or not falling)
-                ]
-                stops = [(-w[k] / rate[k], k), *((-f[i] / change[i], i) for i in out)]
-                step, who = min(stops + [(-w[i] / rate[i], i) for i in back])
-                f, w = f + step * change, w + step * rate
-                if who in pushing:
-                    pushing[:] = [i for i in pushing if i != who or not removed]
-                    f[who] = 0.0
-                else:
-                    w[who] = 0.0
-                    pushing += [who] if who != k else []
-            else:
-                raise RuntimeError(f"contact {k}: no end after {STOPS} stops")
-            if f[k] != 0 and listed:
-                pushing.append(k)
-        return f
-
-    return function
+from course.exercises.slips import slip
 
 
 def _pivot_systems(rng: np.random.Generator) -> Sequence[Case]:
@@ -109,35 +47,57 @@ PIVOT = Exercise(
     task="Return f >= 0 with w = A f + b >= 0 and f w = 0, contact by contact, for positive definite A.",
     arguments=(A, B),
     results=(Value("f", "(c,)", "N", "contact forces", relative=1e-8, absolute=1e-9),),
-    reference=_pivoting(),
+    reference=formulas.pivot,
     cases=_pivot_systems,
     mistakes=(
-        Mistake("nobody leaves", _pivoting(leave=False),
+        Mistake("nobody leaves",
+                slip(
+                    formulas.pivot,
+                    "            stops += [(-f[i] / change[i], i) for i in pushing if change[i] < 0]\n",
+                    "",
+                ),
                 "A force went below 0: stop where one of the pushing forces reaches 0, and take it out of the list."),
-        Mistake("nobody joins", _pivoting(join=False),
+        Mistake("nobody joins",
+                slip(
+                    formulas.pivot,
+                    "            stops += [(-w[i] / rate[i], i) for i in resting if rate[i] < 0]\n",
+                    "",
+                ),
                 "A contact that was dealt with sinks in: stop where the d_ddot of one that does not push reaches 0, "
                 "and let it join."),
-        Mistake("one stop alone", _pivoting(leave=False, join=False),
+        Mistake("one stop alone",
+                slip(
+                    formulas.pivot,
+                    "            stops += [(-f[i] / change[i], i) for i in pushing if change[i] < 0]\n"
+                    "            stops += [(-w[i] / rate[i], i) for i in resting if rate[i] < 0]\n",
+                    "",
+                ),
                 "You stop only where d_ddot_k reaches 0. A pushing force may reach 0 before, or the d_ddot of a "
                 "contact that does not push: three kinds of stops, and the first of all ends the step."),
-        Mistake("the others hold still", _pivoting(answer=lambda a, pushing, k: 0.0),
+        Mistake("the others hold still",
+                slip(formulas.pivot, "-np.linalg.solve(block, a[pushing, k])", "0.0"),
                 "While one force grows, those that push already must change with it to keep their d_ddot at 0."),
-        Mistake("sign of the answer", _pivoting(answer=lambda a, pushing, k: -_answer(a, pushing, k)),
+        Mistake("sign of the answer", slip(formulas.pivot, "-np.linalg", "np.linalg"),
                 "The pushing forces change the wrong way: A_CC df_C + A_Ck = 0 keeps their d_ddot at 0, so there is "
                 "a minus before A_CC^-1 A_Ck."),
-        Mistake("entries for a block", _pivoting(answer=_entries),
+        Mistake("entries for a block",
+                slip(formulas.pivot, "a[np.ix_(pushing, pushing)]", "a[pushing, pushing]"),
                 "If the error speaks of a 1-dimensional array: a[C, C] takes single entries, a[0, 0], a[2, 2] and so "
                 "on. The rows and columns of C are a[np.ix_(C, C)]."),
-        Mistake("k is not listed", _pivoting(listed=False),
+        Mistake("k is not listed",
+                slip(formulas.pivot, "pushing.append(who)", "pushing += [who] if who != k else []"),
                 "A contact that has been dealt with and pushes must stand in the list, or nobody keeps its d_ddot at "
                 "0: add k once its d_ddot is 0 and its force is above 0."),
-        Mistake("the list keeps who leaves", _pivoting(removed=False),
+        Mistake("the list keeps who leaves",
+                slip(formulas.pivot, "                pushing.remove(who)\n", ""),
                 "The contact whose force reached 0 stays in the list: the next step then has length 0, and so has "
                 "every one after it. Take it out."),
-        Mistake("stops that are not ahead", _pivoting(falling=False),
+        Mistake("stops that are not ahead",
+                slip(formulas.pivot, " if change[i] < 0", "", " if rate[i] < 0", ""),
                 "Not every contact can stop you: only a pushing force that falls, and a d_ddot that falls. The "
                 "others would be met by going backwards, with a step below 0."),
-        Mistake("contacts that part are pressed", _pivoting(skip=False),
+        Mistake("contacts that part are pressed",
+                slip(formulas.pivot, "w[k] >= -1e-12", "abs(w[k]) <= 1e-12"),
                 "You bring d_ddot_k to 0 also where it is above 0. A contact that parts takes no force: leave it "
                 "alone."),
     ),

@@ -3,36 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
-
-
-def _slope(
-    *,
-    own: float = 1.0,
-    other: float = 1.0,
-    sign: float = 1.0,
-    bias: float = 1.0,
-    power: int = 1,
-) -> Any:
-    """The slope of q along f_1 with one of its parts changed."""
-
-    def function(a_11: Any, a_12: Any, f_1: Any, f_2: Any, b_1: Any) -> Any:
-        return own * a_11 * f_1**power + other * a_12 * f_2 + sign * bias * b_1
-
-    return function
-
-
-def _of_one_force(a_11: Any, a_12: Any, f_1: Any, f_2: Any, b_1: Any) -> Any:
-    return (a_11 + a_12) * f_1 + b_1
-
-
-def _objective(a_11: Any, a_12: Any, f_1: Any, f_2: Any, b_1: Any) -> Any:
-    """The terms of q that hold f_1; the others need a_22 and b_2, which are no arguments."""
-    return (a_11 * f_1 / 2 + a_12 * f_2 + b_1) * f_1
+from course.exercises.slips import slip
 
 
 def _slopes(rng: np.random.Generator) -> Sequence[Case]:
@@ -57,27 +33,38 @@ SLOPE = Exercise(
         Value("b_1", "scalar", "m/s^2", "entry of b"),
     ),
     results=(Value("slope_1", "(...)", "m/s^2", "how q changes with f_1"),),
-    reference=_slope(),
+    reference=formulas.slope_1,
     cases=_slopes,
     mistakes=(
-        Mistake("half kept", _slope(own=0.5, other=0.5),
+        Mistake("half kept",
+                slip(formulas.slope_1, "a_11 * f_1 + a_12 * f_2", "(a_11 * f_1 + a_12 * f_2) / 2"),
                 "The half stays in front of A. The square brings a 2 down, and the mixed term stands twice."),
-        Mistake("half of the mixed term", _slope(other=0.5),
+        Mistake("half of the mixed term", slip(formulas.slope_1, "a_12 * f_2", "a_12 * f_2 / 2"),
                 "Half of the mixed term is missing: a_12 and a_21 = a_12 both bring f_1 f_2."),
-        Mistake("half forgotten", _slope(own=2.0, other=2.0),
+        Mistake("half forgotten",
+                slip(formulas.slope_1, "a_11 * f_1 + a_12 * f_2", "2 * (a_11 * f_1 + a_12 * f_2)"),
                 "The half in front of f'A f is forgotten: A comes out twice as large as it is."),
-        Mistake("mixed term twice", _slope(other=2.0),
+        Mistake("mixed term twice", slip(formulas.slope_1, "a_12", "2 * a_12"),
                 "The mixed term is twice too large: the half before the bracket and the 2 in it cancel."),
-        Mistake("square left standing", _slope(power=2), "f_1 still stands squared: the derivative of f_1^2 is 2 f_1."),
-        Mistake("mixed term lost", _slope(other=0.0),
+        Mistake("square left standing", slip(formulas.slope_1, "f_1 +", "f_1**2 +"),
+                "f_1 still stands squared: the derivative of f_1^2 is 2 f_1."),
+        Mistake("mixed term lost", slip(formulas.slope_1, " + a_12 * f_2", ""),
                 "The mixed term is missing. It is how a force at contact 2 is felt at contact 1."),
-        Mistake("b lost", _slope(bias=0.0), "b_1 is missing: the term b_1 f_1 is linear, its slope is b_1."),
-        Mistake("sign of b", _slope(sign=-1.0), "The sign of b_1 is turned round: q has + b_1 f_1."),
-        Mistake("f_1 for f_2", _of_one_force,
+        Mistake("b lost", slip(formulas.slope_1, " + b_1", ""),
+                "b_1 is missing: the term b_1 f_1 is linear, its slope is b_1."),
+        Mistake("sign of b", slip(formulas.slope_1, "+ b_1", "- b_1"),
+                "The sign of b_1 is turned round: q has + b_1 f_1."),
+        Mistake("f_1 for f_2", slip(formulas.slope_1, "f_2", "f_1"),
                 "Both entries of row 1 multiply f_1. The mixed term is a_12 f_1 f_2: what is left of it is not f_1."),
-        Mistake("q itself", _objective,
+        Mistake("q itself",
+                slip(
+                    formulas.slope_1,
+                    "a_11 * f_1 + a_12 * f_2 + b_1",
+                    "(a_11 * f_1 / 2 + a_12 * f_2 + b_1) * f_1",
+                ),
                 "This is q, or its terms with f_1, and not yet its slope: differentiate each of them by f_1."),
-        Mistake("half of the square", _slope(own=0.5), "The 2 of the square is lost: the slope of f_1^2/2 is f_1."),
+        Mistake("half of the square", slip(formulas.slope_1, "a_11 * f_1", "a_11 * f_1 / 2"),
+                "The 2 of the square is lost: the slope of f_1^2/2 is f_1."),
     ),
     hints=(
         "Three terms of q hold f_1; the others do not change with it.",

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_16_contact_forces.shared import (
     LEVER,
@@ -17,10 +18,15 @@ from course.exercises.definitions.lesson_16_contact_forces.shared import (
     B,
     drawn_system,
 )
+from course.exercises.slips import slip
 
 #: Singular but for its last digits: they leave an eigenvalue of -1e-9, which cvxpy takes for a real one.
 ROUNDED = np.array([[1e4, 1e4], [1e4, 1e4 - 2e-9]])
 DOWN = np.array([-9.81, -9.81])
+
+
+# A mistake that changes what the programme asks is written by what then comes out. An edit of the formula would say it
+# as well, but the judge would wait for cvxpy eight times for each. Those that cvxpy refuses are edits.
 
 
 def _solution(a: Any, b: Any) -> np.ndarray:
@@ -51,21 +57,6 @@ def _least_squares(a: Any, b: Any) -> np.ndarray:
 def _limited_by_contacts(a: Any, b: Any) -> np.ndarray:
     """The least q with A f <= b: f = f_unlimited - y, where y solves the three conditions for A and 2 b."""
     return _unlimited(a, b) - _solution(a, 2.0 * np.asarray(b))
-
-
-def _in_cvxpy(objective: Any) -> Any:
-    """A programme with f >= 0 whose objective is written another way; some ways cvxpy refuses."""
-
-    def function(a: Any, b: Any) -> Any:
-        import cvxpy as cp
-
-        f = cp.Variable(len(b))
-        cp.Problem(cp.Minimize(objective(cp, f, a, b)), [f >= 0]).solve(
-            solver=cp.CLARABEL
-        )
-        return f.value
-
-    return function
 
 
 def _quadratic_programmes(rng: np.random.Generator) -> Sequence[Case]:
@@ -121,8 +112,9 @@ SOLVE_CONTACT_QP = Exercise(
     task="Return the f that minimises f'A f/2 + b'f subject to f >= 0, by cvxpy with the solver CLARABEL.",
     arguments=(A, B),
     results=(Value("f", "(c,)", "N", "contact forces", relative=5e-4, absolute=5e-4),),
-    reference=_solution,  # it shows the shape; what is right is judged by the three conditions
+    reference=formulas.solve_contact_qp,
     judged_by="properties",
+    sample=lambda a, b: np.zeros(len(b)),
     properties=CONDITIONS,
     cases=_quadratic_programmes,
     mistakes=(
@@ -133,7 +125,7 @@ SOLVE_CONTACT_QP = Exercise(
                 "a contact that pulls, and do not fit once it is gone. The limit belongs into the programme."),
         Mistake("the lowest q", lambda a, b: 0.5 * np.dot(b, _solution(a, b)),
                 "One number came: solve() returns the lowest q. The forces are in the variable, f.value."),
-        Mistake("d_ddot = 0 as a limit", lambda a, b: _forced(a, b),
+        Mistake("d_ddot = 0 as a limit", _forced,
                 "With d_ddot = 0 as a limit there may be no f >= 0 at all; cvxpy then leaves None in f.value. It is "
                 "f d_ddot = 0 that holds, and it comes out by itself."),
         Mistake("half forgotten", lambda a, b: 0.5 * _solution(a, b),
@@ -153,15 +145,15 @@ SOLVE_CONTACT_QP = Exercise(
                 "where a foot lifts, d_ddot is to be above 0, not small."),
         Mistake("A left out", lambda a, b: np.maximum(-np.asarray(b), 0.0),
                 "The quadratic part is f.f/2, without A: every contact is treated as a body of 1 kg by itself."),
-        Mistake("numpy's dot", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.dot(b, f)),
+        Mistake("numpy's dot", slip(formulas.solve_contact_qp, "b @ f", "np.dot(b, f)"),
                 "The error speaks of a sequence: np.dot does not know cvxpy's variables. The linear term is b @ f."),
-        Mistake("numpy's sum",
-                _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, cp.psd_wrap(a)) + np.sum(cp.multiply(b, f))),
+        Mistake("numpy's sum", slip(formulas.solve_contact_qp, "b @ f", "np.sum(cp.multiply(b, f))"),
                 "np.sum does not know cvxpy's variables. The linear term is b @ f, or cp.sum(cp.multiply(b, f))."),
-        Mistake("f'A f written out", _in_cvxpy(lambda cp, f, a, b: 0.5 * f.T @ a @ f + b @ f),
+        Mistake("f'A f written out",
+                slip(formulas.solve_contact_qp, "cp.quad_form(f, cp.psd_wrap(a))", "f.T @ a @ f"),
                 "cvxpy does not see that f.T @ a @ f is convex, and refuses it (DCP: its rules for convex programmes). "
                 "Write it as cp.quad_form(f, cp.psd_wrap(a))."),
-        Mistake("no promise", _in_cvxpy(lambda cp, f, a, b: 0.5 * cp.quad_form(f, a) + b @ f),
+        Mistake("no promise", slip(formulas.solve_contact_qp, "cp.psd_wrap(a)", "a"),
                 "psd_wrap is missing. Where contacts are redundant A has an eigenvalue 0, and rounding may leave it "
                 "just below: cvxpy then refuses the programme, unless cp.psd_wrap(a) promises that all is well."),
         Mistake("each contact alone", lambda a, b: np.maximum(-np.asarray(b) / np.diagonal(a), 0.0),
