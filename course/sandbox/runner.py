@@ -5,15 +5,18 @@ wrong answer.
 """
 
 from __future__ import annotations
+import __future__
 
 import ast
 import contextlib
 import gc
+import inspect
 import linecache
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import CodeType
 from typing import Any
 
 from course.exercises import answer
@@ -23,6 +26,7 @@ from course.sandbox.messages import REPLY, STAGE, TRIED, send
 MISSING = object()
 #: Attempts told, each once; more of them say nothing new.
 MOST_ATTEMPTS = 20
+DEEP = 5_000
 
 
 @dataclass(frozen=True)
@@ -58,12 +62,14 @@ def run(task: Task, around: Surroundings, pipe: int) -> None:
     sys.path[:] = around.path
     stand_ins.install_stand_ins()
     _silence()
-    guard.install_guard(around.work, around.closed, around.path, _Attempts(pipe))
+    stand_ins.answer_nobody()
+    attempts = _Attempts(pipe)
+    guard.install_guard(around.work, around.closed, around.path, attempts)
     if around.close_calls is not None and around.close_calls():
         held.append("system calls")
     gc.freeze()
     stage("ready")
-    told = _answers(task, stage)
+    told = _answers(task, stage, attempts)
     send(pipe, REPLY, wire.pack({**told, "held": held}))
     os._exit(0)
 
@@ -83,51 +89,103 @@ class _Attempts:
 
     def __init__(self, pipe: int) -> None:
         self._pipe, self._told = pipe, set[str]()
+        self.count = 0
 
     def __call__(self, attempt: str) -> None:
+        self.count += 1
         if attempt not in self._told and len(self._told) < MOST_ATTEMPTS:
             self._told.add(attempt)
             send(self._pipe, TRIED, attempt.encode("utf-8", "replace"))
 
 
-def _answers(task: Task, stage: Callable[..., None]) -> dict[str, Any]:
+def _answers(
+    task: Task, stage: Callable[..., None], attempts: _Attempts
+) -> dict[str, Any]:
     """Run the cells, call the answer, and tell what came of both."""
-    nothing = stand_ins.StandInForCourse()
-    namespace: dict[str, Any] = {
-        "__name__": "__main__", "exit": sys.exit, "quit": sys.exit, "display": nothing,
-        "get_ipython": nothing, stand_ins.LATER_NAME: stand_ins.Later,
-    }  # fmt: skip
-    notes = []
+    cells, notes = _Cells(attempts), []
     for index, (source, tolerant) in enumerate(task.cells):
         stage("cell", index)
-        error = _execute(source, index, namespace, tolerant)
+        error = cells.execute(source, index, tolerant)
         if error is not None:
             notes.append([index, answer.describe(error)])
-    return {"notes": notes, **_call(task, stage, namespace.get(task.name, MISSING))}
+    found = cells.namespace.get(task.name, MISSING)
+    return {"notes": notes, **_call(task, stage, found)}
 
 
-def _execute(
-    source: str, index: int, namespace: dict[str, Any], tolerant: bool
-) -> BaseException | None:
-    """Run one cell and give back what it raised; a tolerant one goes on after a statement that fails."""
-    name, printed = f"<cell {index}>", answer.Printed
-    lines = [line + "\n" for line in source.splitlines()]
-    linecache.cache[name] = (len(source), None, lines, name)
-    first: BaseException | None = None
-    with contextlib.redirect_stdout(printed()), contextlib.redirect_stderr(printed()):
-        try:
-            tree = stand_ins.with_later_imports(ast.parse(source, name))
-            for part in [[node] for node in tree.body] if tolerant else [tree.body]:
+@contextlib.contextmanager
+def _deeper() -> Iterator[None]:
+    """Compiling from a tree counts its depth: a thousand elif are a thousand blocks in each other."""
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(limit, DEEP))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(limit)
+
+
+class _Cells:
+    """The notebook's namespace, and how cells run in it: as in a kernel, where await and __future__ work too."""
+
+    def __init__(self, attempts: _Attempts) -> None:
+        nothing = stand_ins.StandInForCourse()
+        self.namespace: dict[str, Any] = {
+            "__name__": "__main__",
+            "exit": sys.exit,
+            "quit": sys.exit,
+            "display": nothing,
+            "get_ipython": nothing,
+            stand_ins.LATER_NAME: stand_ins.Later,
+        }
+        self._attempts = attempts
+        self._flags = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
+
+    def execute(self, source: str, index: int, tolerant: bool) -> BaseException | None:
+        """Run one cell and give back what it raised first.
+
+        A tolerant cell goes on after a statement that fails, and every cell after one that was refused something: in
+        the kernel it would have worked.
+        """
+        name, printed = f"<cell {index}>", answer.Printed
+        lines = [line + "\n" for line in source.splitlines()]
+        linecache.cache[name] = (len(source), None, lines, name)
+        first: BaseException | None = None
+        with (
+            contextlib.redirect_stdout(printed()),
+            contextlib.redirect_stderr(printed()),
+        ):
+            try:
+                with _deeper():
+                    tree = stand_ins.with_later_imports(ast.parse(source, name))
+                    codes = [self._compiled(node, name) for node in tree.body]
+            except BaseException as error:
+                return error
+            for code in codes:
+                before = self._attempts.count
                 try:
-                    module = ast.Module(part, [])
-                    exec(compile(module, name, "exec", dont_inherit=True), namespace)
+                    self._run(code)
                 except (
                     BaseException
                 ) as error:  # SystemExit too: a notebook goes on with its next cell
                     first = first or error
-        except BaseException as error:
-            first = first or error
-    return first
+                    if not tolerant and self._attempts.count == before:
+                        break
+        return first
+
+    def _compiled(self, node: ast.stmt, name: str) -> CodeType:
+        if isinstance(node, ast.ImportFrom) and node.module == "__future__":
+            for alias in node.names:
+                feature = getattr(__future__, alias.name, None)
+                self._flags |= getattr(feature, "compiler_flag", 0)
+        module = ast.Module([node], [])
+        return compile(module, name, "exec", self._flags, dont_inherit=True)
+
+    def _run(self, code: CodeType) -> None:
+        if code.co_flags & inspect.CO_COROUTINE:
+            import asyncio
+
+            asyncio.run(eval(code, self.namespace))
+        else:
+            exec(code, self.namespace)
 
 
 def _call(task: Task, stage: Callable[..., None], value: Any) -> dict[str, Any]:

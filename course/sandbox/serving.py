@@ -157,6 +157,9 @@ def _become_runner(
         for pipe in others:
             os.close(pipe)
         runner.run(task, around, inlet)
+    except Exception as error:
+        told = f"{type(error).__name__}: {error}"
+        messages.send(inlet, messages.FAULT, told.encode("utf-8", "replace"))
     finally:
         os._exit(70)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from course.sandbox.ending import End, end_of
 from course.sandbox.limits import Limits
-from course.sandbox.messages import REPLY, STAGE, TRIED, Garbled, Incoming
+from course.sandbox.messages import FAULT, REPLY, STAGE, TRIED, Garbled, Incoming
 
 START_SECONDS = 60.0  # for a run to begin: a slow disk is not the student's
 LOOK_SECONDS = 0.25
@@ -42,6 +42,12 @@ class Seen:
             self.refused.append(payload[:400].decode("utf-8", "replace"))
         elif letter == REPLY:
             self.reply, self.end = payload, "replied"
+            return True
+        elif letter == FAULT:
+            self.end, self.detail = (
+                "unreadable",
+                payload[:400].decode("utf-8", "replace"),
+            )
             return True
         return False
 

@@ -180,8 +180,8 @@ HOSTILE = {
     ),
     "kill all": (
         "import os\nos.kill(-1, 9)\ndef thrice(x):\n    return x",
-        "error",
-        "its cell stopped with PermissionError",
+        "wrong",
+        "its cell stopped with PermissionError: os.kill",
     ),
     "memory": (
         "def thrice(x):\n    return np.zeros(10**11)",
