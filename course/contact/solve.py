@@ -22,13 +22,14 @@ from course.arrays import (
 )
 from course.contact.automatic import automatic
 from course.contact.contact_system import ContactSystem
+from course.contact.judgement import require_semidefinite
+from course.contact.rescue import settled_qp
 from course.contact.solution import ContactSolution, NotConverged, contact_solution
 from course.contact.solvers.gauss import solve_gauss
 from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.projected_gauss_seidel import solve_projected_gauss_seidel
-from course.contact.solvers.qp import solve_qp
 from course.contact.solvers.unit_system import UnitSystem
 
 #: A b below this, or above its inverse, is solved for in another unit.
@@ -152,6 +153,8 @@ def _solved(
 ) -> ContactSolution:
     if method == "auto":
         return automatic(system, tolerance=tolerance, max_iterations=limit, start=begin)
+    if system.jacobian is None:
+        require_semidefinite(system.A)
     one = _ONE[method]
     count = len(system)
     force = np.zeros(system.b.shape)
@@ -208,21 +211,12 @@ def _dense(a: Any) -> Array:
 
 
 def _qp(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
-    # In units of the diagonal, which the programme does not care about and the solver's tolerances do.
-    root, size = np.sqrt(a.diagonal()), float(np.abs(b / np.sqrt(a.diagonal())).max())
-    if hasattr(a, "tocsr"):
-        from scipy.sparse import csc_array, diags_array
-
-        unit = csc_array(diags_array(1 / root) @ a @ diags_array(1 / root))
-    else:
-        unit = a / (root[:, None] * root)
     # The solver stops at a gap, and where f and w are both small each is its root: so a hundredth, if it can.
+    unit = UnitSystem(a, b)
     for own in (0.01 * options.tolerance, options.tolerance):
-        found, count = solve_qp(
-            unit, b / root / size, tolerance=own, max_iterations=options.limit
-        )
+        found, count = settled_qp(unit, own, options.tolerance, options.limit)
         if found is not None:
-            return found * size / root, count
+            return found, count
     return np.zeros(b.size), count
 
 
