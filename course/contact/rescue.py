@@ -9,9 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array
+from course.arrays import Array, BoolArray
 from course.contact.judgement import require_semidefinite
-from course.contact.solution import SEEN
 from course.contact.solvers.active_set import settle
 from course.contact.solvers.certificate import certificate
 from course.contact.solvers.exact import solve_exact
@@ -31,6 +30,8 @@ from course.contact.solvers.unit_system import UnitSystem
 EXACT_UP_TO, PIVOT_UP_TO, NNLS_UP_TO = 40, 400, 1000
 #: Eigenvalues below minus this are no rounding where methods fail, in units of A's diagonal.
 INDEFINITE = 1e-12
+#: Eigenvalues below this a contact are rounding, in units of A's diagonal.
+SINGULAR = 16 * np.finfo(float).eps
 #: Forces this large beside b are only believed where no proof holds within rounding of A that there are none.
 ENORMOUS = 1e11
 
@@ -106,25 +107,24 @@ class Island:
         return violation_of(self.a.diagonal(), product, force, self.b)
 
     def _exactly(self, guess: Array) -> Found | None:
-        """The answer of the stored numbers, where it is for float64 to tell."""
+        """The answer of the stored numbers, where it is for them to tell."""
         if self.b.size > EXACT_UP_TO:
             return None
-        a = dense(self.a)
+        a, holds = dense(self.a), not self._judged(guess)[0]
         found = solve_exact(a, self.b, guess > 0)
         if found.force is None:
             # Rounding of a singular A proves nothing about J; what is solved to the tolerance needs no proof.
-            if found.certificate is None or self._rows or not self._judged(guess)[0]:
+            if found.certificate is None or self._rows or holds:
                 return None
             return Found(guess, 0, "", proof=found.certificate)
-        product, size = products(a, found.force)
-        largest = float(np.abs(self.b).max())
-        if np.any(size > ENORMOUS * largest):
+        if holds and _singular(a, found.force > 0):
+            # The exact forces hang on A's rounding then, and may be as large as one likes.
+            return Found(guess, 0, "")
+        size = np.abs(a) @ found.force
+        if np.any(size > ENORMOUS * np.abs(self.b).max()):
             proof = certificate(a, self.b, found.force, factor=self._factor)
             if proof is not None:
                 return Found(guess, 0, "", proof=proof)
-        violation = violation_of(a.diagonal(), product, found.force, self.b)
-        if not np.all(violation <= SEEN * largest):
-            return None
         return Found(found.force, 1, "exact", exact=True)
 
     def _judged(self, force: Array) -> tuple[bool, float]:
@@ -185,6 +185,14 @@ def settled_qp(
     better = settle(unit, at, at > motion, tolerance=tolerance)
     chosen = better.force if better.residual < unit.residual(at) else at
     return unit.force(chosen), count
+
+
+def _singular(a: Array, pushing: BoolArray) -> bool:
+    """Whether A_SS is singular to rounding, on a diagonal of ones."""
+    index = np.flatnonzero(pushing)
+    scale = 1 / np.sqrt(a.diagonal()[index])
+    unit = (a[np.ix_(index, index)] * scale[:, None]) * scale
+    return bool(np.linalg.eigvalsh(unit)[0] <= SINGULAR * index.size)
 
 
 def dense(a: Any) -> Array:
