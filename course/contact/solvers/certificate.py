@@ -77,15 +77,16 @@ def certificate(
         unit = np.asarray(guess) * root
         for least in (1e-9, 1e-4, 1e-2):
             found = _projected(rows, b, unit, unit > least * unit.max())
-            if found is not None and (
-                factor is not None or _stored(matrix, found * scale)
-            ):
-                return _largest_one(found * scale)
+            if found is not None and factor is None:
+                found = _of_stored(matrix, found * scale)
+            if found is not None:
+                return _largest_one(found * (scale if factor is not None else 1.0))
     most = SEARCHED if factor is None else SEARCHED_WITH_FACTOR
     found = _vertex(rows, b) if search and b.size <= most else None
-    if found is None or (factor is None and not _stored(matrix, found * scale)):
-        return None
-    return _largest_one(found * scale)
+    if found is not None:
+        found = found * scale
+        found = found if factor is not None else _of_stored(matrix, found)
+    return None if found is None else _largest_one(found)
 
 
 def _scaled(rows: Any, scale: Array) -> Any:
@@ -142,8 +143,8 @@ def _proves(rows: Any, b: Array, y: Array) -> bool:
     return bool(still and b @ y < -BELOW * (np.abs(b) @ y))
 
 
-def _stored(matrix: Any, y: Array) -> bool:
-    """Whether A y is 0 to A's own rounding, for a y within rounding of this one.
+def _of_stored(matrix: Any, y: Array) -> Array | None:
+    """The y nearest to this one for which A y is least, if it is 0 to A's own rounding.
 
     The product is formed without rounding, and what y's own rounding adds to
     it is taken off by one step of least squares, y - A^+ (A y).
@@ -151,18 +152,16 @@ def _stored(matrix: Any, y: Array) -> bool:
     index = np.flatnonzero(y)
     # Powers of two that bring the diagonal near 1 change no rounding.
     power = np.frexp(matrix.diagonal())[1] // 2
-    a = (
-        np.asarray(matrix[:, index].todense())
-        if hasattr(matrix, "tocsr")
-        else matrix[:, index]
-    )
+    a = matrix[:, index]
+    a = a.toarray() if hasattr(a, "toarray") else a
     a = np.ldexp(a, -power[:, None] - power[index])
-    y = np.ldexp(y, power)
+    unit = np.ldexp(y, power)[index]
     if y.size > UNROUNDED:
-        product, size = a @ y[index], abs(a) @ y[index]
-        return bool(np.all(np.abs(product) <= OWN_COMPUTED * (size + y.max())))
+        product, size = a @ unit, abs(a) @ unit
+        small = np.abs(product) <= OWN_COMPUTED * (size + unit.max())
+        return y if np.all(small) else None
     columns = [[Fraction(x) for x in row] for row in a.tolist()]
-    nearest = [Fraction(x) for x in y[index].tolist()]
+    nearest = [Fraction(x) for x in unit.tolist()]
     left, values, right = np.linalg.svd(a, full_matrices=False)
     seen = values > SEEN * values[0]
     missing = np.array([float(one) for one in _times(columns, nearest)])
@@ -170,7 +169,11 @@ def _stored(matrix: Any, y: Array) -> bool:
     nearest = [x - Fraction(d) for x, d in zip(nearest, step.tolist(), strict=True)]
     size = [[abs(x) for x in row] for row in columns]
     terms = zip(_times(columns, nearest), _times(size, nearest), strict=True)
-    return min(nearest) >= 0 and all(abs(one) <= OWN * most for one, most in terms)
+    if min(nearest) < 0 or any(abs(one) > OWN * most for one, most in terms):
+        return None
+    sharp = np.zeros(y.size)
+    sharp[index] = [float(x) for x in nearest]
+    return np.ldexp(sharp, -power)
 
 
 def _times(rows: list[list[Fraction]], x: list[Fraction]) -> list[Fraction]:
