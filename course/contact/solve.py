@@ -166,7 +166,7 @@ def _solved(
             else (system.A[index], system.b[index])
         )
         pushing = np.flatnonzero(a.diagonal() > 0)
-        if not np.any(b < 0) or not pushing.size:
+        if not np.any(b[pushing] < 0):
             continue
         if pushing.size < count:  # contacts that no force moves
             a, b = a[pushing][:, pushing], b[pushing]

@@ -167,7 +167,10 @@ def judge_forces(case, solution):
 
 
 def judge_named(case, solution):
-    """Forces of any other method: right to 1e-5 where it says that it has converged."""
+    """Forces of any other method: right to 1e-4 where it says that it has converged.
+
+    "gauss" knows A only as J J', which is off by rounding.
+    """
     assert np.all(np.isfinite(solution.force)) and np.all(solution.force >= 0)
     if not solution.converged:
         return
@@ -177,7 +180,8 @@ def judge_named(case, solution):
     truth = case.truth
     if truth.verdict == "forces" and truth.regular and max(size) > 1e4 * largest:
         f = np.array([float(x) for x in truth.force])
-        np.testing.assert_allclose(solution.force, f, rtol=0, atol=1e-4 * f.max())
+        near = 1e-4 + (10 * case.noise / truth.gap if solution.method == "gauss" else 0)
+        np.testing.assert_allclose(solution.force, f, rtol=0, atol=near * f.max())
 
 
 def judged(case, system, method="auto"):
