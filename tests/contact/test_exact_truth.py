@@ -14,13 +14,13 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from contact.exact_truth import moved, truth_of, violations
 from scipy.sparse import csr_array
 
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
 from course.contact.solvers.certificate import certificate
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
-from contact.exact_truth import moved, truth_of, violations
 
 EPS = np.finfo(float).eps
 METHODS = ("auto", "nnls", "pivot", "projected_gauss_seidel", "gauss")
