@@ -170,7 +170,7 @@ def impulse_central(
     reduced_mass, closing, e = _impact(
         mass_1, mass_2, velocity_1, velocity_2, normal, restitution
     )
-    return (1 + e) * closing * reduced_mass
+    return (1 + e) * (closing * reduced_mass)
 
 
 def kinetic_energy_lost(
@@ -203,7 +203,8 @@ def kinetic_energy_lost(
     reduced_mass, closing, e = _impact(
         mass_1, mass_2, velocity_1, velocity_2, normal, restitution
     )
-    return 0.5 * reduced_mass * (1 - e) * (1 + e) * closing**2
+    # closing times the momentum it carries: its square alone may be too small or too large a number.
+    return 0.5 * (1 - e) * (1 + e) * (reduced_mass * closing) * closing
 
 
 def point_velocity(
@@ -360,12 +361,9 @@ def _impact(
     batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
                       normal=(n, 1), restitution=(e, 0))  # fmt: skip
     light, heavy = np.minimum(m_1, m_2), np.maximum(m_1, m_2)
-    share = np.divide(
-        heavy, light + heavy, out=np.ones(heavy.shape), where=np.isfinite(heavy)
-    )
-    reduced_mass = (
-        np.where(np.isfinite(light), light, 0.0) * share
-    )  # m1 m2/(m1 + m2), infinity allowed
+    # m1 m2/(m1 + m2) for any masses: neither product nor sum is formed, both could leave the range of float64.
+    ratio = np.divide(light, heavy, out=np.zeros(heavy.shape), where=np.isfinite(heavy))
+    reduced_mass = np.where(np.isfinite(light), light, 0.0) / (1 + ratio)
     closing = np.maximum(np.sum((v_2 - v_1) * n, axis=-1), 0.0)
     return (
         np.broadcast_to(reduced_mass, batch),
