@@ -19,6 +19,7 @@ from course.arrays import (
     scalar,
     scalars,
     whole_number,
+    written,
 )
 from course.contact.automatic import automatic
 from course.contact.contact_system import ContactSystem
@@ -96,7 +97,7 @@ def solve(
     )
     relaxation = scalar("relaxation", relaxation)
     if not 0 < relaxation < 2:
-        raise failure("relaxation", "a number above 0 and below 2", repr(relaxation))
+        raise failure("relaxation", "a number above 0 and below 2", written(relaxation))
     begin = None if start is None else scalars("start", start)
     if begin is not None and begin.shape != system.b.shape:
         raise failure("start", f"shape {system.b.shape}", f"shape {begin.shape}")

@@ -27,6 +27,9 @@ from course.arrays import (
 )
 from course.dynamics.bodies import Bodies
 
+#: Masses above this are halved before they are added [kg].
+LARGE = 1e300
+
 
 class ContactPoints(Protocol):
     """What an impulse needs to know of contacts; ``course.overlap.Contacts`` has it."""
@@ -361,9 +364,15 @@ def _impact(
     batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
                       normal=(n, 1), restitution=(e, 0))  # fmt: skip
     light, heavy = np.minimum(m_1, m_2), np.maximum(m_1, m_2)
-    # m1 m2/(m1 + m2) for any masses: neither product nor sum is formed, both could leave the range of float64.
-    ratio = np.divide(light, heavy, out=np.zeros(heavy.shape), where=np.isfinite(heavy))
-    reduced_mass = np.where(np.isfinite(light), light, 0.0) / (1 + ratio)
+    # m1 m2/(m1 + m2) for any masses: their product is never formed, nor the sum of two that would overflow.
+    half = np.where(heavy > LARGE, 0.5, 1.0)
+    share = np.divide(
+        half * heavy,
+        half * light + half * heavy,
+        out=np.ones(heavy.shape),
+        where=np.isfinite(heavy),
+    )
+    reduced_mass = np.where(np.isfinite(light), light, 0.0) * share
     closing = np.maximum(np.sum((v_2 - v_1) * n, axis=-1), 0.0)
     return (
         np.broadcast_to(reduced_mass, batch),

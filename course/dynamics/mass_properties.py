@@ -18,6 +18,7 @@ from course.arrays import (
     read_only,
     rotations,
     vectors,
+    written,
 )
 from course.dynamics.hull_faces import closed_faces, hull_faces, require_solid
 
@@ -246,7 +247,7 @@ def hull_mass_properties(
             "counterclockwise rows seen from outside, around a solid that is not hollow"
         )
         got = float(np.ldexp(total.min(), 3 * unit))
-        raise failure("triangles", expected, f"volume {got!r}")
+        raise failure("triangles", expected, f"volume {written(got)}")
     sums = corners.sum(axis=-2)
     centre = np.einsum("...t,...ti->...i", volume, sums) / (4 * total[..., None])
     second = np.einsum("...t,...tki,...tkj->...ij", volume, corners, corners)
@@ -275,7 +276,7 @@ def combined_mass_properties(parts: Sequence[MassProperties]) -> MassProperties:
         raise failure("parts", "at least one MassProperties", "none")
     for i, part in enumerate(parts):
         if not isinstance(part, MassProperties):
-            raise failure("parts", "MassProperties", type(part).__name__, (i,))
+            raise failure(f"parts[{i}]", "MassProperties", type(part).__name__)
     broadcast(**{f"parts[{i}]": (part.mass, 0) for i, part in enumerate(parts)})
     mass = np.asarray(sum(part.mass for part in parts))
     centre = sum(part.mass[..., None] * part.centre for part in parts) / mass[..., None]
@@ -307,7 +308,7 @@ def _other_two(x: Array) -> Array:
 def _solid(
     argument: str, mass: Array, centre: Array, inertia: Array, density: ArrayLike = 1.0
 ) -> MassProperties:
-    """Mass and inertia times the density; what float64 cannot hold of them is the argument's fault, or the density's."""
+    """Mass and inertia times the density; if float64 cannot hold them, the argument is named, or the density."""
     rho = np.asarray(density)
     m, tensor = rho * mass, rho[..., None, None] * inertia
     if not np.all(held := _held(m, tensor)):

@@ -155,7 +155,7 @@ def test_a_contact_that_nothing_moves_is_refused_at_any_tolerance():
 
 
 def test_without_doubt_is_converged():
-    """What ``_whole`` and ``_batch`` rely on: no contact strays where the residual is rounding and forces are not LARGE."""
+    """What ``_whole`` and ``_batch`` rely on: none strays where the residual is rounding and forces not LARGE."""
     rng = np.random.default_rng(7)
     b = rng.normal(size=(1000, 5))
     largest = np.abs(b).max(axis=1, keepdims=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, scalars, shaped
+from course.arrays import Array, ArrayLike, failure, scalars, shaped, written
 from course.contact.solvers.certificate import certificate
 from course.contact.solvers.residual import (
     complementarity_residual,
@@ -171,7 +171,7 @@ def _factor(a: Array) -> Array:
         raise failure(
             "matrix",
             "a symmetric matrix",
-            f"asymmetry {float(np.max(np.abs(a - a.T)))!r}",
+            f"asymmetry {written(np.max(np.abs(a - a.T)))}",
         )
     # With a diagonal of ones first, so that noise is small beside every
     # contact, not only beside the one of the lightest bodies.
@@ -185,7 +185,7 @@ def _factor(a: Array) -> Array:
         raise failure(
             "matrix",
             "a positive semidefinite matrix",
-            f"least eigenvalue {float(np.linalg.eigvalsh(a)[0])!r}",
+            f"least eigenvalue {written(np.linalg.eigvalsh(a)[0])}",
         )
     kept = values > a.shape[0] * np.finfo(float).eps * max(values[-1], 0.0)
     return np.sqrt(values[kept])[:, None] * columns[:, kept].T * size
