@@ -289,4 +289,5 @@ def _refuse_moving(rate: Array, tolerance: float) -> None:
         if np.any(bad):
             i = int(worst(rate))
             raise failure("contacts", f"|d_dot| of at most {tolerance:g} m/s",
-                          f"d_dot = {rate[i]:.3g} m/s in entry {i}, and {np.count_nonzero(bad)} in all: a contact that {name}; {advice}")  # fmt: skip
+                          f"d_dot = {rate[i]:.3g} m/s in entry {i}, and {np.count_nonzero(bad)} in all: "
+                          f"a contact that {name}; {advice}")  # fmt: skip

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 from contact.exact_truth import moved, truth_of, violations
+from scipy.linalg import block_diag
 from scipy.sparse import csr_array
 
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
@@ -53,7 +54,11 @@ def redundant(rng, c):
 def whole_numbers(rng, c):
     """Small whole numbers: singular exactly or not at all."""
     g = rng.integers(-3, 4, (int(rng.integers(1, c + 2)), c)).astype(float)
-    b = -g.T @ rng.integers(-3, 4, len(g)) if rng.uniform() < 0.5 else rng.integers(-3, 4, c)
+    b = (
+        -g.T @ rng.integers(-3, 4, len(g))
+        if rng.uniform() < 0.5
+        else rng.integers(-3, 4, c)
+    )
     return g.T @ g, b.astype(float)
 
 
@@ -224,3 +229,163 @@ def judge_all(family, seed, slow=False):
 @pytest.mark.parametrize("seed", range(40))
 def test_every_method_by_the_exact_answer(family, seed):
     judge_all(family, seed)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda f: f.__name__)
+def test_the_quadratic_programme_as_well(family):
+    for seed in range(40, 60):
+        judge_all(family, seed, slow=True)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda f: f.__name__)
+def test_with_a_seed_of_today(family):
+    today = int(np.random.SeedSequence().entropy % 2**32)
+    for k in range(1000):
+        try:
+            judge_all(family, [today, k], slow=k % 20 == 0)
+        except Exception as error:
+            raise AssertionError(f"drawn({family.__name__}, {[today, k]})") from error
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda f: f.__name__)
+def test_batches_answer_as_one_by_one(family):
+    """A batch of those that have forces is judged as each; one without, or an indefinite one, is told of."""
+    rng = np.random.default_rng([99, FAMILIES.index(family)])
+    cases = [Case(*family(rng, 3)) for _ in range(60)]
+    good, bad = [], []
+    for case in cases:
+        try:
+            solve(case.system())
+        except (ValueError, NoContactForce, NotConverged) as error:
+            bad.append((case, type(error)))
+        else:
+            good.append(case)
+    found = solve(batch_of(good))
+    for k, case in enumerate(good):
+        off, size, largest = violations(case.a, case.b, found.force[k])
+        assert found.converged[k] and found.residual[k] <= 1e-10
+        assert max(off) <= 1.01e-8 * largest + 1e-14 * max(size)
+    for case, kind in bad[:8]:
+        with pytest.raises(kind):
+            solve(batch_of([*good[:9], case, *good[9:20]]))
+
+
+def batch_of(cases):
+    return ContactSystem(np.stack([c.a for c in cases]), np.stack([c.b for c in cases]))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_many_small_systems_in_one(seed):
+    """Up to 160 contacts that fall apart into four each, in any order: what holds for each holds for all."""
+    rng = np.random.default_rng([98, seed])
+    cases = []
+    while len(cases) < 10 * (1 + seed % 4):
+        case = Case(*FAMILIES[int(rng.integers(6))](rng, 4))
+        try:
+            solve(case.system())
+        except (ValueError, NoContactForce, NotConverged):
+            continue
+        cases.append(case)
+    order = rng.permutation(4 * len(cases))
+    whole = block_diag(*(c.a for c in cases))[np.ix_(order, order)]
+    b = np.concatenate([c.b for c in cases])[order]
+    for a in (whole, csr_array(whole)):
+        found = solve(ContactSystem(a, b))
+        force = np.empty(b.size)
+        force[order] = found.force
+        for case, f in zip(cases, force.reshape(-1, 4), strict=True):
+            off, size, _ = violations(case.a, case.b, f)
+            assert max(off) <= 1.01e-8 * np.abs(b).max() + 1e-14 * max(size)
+
+
+@pytest.mark.parametrize("ratio", [1e4, 1e6, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16])  # fmt: skip
+def test_a_heavy_block_on_a_light_one(ratio):
+    """A = [[1, -1], [-1, 1 + 1/M]], b = (-9.81, 0): f = 9.81 (1 + d, d) / d of the d that 1 + d was rounded to."""
+    a, b = np.array([[1.0, -1.0], [-1.0, 1 + 1 / ratio]]), np.array([-9.81, 0.0])
+    d = a[1, 1] - 1
+    right = np.array([9.81 * (1 + d) / d, 9.81 / d]) if d else None
+    for system, back in (
+        (ContactSystem(a, b), slice(None)),
+        (ContactSystem(csr_array(a), b), slice(None)),
+        (ContactSystem(4 * a, 4 * b), slice(None)),
+        (ContactSystem(a[::-1, ::-1], b[::-1]), slice(None, None, -1)),
+    ):
+        try:
+            force = solve(system).force[back]
+        except NotConverged as error:
+            assert ratio > 1e12
+            np.testing.assert_allclose(error.solution.force[back], right, rtol=1e-13)
+        except NoContactForce as error:
+            assert d == 0 and error.certificate.tolist() == [1, 1]
+        else:
+            np.testing.assert_allclose(force, right, rtol=1e-13)
+    for method in METHODS[1:]:
+        case = Case(a, b)
+        system = case.with_jacobian() if method == "gauss" else case.system()
+        found = solve(system, method=method, max_iterations=200)
+        if found.converged:
+            np.testing.assert_allclose(found.force, right, rtol=1e-5)
+
+
+THREE = [
+    # By hand: contacts 1 and 2 are opposite, so f_0 - f_1 = .999001 with f_2 = 0; and
+    # .0001 f_0 = 2 with f_2 - f_1 = f_0 + 2.
+    ([[1.001, -1.001, 1], [-1.001, 1.001, -1], [1, -1, 1]], [-1, 1, 1], [1 / 1.001, 0, 0]),
+    ([[1.0001, 1, -1], [1, 1, -1], [-1, -1, 1]], [0, 2, -2], [20000, 0, 20002]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("a,b,right", THREE)
+@pytest.mark.parametrize("method", ["auto", "nnls", "pivot"])
+def test_three_contacts_of_which_two_are_opposite(a, b, right, method):
+    found = solve(ContactSystem(np.array(a, float), np.array(b, float)), method=method)
+    assert found.converged
+    np.testing.assert_allclose(found.force, right, rtol=1e-9)
+    assert solve_nnls(a, b).certificate is None
+
+
+@pytest.mark.parametrize("method", [*METHODS, "qp"])
+@pytest.mark.parametrize("count", [2, 5])
+def test_an_unloaded_contact_takes_no_force(method, count):
+    """A = 1, b = (0, ..., 0, -1): f = w = 0 at the others, which an interior point comes no nearer than its root."""
+    b = np.zeros(count)
+    b[-1] = -1
+    case = Case(np.eye(count), b)
+    system = case.with_jacobian() if method == "gauss" else case.system()
+    found = solve(system, method=method)
+    assert found.converged and np.abs(found.force + b).max() <= 1e-15
+
+
+@pytest.mark.parametrize("method", [*METHODS[:4], "qp"])
+@pytest.mark.parametrize(
+    "a",
+    [
+        [[1.0, 2.0], [2.0, 1.0]],
+        [[0.0, 1.0], [1.0, 1.0]],
+        [[1.0, -1.0 - 1e-6], [-1.0 - 1e-6, 1.0]],
+        [[1e12, 2.0], [2.0, 1e-12]],
+    ],
+)
+@pytest.mark.parametrize("b", [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]])
+def test_an_indefinite_matrix_is_an_error_for_every_method(method, a, b):
+    a, b = np.array(a), np.array(b)
+    good = np.eye(2) * a.diagonal().max()
+    for system in (
+        ContactSystem(a, b),
+        ContactSystem(csr_array(a), b),
+        ContactSystem(np.stack([good, a]), np.stack([b, b])),
+        ContactSystem(np.stack([good] * 20 + [a]), np.stack([b] * 21)),
+    ):
+        with pytest.raises(ValueError, match="A: expected a positive semidefinite"):
+            solve(system, method=method)
+
+
+@pytest.mark.parametrize("method", ["auto", "projected_gauss_seidel", "nnls"])
+def test_an_indefinite_block_in_a_large_sparse_matrix(method):
+    """300 contacts in a chain, the last two indefinite together."""
+    a = 2.1 * np.eye(300) - np.eye(300, k=1) - np.eye(300, k=-1)
+    a[-1, -2] = a[-2, -1] = -2.2
+    with pytest.raises(ValueError, match="A: expected a positive semidefinite"):
+        solve(ContactSystem(csr_array(a), -np.ones(300)), method=method)
