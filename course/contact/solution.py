@@ -16,7 +16,7 @@ from course.contact.solvers.residual import (
     violation_of,
 )
 
-#: Forces that are right to rounding may leave this times the largest |b|: float64 holds no better ones.
+#: Of forces that are right to rounding, what their own rounding does to A f may reach this times the largest |b|.
 SEEN = 1e-3
 
 
@@ -91,7 +91,7 @@ def contact_solution(
     missed = strays(violation, size, system.b, tolerance=tolerance)
     if exact is not None and np.any(exact & missed):
         largest = np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
-        missed &= ~exact | (violation > SEEN * largest)
+        missed &= ~exact | (np.finfo(float).eps * size > SEEN * largest)
     return ContactSolution(
         force,
         product + system.b,
