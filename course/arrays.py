@@ -1,9 +1,10 @@
 """Array types and the checks of arguments, in one place.
 
 Every check takes the argument's name and value, gives back a float64 array
-(or ints, where said) and raises ``ValueError`` in one form:
-``name: expected ...; got ... at index (...)``. Nothing is repaired, and what
-came in is never written to; the array given back may be the one that came in.
+(or ints, where said) and raises ``ValueError`` in one form: ``name: expected
+...; got ...``, with ``in entry 3`` where one entry of an array is at fault.
+Nothing is repaired, and what came in is never written to; the array given back
+may be the one that came in.
 """
 
 from __future__ import annotations
@@ -25,23 +26,39 @@ UNIT_TOLERANCE = 1e-9
 def failure(
     name: str, expected: str, got: str, index: tuple[Any, ...] = ()
 ) -> ValueError:
-    """The one form of a complaint about an argument."""
-    where = f" at index {tuple(int(i) for i in index)}" if len(index) else ""
-    return ValueError(f"{name}: expected {expected}; got {got}{where}")
+    """The one form of a complaint about an argument; with an index it says in which entry."""
+    where = [int(i) for i in index]
+    entry = str(where[0]) if len(where) == 1 else str(tuple(where))
+    place = f" in entry {entry}" if where else ""
+    return ValueError(f"{name}: expected {expected}; got {got}{place}")
+
+
+def written(value: Any) -> str:
+    """What came as an argument, as one would write it: no NumPy types, no more than 60 characters."""
+    return _written(value)[:60]
+
+
+def _written(value: Any) -> str:
+    if isinstance(value, np.ndarray) and value.size > 60:
+        return np.array2string(value, separator=", ", threshold=60)
+    if isinstance(value, np.ndarray) and value.ndim:
+        return f"array({_written(value.tolist())})"
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if type(value) is list and len(value) <= 60:
+        return f"[{', '.join(map(_written, value))}]"
+    if type(value) is tuple and 1 < len(value) <= 60:
+        return f"({', '.join(map(_written, value))})"
+    return repr(value)
 
 
 def _require(
     name: str, good: Any, expected: str, value: NDArray[Any], what: str = ""
 ) -> None:
-    """Raise for the first entry that is not good; value shows what came there."""
+    """Raise for the first entry that is not good; value shows what came there, and ``what`` that is."""
     if not np.all(good):
         index = tuple(np.argwhere(~np.asarray(good))[0])
-        shown = np.asarray(value)[index]
-        got = (
-            repr(float(shown))
-            if shown.ndim == 0
-            else np.array2string(shown, separator=", ")
-        )
+        got = written(np.asarray(value)[index])
         raise failure(name, expected, f"{what} {got}".strip(), index)
 
 
@@ -52,7 +69,7 @@ def _real(name: str, value: ArrayLike, expected: str, infinite: bool) -> Array:
             raise TypeError
         array = raw.astype(np.float64, copy=False)
     except (TypeError, ValueError):
-        raise failure(name, expected, f"{value!r:.60}") from None
+        raise failure(name, expected, written(value)) from None
     if infinite:
         _require(name, ~np.isnan(array), expected, array)
     else:
@@ -78,7 +95,7 @@ def whole_number(name: str, value: Any, *, minimum: int = 0) -> int:
     expected = f"a whole number of at least {minimum}"
     array = np.asarray(value)
     if array.ndim or array.dtype.kind not in "iu" or int(array) < minimum:
-        raise failure(name, expected, f"{value!r:.60}")
+        raise failure(name, expected, written(value))
     return int(array)
 
 
@@ -178,7 +195,7 @@ def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:
     )
     array = np.asarray(value)
     if array.dtype.kind not in "iu" and array.size:
-        raise failure(name, expected, f"{value!r:.60}")
+        raise failure(name, expected, written(value))
     array = array.astype(np.intp, copy=False)
     good = array >= 0 if count is None else (array >= 0) & (array < count)
     if not np.all(good):
@@ -196,7 +213,7 @@ def shaped(name: str, array: NDArray[Any], shape: Sequence[int]) -> None:
 def choice(name: str, value: Any, options: Sequence[str]) -> str:
     """One word of a closed list."""
     if not isinstance(value, str) or value not in options:
-        raise failure(name, "one of " + ", ".join(map(repr, options)), f"{value!r:.60}")
+        raise failure(name, "one of " + ", ".join(map(repr, options)), written(value))
     return value
 
 

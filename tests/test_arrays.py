@@ -17,7 +17,7 @@ def test_one_form_of_error_names_argument_expectation_and_what_came():
     normals = np.tile([0.0, 0.0, 1.0], (4, 1))
     normals[3] = [0, 2, 0]
     refused(
-        "normal: expected unit vectors of shape (..., 3); got length 2.0 at index (3,)",
+        "normal: expected unit vectors of shape (..., 3); got length 2.0 in entry 3",
         arrays.unit_vectors,
         "normal",
         normals,
@@ -70,7 +70,7 @@ def test_refuses(check, value):
 
 def test_range_count_and_choice_say_what_they_allow():
     refused(
-        "restitution: expected numbers from 0 to 1; got 1.5 at index (1,)",
+        "restitution: expected numbers from 0 to 1; got 1.5 in entry 1",
         arrays.in_range,
         "restitution",
         [0.0, 1.5],
@@ -78,7 +78,7 @@ def test_range_count_and_choice_say_what_they_allow():
         1,
     )
     refused(
-        "body: expected whole numbers from 0 to 2; got 3 at index (0,)",
+        "body: expected whole numbers from 0 to 2; got 3 in entry 0",
         arrays.indices,
         "body",
         [3],

@@ -9,11 +9,15 @@ import numpy as np
 
 from course.arrays import Array
 from course.contact.contact_system import ContactSystem
-from course.contact.judgement import doubtful, require_convergence, require_solution
+from course.contact.judgement import (
+    doubtful,
+    require_convergence,
+    require_semidefinite,
+    require_solution,
+)
 from course.contact.parts import SMALL, Parts, dense
 from course.contact.solution import ContactSolution, contact_solution
 from course.contact.solvers.block_pivot import (
-    EXACT,
     Pivoted,
     block_pivot,
     block_pivot_one,
@@ -34,9 +38,10 @@ def automatic(
     """``solve`` with method "auto"; see there."""
     if start is not None:
         force = np.maximum(start, 0.0)
-        known = products(system.A, force)
-        kept = contact_solution(system, force, 0, "auto: start", tolerance, known=known)
-        if np.all(kept.converged) and not np.any(doubtful(*known, system.b)):
+        kept = contact_solution(system, force, 0, "auto: start", tolerance)
+        if np.all(kept.converged):
+            if system.jacobian is None:
+                require_semidefinite(system.A)
             return kept
     if system.b.ndim > 1:
         return _batch(system, tolerance, max_iterations)
@@ -54,11 +59,11 @@ def _whole(
     found = block_pivot_one(
         a, b, max_iterations=ROUNDS if limit is None else min(limit, ROUNDS)
     )
-    solution = _pivoted(found, b, tolerance)
-    believed = found.residual <= min(tolerance, EXACT) and not np.any(
-        doubtful(found.product, found.size, b)
-    )
-    return solution if believed else None
+    # A tolerance below what rounding allows is for other methods to try.
+    missed = found.indefinite or not found.residual <= tolerance
+    if missed or doubtful(found.residual, found.size, b):
+        return None
+    return _pivoted(found, b, tolerance)
 
 
 def _pivoted(found: Pivoted, b: Array, tolerance: float) -> ContactSolution:
@@ -78,9 +83,15 @@ def _in_parts(
     require_solution(parts.proof, system.b)
     known = products(parts.matrix, parts.force)
     solution = contact_solution(
-        system, parts.force, parts.iterations, parts.method, tolerance, known=known
+        system,
+        parts.force,
+        parts.iterations,
+        parts.method,
+        tolerance,
+        known=known,
+        exact=parts.exact,
     )
-    require_convergence(system, solution, tolerance)
+    require_convergence(solution, tolerance)
     return solution
 
 
@@ -98,14 +109,12 @@ def _batch(
     used = set[str]()
     if count <= SMALL:
         found = block_pivot(a, b, max_iterations=limit)
-        bad = ~(found.residual <= tolerance) | doubtful(
-            found.product, found.size, b
-        ).any(axis=1)
+        bad = ~(found.residual <= tolerance) | found.indefinite
+        bad |= doubtful(found.residual, found.size, b)
+        bad |= ~np.diagonal(a, axis1=1, axis2=2).all(axis=1)
         if not np.any(bad):
             whole = _pivoted(found, b, tolerance)
-            arrays = {
-                name: value for name, value in vars(whole).items() if name != "method"
-            }
+            arrays = {k: v for k, v in vars(whole).items() if k != "method"}
             return replace(
                 whole,
                 **{
@@ -118,16 +127,22 @@ def _batch(
     else:
         force, iterations = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp)
         bad = np.ones(len(b), dtype=bool)
-    proof = np.zeros(b.shape)
+    proof, exact = np.zeros(b.shape), np.zeros(b.shape, dtype=bool)
     for k in np.flatnonzero(bad):
         parts = Parts(ContactSystem(a[k], b[k]), tolerance, limit)
         parts.solve()
         force[k], proof[k], iterations[k] = parts.force, parts.proof, parts.iterations
+        exact[k] = parts.exact
         used.add(parts.method.removeprefix("auto: "))
     require_solution(proof.reshape(shape), system.b)
     method = "auto: " + ", ".join(sorted(used))
     solution = contact_solution(
-        system, force.reshape(shape), iterations.reshape(shape[:-1]), method, tolerance
+        system,
+        force.reshape(shape),
+        iterations.reshape(shape[:-1]),
+        method,
+        tolerance,
+        exact=exact.reshape(shape),
     )
-    require_convergence(system, solution, tolerance)
+    require_convergence(solution, tolerance)
     return solution

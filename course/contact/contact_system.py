@@ -17,6 +17,7 @@ from course.arrays import (
     scalars,
     shaped,
     vectors,
+    written,
 )
 from course.contact.separation import separation_rate, signed_terms
 from course.dynamics.bodies import Bodies
@@ -79,13 +80,15 @@ class ContactSystem:
             off = np.abs(matrix - np.swapaxes(matrix, -1, -2)).max(initial=0.0)
             size = np.abs(matrix).max(initial=0.0)
         if off > 1e-9 * size:
-            raise failure("A", "a symmetric matrix", f"asymmetry {float(off)!r}")
+            raise failure("A", "a symmetric matrix", f"asymmetry {written(off)}")
         object.__setattr__(self, "A", matrix)
         object.__setattr__(self, "b", b)
         least = self.diagonal.min(initial=0.0)
         if least < 0:
             raise failure(
-                "A", "a positive semidefinite matrix", f"{least!r} on its diagonal"
+                "A",
+                "a positive semidefinite matrix",
+                f"{written(least)} on its diagonal",
             )
         self._check_parts()
 
@@ -275,7 +278,7 @@ def _refuse_fixed_pairs(bodies: Bodies, contacts: Contacts) -> None:
     if np.any(both):
         i = int(np.argmax(both))
         raise failure("contacts", "at least one body that can move", f"bodies {contacts.body_a[i]} and "
-                      f"{contacts.body_b[i]}, both fixed: no force changes d_ddot there", (i,))  # fmt: skip
+                      f"{contacts.body_b[i]} in entry {i}, both fixed: no force changes d_ddot there")  # fmt: skip
 
 
 def _refuse_moving(rate: Array, tolerance: float) -> None:
@@ -285,5 +288,6 @@ def _refuse_moving(rate: Array, tolerance: float) -> None:
     ):  # fmt: skip
         if np.any(bad):
             i = int(worst(rate))
-            raise failure("contacts", f"|d_dot| of at most {tolerance:g} m/s", f"d_dot = {rate[i]:.3g} m/s, "
-                          f"and {np.count_nonzero(bad)} in all: a contact that {name}; {advice}", (i,))  # fmt: skip
+            raise failure("contacts", f"|d_dot| of at most {tolerance:g} m/s",
+                          f"d_dot = {rate[i]:.3g} m/s in entry {i}, and {np.count_nonzero(bad)} in all: "
+                          f"a contact that {name}; {advice}")  # fmt: skip

@@ -28,7 +28,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, IntArray, failure
+from course.arrays import Array, BoolArray, IntArray, failure, written
 from course.dynamics.bodies import Bodies
 from course.overlap.contacts import Contacts
 
@@ -121,7 +121,7 @@ def _touching(
     if np.any(deep := np.linalg.eigvalsh(moved)[:, 0] <= 0):
         i = int(np.argmax(deep))
         raise failure("contacts.separation", "a penetration less deep than the radius of curvature",
-                      f"{float(contacts.separation[i])!r}", (rows[i],))  # fmt: skip
+                      written(contacts.separation[i]), (rows[i],))  # fmt: skip
     k_b = np.where(move_b[:, None, None], np.linalg.solve(moved, k_b), k_b)
     k_a = np.where(move_b[:, None, None], k_a, np.linalg.solve(moved, k_a))
     return k_a, k_b, point
@@ -133,14 +133,14 @@ def _inverse(k: Array, size: Array, u: Array, speed: Array, rows: IntArray) -> A
     if np.any(hollow := values[:, 0] < -FLAT * size):
         i = int(np.argmax(hollow))
         raise failure("contacts.curvature_a", "two surfaces that touch at one point (K_A + K_B not negative)",
-                      f"least curvature of K_A + K_B {values[i, 0]!r}", (rows[i],))  # fmt: skip
+                      f"least curvature of K_A + K_B {written(values[i, 0])}", (rows[i],))  # fmt: skip
     flat = values <= FLAT * size[:, None]
     tipping = np.abs(np.einsum("kti,kt->ki", axes, u))  # in the axes' directions
     if np.any(bad := flat & (tipping > STILL * speed[:, None])):
         i = int(np.argmax(bad.any(axis=1)))
         raise failure("contacts.curvature_a", "two surfaces that touch at one point, or do not tip along their line",
-                      f"parallel surfaces tipping at {tipping[i].max():.3g} rad/s "
-                      "(give the two ends of the line as two contacts)", (rows[i],))  # fmt: skip
+                      f"parallel surfaces tipping at {tipping[i].max():.3g} rad/s in entry {rows[i]} "
+                      "(give the two ends of the line as two contacts)")  # fmt: skip
     inverse = np.where(flat, 0.0, 1.0 / np.where(flat, 1.0, values))
     return np.einsum("kti,ki,kri->ktr", axes, inverse, axes)
 

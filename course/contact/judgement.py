@@ -6,31 +6,35 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, failure
-from course.contact.contact_system import ContactSystem
+from course.arrays import Array, failure
 from course.contact.solution import ContactSolution, NoContactForce, NotConverged
-from course.contact.solvers.residual import runs_away
+from course.contact.solvers.block_pivot import EXACT
+from course.contact.solvers.shifted import shifted
 
-#: |A| f above this times the largest |b| is taken for forces that have run away, until no proof of it is found.
-HUGE = 1e9
-#: No contact may approach, or part and push, by this times the largest |b|, however large the forces.
-SEEN = 1e-3
-#: Up to how many contacts A's eigenvalues are looked at where all goes wrong.
+#: |A| |f| above this times the largest |b|: rounding of A f moves the forces by more than 1e-11 of their size.
+LARGE = 1e4
+#: Eigenvalues below minus this are no rounding, in units of A's diagonal.
+INDEFINITE = 1e-9
+#: Sparse matrices beyond this many contacts are factored sparse.
+DENSE_UP_TO = 128
+#: Up to how many contacts A's eigenvalues are computed.
 CHECKED_UP_TO = 2000
 
 
-def doubtful(
-    product: Array, size: Array, bias: Array, largest: Array | None = None
-) -> BoolArray:
-    """Contacts that approach by more than rounding (``runs_away``), or whose forces are too large to be so sure.
+def doubtful(residual: Any, size: Array, bias: Array) -> Any:
+    """Systems whose forces are not surely right to rounding, (...).
 
-    From A f, |A| f and b, each (..., c), and max |b| if it is not that of
-    these b. Forces within the tolerance and without doubt pass
-    ``require_convergence``: rounding is far below SEEN up to HUGE.
+    A residual of EXACT c is no more than the rounding of A f as it is
+    computed: f then solves a system within rounding of the stored one, each
+    entry of A changed by a few units in its last place and b by as many of max
+    |b|. Where forces are LARGE beside b that is not enough, as f itself is far
+    more exact than w can be: such systems call for a closer look.
+
+    From ``complementarity_residual``, (...), |A| |f| and b, (..., c).
     """
-    if largest is None:
-        largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
-    return runs_away(product, size, bias, largest) | (size > HUGE * largest)
+    largest = np.abs(bias).max(axis=-1, initial=0)
+    rounding = EXACT * bias.shape[-1]
+    return ~(residual <= rounding) | (size.max(axis=-1, initial=0) > LARGE * largest)
 
 
 def require_solution(proof: Array, bias: Array) -> None:
@@ -55,44 +59,75 @@ def require_solution(proof: Array, bias: Array) -> None:
     )
 
 
-def require_semidefinite(matrix: Any) -> None:
-    """ValueError for A with an eigenvalue below 0; looked at only where methods fail, as it costs more than they do."""
-    if matrix.shape[0] > CHECKED_UP_TO:
+def require_semidefinite(matrix: Any, *, least: float = INDEFINITE) -> None:
+    """ValueError for A with an eigenvalue below -least, in units of its diagonal.
+
+    Cholesky factors of A + least are much cheaper than eigenvalues, which are
+    computed only to be named. A may be one matrix, sparse or dense, or a batch.
+    """
+    if matrix.ndim > 2:
+        for one in matrix.reshape(-1, *matrix.shape[-2:]):
+            require_semidefinite(one, least=least)
         return
-    a = matrix.toarray() if hasattr(matrix, "toarray") else matrix
-    root = np.sqrt(a.diagonal())
+    root = np.sqrt(matrix.diagonal())
+    if not root.size:
+        return
     scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
-    least = float(np.linalg.eigvalsh(a * (scale[:, None] * scale))[0])
-    if least < -1e-9:
-        raise failure(
-            "A",
-            "a positive semidefinite matrix",
-            f"eigenvalue {least:.3g} in units of its diagonal",
+    bare = np.flatnonzero(root == 0)
+    if bare.size and abs(matrix[bare]).max() > 0:
+        raise _indefinite("entries beside a 0 on its diagonal")
+    if matrix.shape[0] > DENSE_UP_TO and hasattr(matrix, "tocsr"):
+        good = _has_sparse_factor(matrix, scale, least)
+    else:
+        a = matrix.toarray() if hasattr(matrix, "toarray") else matrix
+        from scipy.linalg.lapack import dpotrf
+
+        unit = (a * scale[:, None]) * scale
+        unit.flat[:: root.size + 1] += np.where(root > 0, least, 1.0)
+        good = not dpotrf(unit.T, lower=1, overwrite_a=1, clean=0)[1]
+    if good:
+        return
+    got = f"an eigenvalue below {-least:.0e} in units of its diagonal"
+    if matrix.shape[0] <= CHECKED_UP_TO:
+        a = matrix.toarray() if hasattr(matrix, "toarray") else matrix
+        value = float(np.linalg.eigvalsh((a * scale[:, None]) * scale)[0])
+        if value >= -least:
+            return
+        got = f"eigenvalue {value:.3g} in units of its diagonal"
+    raise _indefinite(got)
+
+
+def _indefinite(got: str) -> ValueError:
+    return failure("A", "a positive semidefinite matrix", got)
+
+
+def _has_sparse_factor(matrix: Any, scale: Array, least: float) -> bool:
+    from scipy.sparse import csr_array, diags_array
+
+    unit = diags_array(scale)
+    try:
+        shifted(csr_array(unit @ matrix @ unit)).factor(
+            np.where(scale > 0, 1 / least, 0.0)
         )
+    except np.linalg.LinAlgError:
+        return False
+    return True
 
 
-def require_convergence(
-    system: ContactSystem, solution: ContactSolution, tolerance: float
-) -> None:
+def require_convergence(solution: ContactSolution, tolerance: float) -> None:
     """NotConverged where the tolerance was missed, or where forces are so large that it does not say enough."""
+    if np.all(solution.converged):
+        return
     kept = "(what was reached is in .solution)"
-    if not np.all(solution.converged):
-        worst = float(np.max(solution.residual))
+    worst = float(np.max(solution.residual))
+    if worst > tolerance:
         raise NotConverged(
             f"no method reached the tolerance {tolerance:g}: the best residual is {worst:.3g} {kept}",
             solution,
         )
-    a = system.A
-    diagonal = a.diagonal() if a.ndim == 2 else np.diagonal(a, axis1=-2, axis2=-1)
-    violation = np.abs(np.minimum(diagonal * solution.force, solution.acceleration))
-    hidden = violation > SEEN * np.abs(system.b).max(
-        axis=-1, keepdims=True, initial=0.0
+    raise NotConverged(
+        "contacts approach, or part although they push, under forces so large that the residual, "
+        f"{worst:.3g}, does not see it; A is too nearly singular to tell in double precision whether "
+        f"forces exist {kept}",
+        solution,
     )
-    if np.any(hidden):
-        raise NotConverged(
-            f"{np.count_nonzero(hidden)} contacts approach, or part although they push, at up to "
-            f"{violation.max():.3g} m/s^2, under forces so large that the residual, "
-            f"{float(np.max(solution.residual)):.3g}, does not see it; A is too nearly singular to tell in double "
-            f"precision whether forces exist {kept}",
-            solution,
-        )

@@ -15,19 +15,19 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, IntArray
+from course.arrays import BoolArray, IntArray
 from course.contact.contact_system import ContactSystem
-from course.contact.judgement import HUGE, doubtful, require_semidefinite
-from course.contact.solvers.active_set import settle
-from course.contact.solvers.block_pivot import block_pivot, block_pivot_one
-from course.contact.solvers.certificate import certificate
-from course.contact.solvers.gauss import solve_gauss
+from course.contact.judgement import LARGE, require_semidefinite
+from course.contact.rescue import EXACT_UP_TO, Found, Island, dense
+from course.contact.solvers.block_pivot import EXACT, block_pivot, block_pivot_one
 from course.contact.solvers.mass_factor import mass_factor
-from course.contact.solvers.nnls import solve_nnls
-from course.contact.solvers.pivot import solve_pivot
-from course.contact.solvers.qp import solve_qp
-from course.contact.solvers.residual import SUSPICIOUS, products, runs_away, scaled_rows
-from course.contact.solvers.unit_system import UnitSystem
+from course.contact.solvers.residual import (
+    HUGE,
+    SUSPICIOUS,
+    products,
+    strays,
+    violation_of,
+)
 
 #: Islands of up to this many contacts go to ``block_pivot``, in batches.
 SMALL = 128
@@ -35,8 +35,6 @@ SMALL = 128
 WHOLE = SMALL
 #: Sizes to which small islands are filled up, so that they form few batches.
 SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
-#: Up to how many contacts the dense methods are tried.
-PIVOT_UP_TO, NNLS_UP_TO = 400, 1000
 
 
 class Parts:
@@ -53,6 +51,7 @@ class Parts:
         # Small matrices are handled faster dense.
         self.matrix = dense(system.A) if system.b.size <= SMALL else system.A
         self.force, self.proof = np.zeros(system.b.shape), np.zeros(system.b.shape)
+        self.exact = np.zeros(system.b.shape, dtype=bool)
         self.iterations, self._used, self._factor = 0, set[str](), None
         self._largest = float(np.abs(system.b).max(initial=0.0))
 
@@ -64,6 +63,8 @@ class Parts:
         """Island by island; those that fail by other methods."""
         a, b = self.matrix, self.system.b
         diagonal = a.diagonal()
+        if self.system.jacobian is None or b.size <= SMALL:
+            require_semidefinite(a)
         nothing_helps = (diagonal == 0) & (b < 0)
         if np.any(nothing_helps):
             self.proof[nothing_helps] = 1.0
@@ -78,16 +79,15 @@ class Parts:
             found = block_pivot_one(
                 a, b, pushing=(b <= 0) & (diagonal > 0), max_iterations=self.limit
             )
-            self._take(slice(None), found.force, found.iterations, "block_pivot")
+            self._take(slice(None), Found(found.force, found.iterations, "block_pivot"))
         else:
             self._small(self.system.A, label, size, approaching & (size <= SMALL))
             for island in np.flatnonzero(approaching & (size > SMALL)):
                 index = (
                     slice(None) if size.size == 1 else np.flatnonzero(label == island)
                 )
-                self._take(index, *self._by_gauss(index, huge=10 * HUGE))
-        failing = self._failing(a, b, diagonal, label)
-        for island in np.unique(label[failing]) if np.any(failing) else ():
+                self._take(index, self._island(index).by_gauss(huge=10 * HUGE))
+        for island in self._failing(label, size > SMALL):
             self._rescue(np.flatnonzero((label == island) & (diagonal > 0)))
 
     def _small(
@@ -119,118 +119,79 @@ class Parts:
             where = (slot[label[contacts]], local[contacts])
             bias[where] = self.system.b[contacts]
             found = block_pivot(matrix, bias, max_iterations=self.limit)
-            self._take(
-                contacts, found.force[where], int(found.iterations.max()), "block_pivot"
-            )
+            rounds = int(found.iterations.max())
+            self._take(contacts, Found(found.force[where], rounds, "block_pivot"))
 
-    def _take(self, index: Any, force: Array, iterations: int, method: str) -> None:
-        self.force[index] = force
-        self.iterations = max(self.iterations, iterations)
-        self._used.add(method)
+    def _take(self, index: Any, found: Found) -> None:
+        self.force[index], self.exact[index] = found.force, found.exact
+        self.iterations = max(self.iterations, found.iterations)
+        self._used.add(found.method)
 
-    def _failing(self, a: Any, b: Array, diagonal: Array, label: IntArray) -> BoolArray:
-        """Which contacts miss the tolerance, or have forces that are not to be believed yet."""
-        product, size = products(a, self.force)
-        push, motion = scaled_rows(diagonal, product, size, self.force, b)
-        largest = np.zeros(int(label.max()) + 1)
+    def _failing(self, label: IntArray, large: BoolArray) -> IntArray:
+        """Islands that miss the tolerance, or whose forces are not to be believed yet.
+
+        Small ones are held to rounding, ``large`` ones to what the interior point method can do.
+        """
+        a, b, force = self.matrix, self.system.b, self.force
+        diagonal = a.diagonal()
+        product, size = products(a, force)
+        violation = violation_of(diagonal, product, force, b)
+        missed = violation > self.tolerance * (size + self._largest)
+        largest, beyond = np.zeros((2, int(label.max()) + 1))
         np.maximum.at(largest, label, np.abs(b))
-        missed = np.abs(np.minimum(push, motion)) > self.tolerance
-        return missed | doubtful(product, size, b, largest[label])
+        astray = strays(
+            violation, size, b, largest=largest[label], tolerance=self.tolerance
+        )
+        scale = size + largest[label]
+        np.maximum.at(beyond, label, violation / np.where(scale > 0, scale, np.inf))
+        count = np.bincount(label)
+        unsure = ~large & (beyond > EXACT * count)
+        hard = (count[label] <= EXACT_UP_TO) | (violation > SUSPICIOUS * largest[label])
+        astray |= (size > LARGE * largest[label]) & hard
+        return np.unique(np.append(label[missed | astray], np.flatnonzero(unsure)))
 
     def _rescue(self, index: IntArray) -> None:
-        """An island that the first method did not solve: a proof, or other methods, or the best there is."""
-        a, b = self.system.A[index][:, index], self.system.b[index]
-        require_semidefinite(a)
-        proof = certificate(a, b, self.force[index], factor=self._rows(index))
-        if proof is not None:
-            self.proof[index] = proof
-            return
-        best = self.force[index]
-        least, approaches = self._judged(a, b, best)
-        for attempt in (self._by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
-            if least <= self.tolerance and not approaches:
-                break
-            found = attempt(index)
-            if found is None:
+        """An island that the first method did not surely solve; one more look whether it falls apart."""
+        part = self.system.A[index][:, index]
+        label = _components(part)
+        for k in range(int(label.max(initial=-1)) + 1):
+            here = index[label == k]
+            if not np.any(self.system.b[here] < 0):
                 continue
-            residual, still = self._judged(a, b, found[0])
-            if residual < least or (residual <= self.tolerance and not still):
-                best, least, approaches = found[0], residual, still
-                self._take(index, *found)
-        self.force[index] = best
-        if np.any(a @ best + b < -SUSPICIOUS * self._largest):
-            # However large the forces are: these may point to a proof that was missed.
-            proof = certificate(a, b, best, search=False, factor=self._rows(index))
-            self.proof[index] = 0.0 if proof is None else proof
+            found = self._island(here).rescued(self.force[here])
+            if found.proof is not None:
+                self.proof[here] = found.proof
+            if found.method:
+                self._take(here, found)
 
-    def _judged(self, a: Any, b: Array, force: Array) -> tuple[float, bool]:
-        """The residual of an island by the scale of the whole system, and whether forces seem to run away."""
-        product, size = products(a, force)
-        residual = np.abs(np.minimum(a.diagonal() * force, product + b)) / (
-            size + self._largest
+    def _island(self, index: Any) -> Island:
+        whole = isinstance(index, slice)
+        a = self.system.A if whole else self.system.A[index][:, index]
+        return Island(
+            a,
+            self.system.b[index],
+            None if self.system.jacobian is None else partial(self._rows, index),
+            tolerance=self.tolerance,
+            limit=self.limit,
+            largest=self._largest,
         )
-        return float(residual.max()), bool(np.any(runs_away(product, size, b)))
 
     def _rows(self, index: Any) -> Any:
-        """J M^-1/2 of these contacts, or None."""
+        """J M^-1/2 of these contacts."""
         if self._factor is None:
             self._factor = mass_factor(self.system)
-        return None if self._factor is None else self._factor[index]
-
-    def _unit(self, index: Any) -> UnitSystem:
-        a = (
-            self.system.A
-            if isinstance(index, slice)
-            else self.system.A[index][:, index]
-        )
-        rows = None if self.system.jacobian is None else partial(self._rows, index)
-        return UnitSystem(a, self.system.b[index], rows)
-
-    def _by_gauss(self, index: Any, huge: float = np.inf) -> tuple[Array, int, str]:
-        limit, unit = 100 if self.limit is None else self.limit, self._unit(index)
-        largest = huge * float(np.abs(unit.unit_bias).max())
-        found = solve_gauss(
-            unit, tolerance=self.tolerance, max_iterations=limit, largest=largest
-        )
-        return found.force, found.iterations, "gauss"
-
-    def _by_pivot(self, index: Any) -> tuple[Array, int, str] | None:
-        unit = self._unit(index)
-        if len(unit) > PIVOT_UP_TO:
-            return None
-        found = solve_pivot(dense(unit.matrix), unit.bias)
-        return found.force, found.pivots, "pivot"
-
-    def _by_nnls(self, index: Any) -> tuple[Array, int, str] | None:
-        unit = self._unit(index)
-        if len(unit) > NNLS_UP_TO:
-            return None
-        found = solve_nnls(dense(unit.matrix), unit.bias)
-        return found.force, int(np.count_nonzero(found.force)), "nnls"
-
-    def _by_qp(self, index: Any) -> tuple[Array, int, str] | None:
-        unit = self._unit(index)
-        size = float(np.abs(unit.unit_bias).max())
-        scaled = dense(unit.matrix) / (unit.root[:, None] * unit.root)
-        found, count = solve_qp(scaled, unit.unit_bias / size, tolerance=1e-10)
-        if found is None:
-            return None
-        at = np.maximum(found * size, 0.0)
-        motion = unit.operator.times(at) + unit.unit_bias
-        better = settle(unit, at, at > motion, tolerance=self.tolerance)
-        chosen = better.force if better.residual < unit.residual(at) else at
-        return unit.force(chosen), count, "qp"
+        return self._factor[index]
 
 
 def _islands(a: Any) -> IntArray:
     """For each contact the number of the island it belongs to."""
     if a.shape[0] <= WHOLE:
         return np.zeros(a.shape[0], dtype=np.intp)
+    return _components(a)
+
+
+def _components(a: Any) -> IntArray:
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import connected_components
 
     return connected_components(csr_array(a), directed=False)[1].astype(np.intp)
-
-
-def dense(a: Any) -> Array:
-    return a.toarray() if hasattr(a, "toarray") else a

@@ -5,9 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from course.arrays import Array
+import numpy as np
+
+from course.arrays import Array, BoolArray
 from course.contact.contact_system import ContactSystem
-from course.contact.solvers.residual import products, residual_of
+from course.contact.solvers.residual import (
+    products,
+    residual_of,
+    strays,
+    violation_of,
+)
+
+#: Of forces that are right to rounding, what their own rounding does to A f may reach this times the largest |b|.
+SEEN = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +31,9 @@ class ContactSolution:
         iterations: Newton systems, pivots, sweeps or sets, as the method
             counts, (...); the most of any part where a system falls apart.
         method: the name of the method; for "auto" those it used.
-        converged: residual <= tolerance, (...).
+        converged: residual <= tolerance, and no contact approaches, or parts
+            although it pushes, by more than 100 times that (or 1e-8) of max |b|
+            beside what rounding of large forces excuses, (...).
     """
 
     force: Array
@@ -45,7 +57,12 @@ class NoContactForce(RuntimeError):
 
     It is y >= 0, (..., c), with J'y = 0 (so A y = 0) and b.y < 0: forces y
     move no body, yet d_ddot . y = b.y < 0 whatever f is, so some d_ddot is
-    below 0. In a batch y is 0 for the systems that have a solution.
+    below 0. Zero means: of the stored numbers exactly, or to their own
+    rounding, |A y| <= eps |A| y. Then a matrix whose entries differ from the
+    stored ones by one unit in the last place proves that there is no force, and
+    a force for the stored one itself would have (|A| f).y >= -b.y / eps:
+    larger than b by 15 powers of ten. In a batch y is 0 for the systems that
+    have a solution.
     """
 
     def __init__(self, message: str, certificate: Array) -> None:
@@ -61,13 +78,25 @@ def contact_solution(
     tolerance: float,
     *,
     known: tuple[Array, Array] | None = None,
+    exact: BoolArray | None = None,
 ) -> ContactSolution:
-    """The solution of this force: its accelerations, its residual, and whether that is within the tolerance.
+    """The solution of this force: its accelerations, its residual, and whether it solves the system.
 
-    known: A f and |A| |f| (``products``), if they are at hand.
+    known: A f and |A| |f| (``products``), if they are at hand. exact: (..., c),
+    the contacts whose forces are right to rounding, however large they are.
     """
     product, size = products(system.A, force) if known is None else known
     residual = residual_of(system.diagonal, product, size, force, system.b)
+    violation = violation_of(system.diagonal, product, force, system.b)
+    missed = strays(violation, size, system.b, tolerance=tolerance)
+    if exact is not None and np.any(exact & missed):
+        largest = np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
+        missed &= ~exact | (np.finfo(float).eps * size > SEEN * largest)
     return ContactSolution(
-        force, product + system.b, residual, iterations, method, residual <= tolerance
+        force,
+        product + system.b,
+        residual,
+        iterations,
+        method,
+        (residual <= tolerance) & ~missed.any(axis=-1),
     )

@@ -19,16 +19,18 @@ from course.arrays import (
     scalar,
     scalars,
     whole_number,
+    written,
 )
 from course.contact.automatic import automatic
 from course.contact.contact_system import ContactSystem
+from course.contact.judgement import require_semidefinite
+from course.contact.rescue import settled_qp
 from course.contact.solution import ContactSolution, NotConverged, contact_solution
 from course.contact.solvers.gauss import solve_gauss
 from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.projected_gauss_seidel import solve_projected_gauss_seidel
-from course.contact.solvers.qp import solve_qp
 from course.contact.solvers.unit_system import UnitSystem
 
 #: A b below this, or above its inverse, is solved for in another unit.
@@ -95,7 +97,7 @@ def solve(
     )
     relaxation = scalar("relaxation", relaxation)
     if not 0 < relaxation < 2:
-        raise failure("relaxation", "a number above 0 and below 2", repr(relaxation))
+        raise failure("relaxation", "a number above 0 and below 2", written(relaxation))
     begin = None if start is None else scalars("start", start)
     if begin is not None and begin.shape != system.b.shape:
         raise failure("start", f"shape {system.b.shape}", f"shape {begin.shape}")
@@ -152,6 +154,8 @@ def _solved(
 ) -> ContactSolution:
     if method == "auto":
         return automatic(system, tolerance=tolerance, max_iterations=limit, start=begin)
+    if system.jacobian is None:
+        require_semidefinite(system.A)
     one = _ONE[method]
     count = len(system)
     force = np.zeros(system.b.shape)
@@ -163,7 +167,7 @@ def _solved(
             else (system.A[index], system.b[index])
         )
         pushing = np.flatnonzero(a.diagonal() > 0)
-        if not np.any(b < 0) or not pushing.size:
+        if not np.any(b[pushing] < 0):
             continue
         if pushing.size < count:  # contacts that no force moves
             a, b = a[pushing][:, pushing], b[pushing]
@@ -208,21 +212,12 @@ def _dense(a: Any) -> Array:
 
 
 def _qp(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
-    # In units of the diagonal, which the programme does not care about and the solver's tolerances do.
-    root, size = np.sqrt(a.diagonal()), float(np.abs(b / np.sqrt(a.diagonal())).max())
-    if hasattr(a, "tocsr"):
-        from scipy.sparse import csc_array, diags_array
-
-        unit = csc_array(diags_array(1 / root) @ a @ diags_array(1 / root))
-    else:
-        unit = a / (root[:, None] * root)
     # The solver stops at a gap, and where f and w are both small each is its root: so a hundredth, if it can.
+    unit = UnitSystem(a, b)
     for own in (0.01 * options.tolerance, options.tolerance):
-        found, count = solve_qp(
-            unit, b / root / size, tolerance=own, max_iterations=options.limit
-        )
+        found, count = settled_qp(unit, own, options.tolerance, options.limit)
         if found is not None:
-            return found * size / root, count
+            return found, count
     return np.zeros(b.size), count
 
 

@@ -14,6 +14,7 @@ from course.arrays import (
     positive,
     scalars,
     vectors,
+    written,
 )
 from course.dynamics.elliptic import jacobi_functions
 
@@ -86,7 +87,7 @@ def symmetric_top(
     t = scalars("time", time)
     broadcast(moments=(moment, 1), angular_momentum=(momentum, 1), time=(t, 0))
     if not np.array_equal(moment[..., 0], moment[..., 1]):
-        raise failure("moments", "the first two alike", f"{moment.tolist()!r:.60}")
+        raise failure("moments", "the first two alike", written(moment.tolist()))
     about_L = rotations.from_rotation_vector(momentum * (t / moment[..., 0])[..., None])
     spin = momentum[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
     about_axis = rotations.from_rotation_vector(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from course import formulas
 from course.arrays import Array, ArrayLike, broadcast, failure, positive, vectors
 from course.dynamics.bodies import Bodies
 
@@ -22,7 +21,7 @@ def linear_kinetic_energy(momentum: ArrayLike, velocity: ArrayLike) -> Array:
     """
     p, v = vectors("momentum", momentum), vectors("velocity", velocity)
     broadcast(momentum=(p, 1), velocity=(v, 1))
-    return formulas.linear_kinetic_energy(p, v)
+    return np.sum(0.5 * p * v, axis=-1)
 
 
 def angular_kinetic_energy(
@@ -43,7 +42,7 @@ def angular_kinetic_energy(
         vectors("angular_velocity", angular_velocity),
     )
     broadcast(angular_momentum=(L, 1), angular_velocity=(omega, 1))
-    return formulas.angular_kinetic_energy(L, omega)
+    return np.sum(0.5 * L * omega, axis=-1)
 
 
 def potential_energy(mass: ArrayLike, position: ArrayLike, gravity: ArrayLike) -> Array:

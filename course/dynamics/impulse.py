@@ -28,6 +28,9 @@ from course.arrays import (
 )
 from course.dynamics.bodies import Bodies
 
+#: Masses above this are halved before they are added [kg].
+LARGE = 1e300
+
 
 class ContactPoints(Protocol):
     """What an impulse needs to know of contacts; ``course.overlap.Contacts`` has it."""
@@ -169,7 +172,7 @@ def impulse_central(
     reduced_mass, closing, e = _impact(
         mass_1, mass_2, velocity_1, velocity_2, normal, restitution
     )
-    return (1 + e) * closing * reduced_mass
+    return (1 + e) * (closing * reduced_mass)
 
 
 def kinetic_energy_lost(
@@ -202,7 +205,8 @@ def kinetic_energy_lost(
     reduced_mass, closing, e = _impact(
         mass_1, mass_2, velocity_1, velocity_2, normal, restitution
     )
-    return 0.5 * reduced_mass * (1 - e) * (1 + e) * closing**2
+    # closing times the momentum it carries: its square alone may be too small or too large a number.
+    return 0.5 * (1 - e) * (1 + e) * (reduced_mass * closing) * closing
 
 
 def point_velocity(
@@ -359,12 +363,15 @@ def _impact(
     batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
                       normal=(n, 1), restitution=(e, 0))  # fmt: skip
     light, heavy = np.minimum(m_1, m_2), np.maximum(m_1, m_2)
+    # m1 m2/(m1 + m2) for any masses: their product is never formed, nor the sum of two that would overflow.
+    half = np.where(heavy > LARGE, 0.5, 1.0)
     share = np.divide(
-        heavy, light + heavy, out=np.ones(heavy.shape), where=np.isfinite(heavy)
+        half * heavy,
+        half * light + half * heavy,
+        out=np.ones(heavy.shape),
+        where=np.isfinite(heavy),
     )
-    reduced_mass = (
-        np.where(np.isfinite(light), light, 0.0) * share
-    )  # m1 m2/(m1 + m2), infinity allowed
+    reduced_mass = np.where(np.isfinite(light), light, 0.0) * share
     closing = np.maximum(np.sum((v_2 - v_1) * n, axis=-1), 0.0)
     return (
         np.broadcast_to(reduced_mass, batch),

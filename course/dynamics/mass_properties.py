@@ -10,19 +10,22 @@ import numpy as np
 from course.arrays import (
     Array,
     ArrayLike,
-    IntArray,
+    BoolArray,
     broadcast,
     failure,
-    indices,
     inertias,
     positive,
     read_only,
     rotations,
     vectors,
+    written,
 )
+from course.dynamics.hull_faces import closed_faces, hull_faces, require_solid
 
-#: A hull this much thinner than wide is called flat: its volume would be rounding.
-FLATNESS = 1e-12
+#: What float64 cannot hold is refused by name (``_solid``), not warned of on the way there.
+QUIET = np.errstate(over="ignore", invalid="ignore")
+#: How far rounding of an inertia tensor may move its least moment.
+LOST = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,15 +62,17 @@ class MassProperties:
         x = vectors("point", point)
         broadcast(centre=(self.centre, 1), point=(x, 1))
         c = self.centre - x
-        return self.inertia + self.mass[..., None, None] * _about_origin(_outer(c))
+        return self.inertia + self.mass[..., None, None] * inertia_of_second_moment(
+            _outer(c)
+        )
 
+    @QUIET
     def with_mass(self, mass: ArrayLike) -> MassProperties:
         """The same solid at another density: inertia in proportion to mass, (...) [kg]."""
         m = positive("mass", mass)
         broadcast(solid=(self.mass, 0), mass=(m, 0))
-        return MassProperties(
-            m, self.centre, self.inertia * (m / self.mass)[..., None, None]
-        )
+        inertia = self.inertia * (m / self.mass)[..., None, None]
+        return _solid("mass", m, self.centre, inertia)
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike) -> MassProperties:
         """The solid turned, then shifted: centre R c + t, inertia R I R'.
@@ -82,11 +87,8 @@ class MassProperties:
         )
         broadcast(solid=(self.mass, 0), rotation=(turn, 2), translation=(shift, 1))
         centre = np.einsum("...ij,...j->...i", turn, self.centre) + shift
-        return MassProperties(
-            self.mass,
-            centre,
-            _symmetric(turn @ self.inertia @ np.swapaxes(turn, -1, -2)),
-        )
+        inertia = _symmetric(turn @ self.inertia @ np.swapaxes(turn, -1, -2))
+        return _solid("rotation", self.mass, centre, inertia)
 
 
 def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
@@ -107,6 +109,7 @@ def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
     return moments, axes
 
 
+@QUIET
 def sphere_mass_properties(
     center: ArrayLike, radius: ArrayLike, *, density: ArrayLike
 ) -> MassProperties:
@@ -126,10 +129,12 @@ def sphere_mass_properties(
     )
     batch = broadcast(center=(c, 1), radius=(r, 0), density=(rho, 0))
     r, rho = np.broadcast_to(r, batch), np.broadcast_to(rho, batch)
-    mass = 4 / 3 * np.pi * r**3 * rho
-    return MassProperties(mass, c, (0.4 * mass * r**2)[..., None, None] * np.eye(3))
+    volume = 4 / 3 * np.pi * r**3
+    inertia = (0.4 * volume * r**2)[..., None, None] * np.eye(3)
+    return _solid("radius", volume, c, inertia, rho)
 
 
+@QUIET
 def box_mass_properties(
     center: ArrayLike,
     rotation: ArrayLike,
@@ -137,7 +142,7 @@ def box_mass_properties(
     *,
     density: ArrayLike,
 ) -> MassProperties:
-    """A solid box: m = 8 e1 e2 e3 rho, I = R diag(m/3 (|e|^2 - e_i^2)) R' (Goldstein, section 5.3).
+    """A solid box: m = 8 e1 e2 e3 rho, I = R diag(m/3 (e_j^2 + e_k^2)) R' (Goldstein, section 5.3).
 
     Args:
         center: (..., 3) [m].
@@ -154,12 +159,13 @@ def box_mass_properties(
     )
     e = positive("half_extents", vectors("half_extents", half_extents))
     broadcast(center=(c, 1), rotation=(turn, 2), half_extents=(e, 1), density=(rho, 0))
-    mass = 8 * np.prod(e, axis=-1) * rho
-    moments = mass[..., None] / 3 * (np.sum(e**2, axis=-1, keepdims=True) - e**2)
+    volume = 8 * np.prod(e, axis=-1)
+    moments = volume[..., None] / 3 * _other_two(e**2)
     inertia = _symmetric((turn * moments[..., None, :]) @ np.swapaxes(turn, -1, -2))
-    return MassProperties(mass, c, inertia)
+    return _solid("half_extents", volume, c, inertia, rho)
 
 
+@QUIET
 def capsule_mass_properties(
     start: ArrayLike, end: ArrayLike, radius: ArrayLike, *, density: ArrayLike
 ) -> MassProperties:
@@ -186,17 +192,21 @@ def capsule_mass_properties(
     axis = np.divide(
         b - a, length[..., None], out=np.zeros((*batch, 3)), where=length[..., None] > 0
     )
-    cylinder, sphere = np.pi * r**2 * length * rho, 4 / 3 * np.pi * r**3 * rho
+    cylinder, sphere = np.pi * r**2 * length, 4 / 3 * np.pi * r**3
     along = cylinder * r**2 / 2 + 0.4 * sphere * r**2
     across = cylinder * (length**2 / 12 + r**2 / 4) + sphere * (
         0.4 * r**2 + length**2 / 4 + 3 / 8 * length * r
     )
-    inertia = across[..., None, None] * np.eye(3) + (along - across)[
-        ..., None, None
-    ] * _outer(axis)
-    return MassProperties(cylinder + sphere, a + (b - a) / 2, inertia)
+    # along nn' + across (1 - nn'), with 1 - n_i^2 as the sum of the other two squares: no difference of the two.
+    projector = _outer(axis)
+    rest = np.where(
+        length[..., None, None] > 0, inertia_of_second_moment(projector), np.eye(3)
+    )
+    inertia = along[..., None, None] * projector + across[..., None, None] * rest
+    return _solid("radius", cylinder + sphere, a + (b - a) / 2, inertia, rho)
 
 
+@QUIET
 def hull_mass_properties(
     vertices: ArrayLike, *, density: ArrayLike, triangles: ArrayLike | None = None
 ) -> MassProperties:
@@ -221,30 +231,34 @@ def hull_mass_properties(
         )
     broadcast(vertices=(points, 2), density=(rho, 0))
     origin = points.mean(axis=-2, keepdims=True)
-    _require_solid(points - origin)
+    require_solid(points - origin)
     faces = (
-        _hull_faces(points)
+        hull_faces(points)
         if triangles is None
-        else _closed(triangles, points.shape[-2])
+        else closed_faces(triangles, points.shape[-2])
     )
-    corners = (points - origin)[..., faces, :]
+    # In a unit near their width, so that no volume leaves the range of float64.
+    unit = np.frexp(np.abs(points - origin).max())[1]
+    corners = np.ldexp(points - origin, -unit)[..., faces, :]
     volume = np.linalg.det(corners) / 6
     total = volume.sum(axis=-1)
     if np.any(total <= 0):
         expected = (
             "counterclockwise rows seen from outside, around a solid that is not hollow"
         )
-        raise failure("triangles", expected, f"volume {total.min()!r}")
+        got = float(np.ldexp(total.min(), 3 * unit))
+        raise failure("triangles", expected, f"volume {written(got)}")
     sums = corners.sum(axis=-2)
     centre = np.einsum("...t,...ti->...i", volume, sums) / (4 * total[..., None])
     second = np.einsum("...t,...tki,...tkj->...ij", volume, corners, corners)
     second = (second + np.einsum("...t,...ti,...tj->...ij", volume, sums, sums)) / 20
-    central = rho[..., None, None] * (second - total[..., None, None] * _outer(centre))
-    return MassProperties(
-        rho * total, origin[..., 0, :] + centre, _symmetric(_about_origin(central))
-    )
+    central = second - total[..., None, None] * _outer(centre)
+    inertia = np.ldexp(_symmetric(inertia_of_second_moment(central)), 5 * unit)
+    volume, shift = np.ldexp(total, 3 * unit), np.ldexp(centre, unit)
+    return _solid("vertices", volume, origin[..., 0, :] + shift, inertia, rho)
 
 
+@QUIET
 def combined_mass_properties(parts: Sequence[MassProperties]) -> MassProperties:
     """One rigid solid of several: masses add, the centre is their mean, inertias add about it.
 
@@ -262,77 +276,65 @@ def combined_mass_properties(parts: Sequence[MassProperties]) -> MassProperties:
         raise failure("parts", "at least one MassProperties", "none")
     for i, part in enumerate(parts):
         if not isinstance(part, MassProperties):
-            raise failure("parts", "MassProperties", type(part).__name__, (i,))
+            raise failure(f"parts[{i}]", "MassProperties", type(part).__name__)
     broadcast(**{f"parts[{i}]": (part.mass, 0) for i, part in enumerate(parts)})
     mass = np.asarray(sum(part.mass for part in parts))
     centre = sum(part.mass[..., None] * part.centre for part in parts) / mass[..., None]
-    return MassProperties(
-        mass, centre, np.asarray(sum(part.inertia_about(centre) for part in parts))
-    )
+    inertia = np.asarray(sum(part.inertia_about(centre) for part in parts))
+    return _solid("parts", mass, centre, inertia)
 
 
 def _outer(v: Array) -> Array:
     return v[..., :, None] * v[..., None, :]
 
 
-def _about_origin(second: Array) -> Array:
-    """Inertia of a second moment S = sum m x x': trace(S) 1 - S."""
-    return np.trace(second, axis1=-2, axis2=-1)[..., None, None] * np.eye(3) - second
+def inertia_of_second_moment(second: Array) -> Array:
+    """Inertia of a second moment S = sum m x x', (..., 3, 3): trace(S) 1 - S.
+
+    The diagonal is formed as S_jj + S_kk, never as a difference: of a needle
+    that leaves its small moment about its axis as exact as the others.
+    """
+    inertia = -second
+    i = np.arange(3)
+    inertia[..., i, i] = _other_two(np.diagonal(second, axis1=-2, axis2=-1))
+    return inertia
+
+
+def _other_two(x: Array) -> Array:
+    """x_j + x_k for each i of the last axis, (..., 3)."""
+    return x[..., [1, 2, 0]] + x[..., [2, 0, 1]]
+
+
+def _solid(
+    argument: str, mass: Array, centre: Array, inertia: Array, density: ArrayLike = 1.0
+) -> MassProperties:
+    """Mass and inertia times the density; if float64 cannot hold them, the argument is named, or the density."""
+    rho = np.asarray(density)
+    m, tensor = rho * mass, rho[..., None, None] * inertia
+    if not np.all(held := _held(m, tensor)):
+        guilty = argument if not np.all(_held(mass, inertia)) else "density"
+        got = f"a mass of {m[~held].flat[0]:g} kg with an inertia of "
+        got += f"{np.abs(tensor[~held][0]).max():g} kg m^2"
+        raise failure(guilty, "a solid whose mass and inertia float64 can hold", got)
+    unit = np.ldexp(inertia, -np.frexp(np.abs(inertia).max((-2, -1), keepdims=True))[1])
+    values, axes = np.linalg.eigh(unit)
+    # What rounding of the entries does to the least moment: nothing in the axes of a needle, all of it in others.
+    slim = np.abs(axes[..., 0])
+    lost = np.einsum("...i,...ij,...j->...", slim, np.abs(unit), slim)
+    if not np.all(lost * np.finfo(float).eps < LOST * values[..., 0]):
+        raise failure(
+            argument,
+            "a solid whose least moment of inertia is not lost beside its largest",
+            "one too thin for float64 in these axes (along an axis it is held exactly)",
+        )
+    return MassProperties(m, centre, tensor)
+
+
+def _held(mass: Array, inertia: Array) -> BoolArray:
+    """Which of them are above 0 and finite."""
+    size = np.abs(inertia).max(axis=(-2, -1))
+    return np.asarray((mass > 0) & np.isfinite(mass) & (size > 0) & np.isfinite(size))
 
 
 def _symmetric(matrix: Array) -> Array:
     return 0.5 * (matrix + np.swapaxes(matrix, -1, -2))
-
-
-def _require_solid(centred: Array) -> None:
-    widths = np.linalg.svd(centred, compute_uv=False)
-    flat = widths[..., 2] <= FLATNESS * widths[..., 0]
-    if np.any(flat):
-        index = tuple(np.argwhere(flat)[0])
-        thin, wide = widths[index][2], widths[index][0]
-        what = f"flat ones (thickness to width {thin / wide if wide else 0.0:.1g})"
-        raise failure("vertices", "points that span a volume", what, index)
-
-
-def _hull_faces(points: Array) -> IntArray:
-    """The faces of one convex hull, each counterclockwise seen from outside."""
-    from scipy.spatial import ConvexHull, QhullError
-
-    if points.ndim != 2:
-        raise failure(
-            "vertices",
-            "shape (k, 3) where no triangles are given",
-            f"shape {points.shape}",
-        )
-    try:
-        hull = ConvexHull(points)
-    except QhullError as error:
-        reason = str(error).splitlines()[0][:60]
-        raise failure(
-            "vertices", "points that span a volume", f"flat ones ({reason})"
-        ) from None
-    faces = hull.simplices.astype(np.intp)
-    a, b, c = (points[faces[:, i]] for i in range(3))
-    inward = np.sum(np.cross(b - a, c - a) * hull.equations[:, :3], axis=1) < 0
-    faces[inward] = faces[inward][:, ::-1]
-    return faces
-
-
-def _closed(triangles: ArrayLike, count: int) -> IntArray:
-    faces = indices("triangles", triangles, count)
-    if faces.ndim != 2 or faces.shape[1] != 3:
-        raise failure("triangles", "shape (t, 3)", f"shape {faces.shape}")
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    forward, backward = (
-        edges[:, 0] * count + edges[:, 1],
-        edges[:, 1] * count + edges[:, 0],
-    )
-    unique, times = np.unique(forward, return_counts=True)
-    lonely = ~np.isin(backward, forward) | (times[np.searchsorted(unique, forward)] > 1)
-    if np.any(lonely):
-        start, end = (int(i) for i in edges[int(np.argmax(lonely))])
-        expected = "a closed surface, each edge once in each direction"
-        raise failure(
-            "triangles", expected, f"edge {start}-{end} without its match (a hole?)"
-        )
-    return faces

@@ -19,6 +19,7 @@ from course.arrays import (
     scalars,
     shaped,
     unit_vectors,
+    written,
 )
 from course.arrays import matrices as matrices_of
 from course.arrays import vectors as vectors_of
@@ -112,7 +113,7 @@ class Contacts:
                     raise failure(
                         "contacts[...]",
                         "a mask, whole numbers or a slice",
-                        f"{which!r:.60}",
+                        written(which),
                     )
                 index = index.astype(np.intp)
             if index.dtype == bool:
@@ -143,7 +144,7 @@ class Contacts:
             raise failure("parts", "at least one Contacts", "none")
         for i, part in enumerate(parts):
             if not isinstance(part, Contacts):
-                raise failure("parts", "Contacts", type(part).__name__, (i,))
+                raise failure(f"parts[{i}]", "Contacts", type(part).__name__)
         columns: list[Any] = []
         for field, column in zip(
             fields(Contacts),
@@ -228,5 +229,7 @@ def _curvatures(name: str, value: Any, rows: NDArray[np.bool_]) -> Any:
     bad = skew > 1e-9 * np.abs(tensor).max(axis=(-2, -1), initial=0.0)
     if np.any(bad):
         index = int(np.argmax(bad))
-        raise failure(name, "symmetric tensors", f"asymmetry {skew[index]!r}", (index,))
+        raise failure(
+            name, "symmetric tensors", f"asymmetry {written(skew[index])}", (index,)
+        )
     return cast(Array, np.asarray(value, dtype=np.float64))

@@ -16,6 +16,7 @@ from course.arrays import (
     positive,
     scalar,
     scalars,
+    written,
 )
 from course.contact.collisions import LAWS, resolve_collisions
 from course.dynamics.bodies import Bodies
@@ -112,9 +113,7 @@ def _cushions(
         or upper.shape != (2,)
         or np.any(upper - lower <= 2 * radius)
     ):
-        raise failure(
-            "table", "two corners (x, y), lower below upper", f"{table!r:.60}"
-        )
+        raise failure("table", "two corners (x, y), lower below upper", written(table))
     return np.append(lower + radius, -np.inf), np.append(upper - radius, np.inf)
 
 

@@ -28,6 +28,7 @@ from course.arrays import (
     positive,
     scalar,
     scalars,
+    written,
 )
 
 RULES = ("as printed", "with curvature", "with curvature, located")
@@ -53,7 +54,7 @@ class Dome:
         for name in ("radius", "gravity"):
             positive(name, scalar(name, getattr(self, name)))
         if not 0 <= scalar("start", self.start) < np.pi / 2:
-            raise failure("start", "a number from 0 to below pi/2", repr(self.start))
+            raise failure("start", "a number from 0 to below pi/2", written(self.start))
 
     @property
     def leaving_angle(self) -> float:

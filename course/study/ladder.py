@@ -27,6 +27,7 @@ from course.arrays import (
     positive,
     scalar,
     scalars,
+    written,
 )
 from course.dynamics import Bodies
 from course.overlap import Contacts
@@ -86,10 +87,10 @@ def ladder(
     theta, omega = scalar("angle", angle), scalar("rate", rate)
     if not 0 < theta < np.pi / 2:
         raise failure(
-            "angle", "a number between 0 and pi/2, both excluded", repr(theta)
+            "angle", "a number between 0 and pi/2, both excluded", written(theta)
         )
     if kerb and omega != 0:
-        raise failure("rate", "0 where a kerb holds the foot", repr(omega))
+        raise failure("rate", "0 where a kerb holds the foot", written(omega))
     half, m = (
         0.5 * scalar("length", positive("length", length)),
         scalar("mass", positive("mass", mass)),

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import failure, positive, scalar
+from course.arrays import failure, positive, scalar, written
 from course.study.resting_layouts import (
     UP,
     RestingScene,
@@ -48,7 +48,7 @@ def loaded_plank(
     )
     if abs(y) > half:
         raise failure(
-            "load_at", f"a place on the plank, from {-half:g} to {half:g}", repr(y)
+            "load_at", f"a place on the plank, from {-half:g} to {half:g}", written(y)
         )
     p, m = (
         scalar(name, positive(name, value))

@@ -24,6 +24,7 @@ from course.arrays import (
     scalar,
     scalars,
     whole_number,
+    written,
 )
 from course.dynamics import Bodies, reference_motion
 from course.overlap import Contacts
@@ -315,7 +316,7 @@ class DifferenceErrors:
         """The step with the least error of a stencil, and that error."""
         if name not in self.error:
             raise failure(
-                "name", "one of " + ", ".join(map(repr, self.error)), repr(name)
+                "name", "one of " + ", ".join(map(repr, self.error)), written(name)
             )
         least = int(np.argmin(self.error[name]))
         return float(self.step[least]), float(self.error[name][least])

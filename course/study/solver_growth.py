@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array
+from course.arrays import Array, written
 from course.contact import ContactSolution, ContactSystem
 
 Solver = Callable[[ContactSystem], ContactSolution]
@@ -40,13 +40,13 @@ class SolverGrowth:
         """
         if name not in self.method:
             raise ValueError(
-                f"name: expected one of {', '.join(self.method)}; got {name!r}"
+                f"name: expected one of {', '.join(self.method)}; got {written(name)}"
             )
         row = self.seconds[self.method.index(name)]
         asked = np.isfinite(row)
         if np.count_nonzero(asked) < 2:
             raise ValueError(
-                f"name: expected a method asked at least twice; got {name!r}"
+                f"name: expected a method asked at least twice; got {written(name)}"
             )
         return float(np.polyfit(np.log(self.contacts[asked]), np.log(row[asked]), 1)[0])
 

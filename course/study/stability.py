@@ -20,6 +20,7 @@ from course.arrays import (
     scalar,
     shaped,
     whole_number,
+    written,
 )
 from course.dynamics import Bodies, Wrench
 from course.rotations import identity
@@ -96,14 +97,20 @@ def find_threshold(
     )
     if not 0 < low < high:
         raise failure(
-            "lower", "a value above 0 and below upper", f"{low!r} with upper {high!r}"
+            "lower",
+            "a value above 0 and below upper",
+            f"{written(low)} with upper {written(high)}",
         )
     if not width > 0:
-        raise failure("tolerance", "a positive number", repr(width))
+        raise failure("tolerance", "a positive number", written(width))
     if not is_stable(low):
-        raise failure("lower", "a value that is stable", f"{low!r}, which is not")
+        raise failure(
+            "lower", "a value that is stable", f"{written(low)}, which is not"
+        )
     if is_stable(high):
-        raise failure("upper", "a value that is not stable", f"{high!r}, which is")
+        raise failure(
+            "upper", "a value that is not stable", f"{written(high)}, which is"
+        )
     while high - low > width * 0.5 * (low + high):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if is_stable(middle) else (low, middle)
@@ -226,7 +233,7 @@ def stability_map(
     values = positive("knob", knob)
     if values.ndim != 1 or not values.size or np.any(np.diff(values) <= 0):
         raise failure(
-            "knob", "ascending numbers of shape (k,)", f"{values.tolist()!r:.60}"
+            "knob", "ascending numbers of shape (k,)", written(values.tolist())
         )
     if not methods:
         raise failure("methods", "at least one", "none")

@@ -9,7 +9,16 @@ from typing import Any
 import numpy as np
 
 from course import rotations
-from course.arrays import Array, ArrayLike, failure, positive, scalar, scalars, vectors
+from course.arrays import (
+    Array,
+    ArrayLike,
+    failure,
+    positive,
+    scalar,
+    scalars,
+    vectors,
+    written,
+)
 from course.dynamics import (
     Bodies,
     Wrench,
@@ -120,7 +129,7 @@ def spinning_body(
     if moment.ndim != 1:
         raise failure("moments", "shape (3,)", f"shape {moment.shape}")
     if axis not in (0, 1, 2):
-        raise failure("axis", "0, 1 or 2", f"{axis!r:.60}")
+        raise failure("axis", "0, 1 or 2", written(axis))
     leaning = _leaning(axis, scalar("tilt", tilt))
     # The least turn that takes the leaning direction to the world's z.
     up = np.array([0.0, 0.0, 1.0])

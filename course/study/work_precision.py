@@ -13,6 +13,8 @@ from typing import Any, Literal
 
 import numpy as np
 
+from course.arrays import written
+
 Cost = Literal["seconds", "count"]
 
 
@@ -58,7 +60,7 @@ class WorkPrecision:
     def cost(self, by: Cost = "seconds") -> np.ndarray:
         """The cost of each run, shape (runs,), in seconds or in counted work."""
         if by not in ("seconds", "count"):
-            raise ValueError(f"by: expected 'seconds' or 'count'; got {by!r}")
+            raise ValueError(f"by: expected 'seconds' or 'count'; got {written(by)}")
         return self.seconds if by == "seconds" else self.count
 
     def front(self, by: Cost = "seconds") -> np.ndarray:

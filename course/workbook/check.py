@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from course.arrays import written
 from course.exercises.answer import as_function, call_all, is_stub
 from course.exercises.definition import (
     Exercise,
@@ -267,14 +268,16 @@ def _wanted(prediction: Prediction) -> str:
 def _given(prediction: Prediction, answer: Any) -> Any:
     if prediction.choices:
         if not isinstance(answer, str) or answer not in prediction.choices:
-            raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}")
+            raise ValueError(f"expected {_wanted(prediction)}; got {written(answer)}")
         return answer
     try:
         number = float(answer)
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}") from None
+        raise ValueError(
+            f"expected {_wanted(prediction)}; got {written(answer)}"
+        ) from None
     if np.isnan(number):  # infinity is an answer: never, for ever
-        raise ValueError(f"expected {_wanted(prediction)}; got {answer!r}")
+        raise ValueError(f"expected {_wanted(prediction)}; got {written(answer)}")
     return number
 
 

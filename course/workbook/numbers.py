@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from course.arrays import written
+
 NOISE = 1e-12
 SETTLING = 3  # digits more for the first rounding
 
@@ -32,7 +34,7 @@ def show(value: Any, digits: int, *, noise: float = NOISE) -> Shown:
     """
     if not isinstance(digits, int) or isinstance(digits, bool) or not 1 <= digits <= 15:
         raise ValueError(
-            f"digits: expected a whole number from 1 to 15; got {digits!r}"
+            f"digits: expected a whole number from 1 to 15; got {written(digits)}"
         )
     array = np.asarray(value)
     if array.dtype.kind not in "biuf":

@@ -6,11 +6,12 @@ from scipy.sparse import csr_array
 
 import course.contact.automatic as module
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
-from course.contact.judgement import SEEN, doubtful
+from course.contact.judgement import LARGE, doubtful
+from course.contact.solution import SEEN
 from course.contact.solvers import complementarity_residual
 from course.contact.solvers.block_pivot import block_pivot_one
 from course.contact.solvers.certificate import certificate
-from course.contact.solvers.residual import SUSPICIOUS
+from course.contact.solvers.residual import SUSPICIOUS, strays
 from course.study.resting_scenes import shaken, stack, tangle
 
 
@@ -153,16 +154,18 @@ def test_a_contact_that_nothing_moves_is_refused_at_any_tolerance():
         solve(system, tolerance=1e-3)
 
 
-def test_without_doubt_within_the_tolerance_is_converged():
-    """What ``_whole`` and ``_batch`` rely on: at the largest forces not in doubt, d_ddot is above -SEEN max |b|."""
+def test_without_doubt_is_converged():
+    """What ``_whole`` and ``_batch`` rely on: none strays where the residual is rounding and forces not LARGE."""
     rng = np.random.default_rng(7)
     b = rng.normal(size=(1000, 5))
     largest = np.abs(b).max(axis=1, keepdims=True)
-    size = largest * 10.0 ** rng.uniform(0, 12, (1000, 5))
-    motion = -largest * 10.0 ** rng.uniform(-12, 0, (1000, 5))
-    sure = ~doubtful(motion - b, size, b)
-    assert 100 < np.count_nonzero(sure) < 4900
-    assert np.all((motion > -SEEN * largest)[sure])
+    size = largest * 10.0 ** rng.uniform(0, 5, (1000, 5))
+    violation = (size + largest) * 10.0 ** rng.uniform(-16, -13, (1000, 1))
+    residual = (violation / (size + largest)).max(axis=1)
+    sure = ~doubtful(residual, size, b)
+    assert 10 < np.count_nonzero(sure) < 990
+    assert not np.any(strays(violation, size, b)[sure])
+    assert np.all((size <= LARGE * largest)[sure])
 
 
 def test_all_push_is_a_good_first_guess():

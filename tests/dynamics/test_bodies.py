@@ -63,7 +63,7 @@ def test_balls():
     assert len(Bodies.balls(1.0, 0.5, np.zeros((4, 3)))) == 4
     with pytest.raises(
         ValueError,
-        match=r"velocity: expected zero in a body of infinite mass; .* at index \(1,\)",
+        match=r"velocity: expected zero in a body of infinite mass; .* in entry 1",
     ):
         Bodies.balls([1.0, np.inf], 0.5, np.zeros((2, 3)), [0, 0, 1.0])
     with pytest.raises(ValueError, match=r"position: expected shape \(n, 3\)"):
@@ -96,15 +96,15 @@ def test_fields_are_copies_that_cannot_be_written_and_replace_works():
 @pytest.mark.parametrize(
     "field, value, message",
     [
-        ("mass", [1.0, 0.0], r"mass: expected positive numbers; got 0.0 at index \(1,\)"),
+        ("mass", [1.0, 0.0], r"mass: expected positive numbers; got 0.0 in entry 1"),
         ("mass", [[1.0, 1.0]], r"mass: expected shape \(n,\)"),
         ("mass", [1.0, np.nan], "mass: expected positive numbers; got nan"),
         ("inertia", np.eye(3), r"inertia: expected shape \(2, 3, 3\); got shape \(3, 3\)"),
         ("inertia", np.zeros((2, 3, 3)), "inertia: expected symmetric positive definite"),
         ("inertia", [[["a"] * 3] * 3] * 2, "inertia: expected matrices"),
         ("position", np.zeros((3, 3)), r"position: expected shape \(2, 3\); got shape \(3, 3\)"),
-        ("position", [[0, 0, 0], [0, 0, np.inf]], r"position: expected finite .* got inf at index \(1, 2\)"),
-        ("orientation", [[0, 0, 0, 1], [0, 0, 0, 2]], r"orientation: expected unit .* length 2.0 at index \(1,\)"),
+        ("position", [[0, 0, 0], [0, 0, np.inf]], r"position: expected finite .* got inf in entry \(1, 2\)"),
+        ("orientation", [[0, 0, 0, 1], [0, 0, 0, 2]], r"orientation: expected unit .* length 2.0 in entry 1"),
         ("orientation", np.zeros((2, 3)), "orientation: expected unit quaternions"),
         ("momentum", np.zeros((2, 2)), "momentum: expected vectors"),
         ("angular_momentum", np.zeros(3), r"angular_momentum: expected shape \(2, 3\)"),
@@ -121,7 +121,7 @@ def test_refuses_momentum_in_a_fixed_body(field):
     wall = Bodies.balls([1.0, np.inf], 0.5, np.zeros((2, 3)))
     with pytest.raises(
         ValueError,
-        match=rf"{field}: expected zero in a body of infinite mass; .* at index \(1,\)",
+        match=rf"{field}: expected zero in a body of infinite mass; .* in entry 1",
     ):
         replace(wall, **{field: np.ones((2, 3))})
 

@@ -320,7 +320,7 @@ REFUSED = [
     (lambda: solid(CUBE, [[0, 1, 8]]), "triangles: expected whole numbers from 0 to 7; got 8"),
     (lambda: solid(np.stack([CUBE, CUBE])), "vertices: expected shape (k, 3) where no triangles are given"),
     (lambda: combined_mass_properties([]), "parts: expected at least one MassProperties; got none"),
-    (lambda: combined_mass_properties([1.0]), "parts: expected MassProperties; got float at index (0,)"),
+    (lambda: combined_mass_properties([1.0]), "parts[0]: expected MassProperties; got float"),
     (lambda: principal_axes(np.diag([1.0, -1, 1])), "inertia: expected symmetric positive definite"),
 ]  # fmt: skip
 

@@ -207,7 +207,7 @@ REFUSED = [
     ),
     (
         lambda: measured_order([0.1, 0.2], [1.0, 0.0]),
-        "errors: expected positive numbers; got 0.0 at index (1,)",
+        "errors: expected positive numbers; got 0.0 in entry 1",
     ),
     (
         lambda: growth_rate([0, 1], [1.0, 2.0, 3.0]),

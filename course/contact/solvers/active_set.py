@@ -17,8 +17,10 @@ import numpy as np
 from course.arrays import Array, BoolArray
 from course.contact.solvers.unit_system import UnitSystem
 
-#: Added to a diagonal of ones.
-SHIFT = 1e-8
+#: Added to a diagonal of ones; the second where refinement is too slow with the first, A_SS being nearly singular.
+SHIFTS = (1e-8, 1e-13)
+#: A set is refined when A f + b on it is below these parts of the largest b and f, on a diagonal of ones.
+REFINED = (1e-9, 1e-14)
 #: How many sets are tried, and how many refinements each gets.
 SETS, REFINEMENTS = 6, 10
 #: A guess with a larger share of wrong contacts than this is given up at once.
@@ -55,11 +57,10 @@ def settle(
     wrong_before: float = FEW * len(system) + 10
     for count in range(1, sets + 1):
         force = np.where(pushing, force, 0.0)
-        try:
-            system.operator.factor(np.where(pushing, 1.0 / SHIFT, 0.0))
-        except np.linalg.LinAlgError:
+        on_set = _on_set(system, force, pushing)
+        if on_set is None:
             break
-        force = _refined(system, force, pushing)
+        force = on_set
         kept = system.tried(np.maximum(force, 0.0))
         if kept.residual < best.residual:
             best = Settled(kept.unit_force, kept.residual, count)
@@ -69,7 +70,7 @@ def settle(
             ~pushing & (motion < -0.1 * tolerance),
         )
         wrong = int(np.count_nonzero(pulls | approaches))
-        solved = kept.residual <= tolerance and kept.approach == 0
+        solved = kept.residual <= tolerance and kept.stray == 0
         if solved or not wrong or wrong > 0.7 * wrong_before:
             break
         wrong_before = wrong
@@ -77,13 +78,34 @@ def settle(
     return Settled(best.force, best.residual, count)
 
 
-def _refined(system: UnitSystem, force: Array, pushing: BoolArray) -> Array:
-    least = np.inf
+def _on_set(system: UnitSystem, force: Array, pushing: BoolArray) -> Array | None:
+    """Forces with A f + b = 0 on the set, from this force; None where no factor exists."""
+    found = None
+    for shift in SHIFTS:
+        try:
+            system.operator.factor(np.where(pushing, 1.0 / shift, 0.0))
+        except np.linalg.LinAlgError:
+            break
+        force, missing = _refined(system, force, pushing)
+        found = force
+        largest = [float(np.abs(x).max(initial=0.0)) for x in (system.unit_bias, force)]
+        if missing <= REFINED[0] * largest[0] + REFINED[1] * largest[1]:
+            break
+    return found
+
+
+def _refined(
+    system: UnitSystem, force: Array, pushing: BoolArray
+) -> tuple[Array, float]:
+    """The force of the refinement that leaves least of A f + b on the set, and how much that is."""
+    best, least = force, np.inf
     for _ in range(REFINEMENTS):
         w = np.where(pushing, system.operator.times(force) + system.unit_bias, 0.0)
         size = float(np.max(np.abs(w), initial=0.0))
-        if not size < 0.3 * least:
+        slow = not size < 0.3 * least
+        if size < least:
+            best, least = force, size
+        if slow:
             break
-        least = size
         force = force - system.operator.solve(w)
-    return force
+    return best, least

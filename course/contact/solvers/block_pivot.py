@@ -25,15 +25,19 @@ import numpy as np
 from course.arrays import Array, BoolArray, IntArray
 from course.contact.solvers.residual import products, residual_of, scaled_rows
 
-#: Added to a diagonal of ones.
+#: Added to a diagonal of ones. Below minus this an eigenvalue is no rounding: A is indefinite.
 SHIFT = 1e-9
+#: Added instead where a single A_SS is so nearly singular that its effect is not refined away.
+LITTLE = 1e-13
 #: How often the effect of the shift is refined away, in a batch and at most in a single system.
 REFINEMENTS = (1, 3)
 #: A single system is refined until A_SS f_S + b_S is below these parts of the forces and of b, on a diagonal of ones:
 #: the first is rounding, the second keeps it small beside b where forces are enormous.
 REFINED = (1e-15, 1e-11)
-#: Residual above which a system of a batch is solved once more on its own.
-EXACT = 1e-12
+#: Residual, a contact, above which a system of a batch is solved once more on its own: no more is rounding.
+EXACT = 16 * np.finfo(float).eps
+#: Where more than this part of the forces is left, the shift is too large.
+SLOW = 1e-13
 #: A contact is wrong if it pulls or approaches by more than this, relative to the forces on a diagonal of ones.
 WRONG = 1e-13
 #: Sweeps for the second guess in a batch: random systems of 8 to 16 contacts then go on for about half the rounds.
@@ -46,13 +50,14 @@ BLOCK = 2**14
 
 @dataclass(frozen=True)
 class Pivoted:
-    """Forces, A f and |A| f, (..., c); the residuals, and how often each system was solved, (...)."""
+    """Forces, A f and |A| f, (..., c); residuals, how often each was solved, whether A is indefinite, (...)."""
 
     force: Array
     product: Array
     size: Array
     residual: Any
     iterations: Any
+    indefinite: Any
 
 
 def block_pivot(
@@ -72,7 +77,12 @@ def block_pivot(
     limit = 2 * count + 20 if max_iterations is None else max_iterations
     force, product, size = np.zeros((3, count, systems))
     found = Pivoted(
-        force.T, product.T, size.T, np.zeros(systems), np.zeros(systems, dtype=np.intp)
+        force.T,
+        product.T,
+        size.T,
+        np.zeros(systems),
+        np.zeros(systems, dtype=np.intp),
+        np.zeros(systems, dtype=bool),
     )
     state = _State(
         np.einsum("sii->is", matrix) > 0,
@@ -87,7 +97,7 @@ def block_pivot(
             _round(matrix, bias, todo[k : k + block], state, found, round_)
             for k in range(0, todo.size, block)
         ])  # fmt: skip
-    again = ~(found.residual <= EXACT)
+    again = ~(found.residual <= EXACT * count)
     again[todo] = True
     for k in again.nonzero()[0]:
         one = block_pivot_one(
@@ -99,6 +109,7 @@ def block_pivot(
             one.size,
         )
         found.residual[k], found.iterations[k] = one.residual, round_ + one.iterations
+        found.indefinite[k] |= one.indefinite
     return found
 
 
@@ -134,16 +145,17 @@ def _round(
         state.pushing[:, where] = _swept(a, b, scale)
     s = state.pushing[:, where]
     on, unit_b = np.where(s, scale, 0.0), scale * b
-    solve = _elimination(a, on, s)
+    solve, least = _elimination(a, on, s)
+    found.indefinite[where] |= ~(least > 0)
     unit = 0.0 - solve(on * b)  # no -0
     for _ in range(REFINEMENTS[0]):
         unit -= solve(on * (_times(a, scale * unit) + b))
     force = scale * unit
     product = _times(a, force)
-    least = -WRONG * (
+    below = -WRONG * (
         np.abs(unit).sum(axis=0) + np.abs(unit_b).max(axis=0, initial=0.0)
     )
-    wrong = np.where(s, unit, scale * product + unit_b) < least
+    wrong = np.where(s, unit, scale * product + unit_b) < below
     going = wrong.any(axis=0)
     if np.any(clipped := (force < 0).any(axis=0) & ~going):
         force[:, clipped] = np.maximum(force[:, clipped], 0.0)
@@ -193,8 +205,12 @@ def _exchange(state: _State, index: IntArray, wrong: BoolArray) -> IntArray:
     return index
 
 
-def _elimination(a: Array, on: Array, pushing: BoolArray) -> Callable[[Array], Array]:
+def _elimination(
+    a: Array, on: Array, pushing: BoolArray
+) -> tuple[Callable[[Array], Array], Array]:
     """Solves (A_SS + shift) x = q for all systems, on a diagonal of ones: A = L D L' on vectors over the batch.
+
+    With it the sign of the least of D and infinity, (s,): not above 0 where A is indefinite.
 
     A (c, c, s); on (c, s) brings its diagonal to ones and is 0 outside S, as
     q must be; q is overwritten.
@@ -217,7 +233,7 @@ def _elimination(a: Array, on: Array, pushing: BoolArray) -> Callable[[Array], A
             q[:k] -= lower[k, :k] * q[k]
         return q
 
-    return solve
+    return solve, inverse.min(axis=0, initial=np.inf)
 
 
 def block_pivot_one(
@@ -246,11 +262,16 @@ def block_pivot_one(
     bound = float(np.abs(b).max(initial=0.0)) or 1.0
     b /= bound
     pushing = moves if pushing is None else pushing.copy()
-    fewest, patience, rounds, unit = b.size + 1, PATIENCE, 0, np.zeros(b.size)
+    fewest, patience, rounds, on = b.size + 1, PATIENCE, 0, _OnSet(b)
     while rounds < limit:
         rounds += 1
-        unit, motion, total = _on_set(a, b, pushing)
-        wrong = np.where(pushing, unit, motion) < -WRONG * (total + 1.0)
+        on = _on_set(a, b, pushing)
+        wrong = on.wrong(pushing)
+        if on.indefinite:
+            break
+        if not np.any(wrong) and not on.refined:
+            on = _on_set(a, b, pushing, shift=LITTLE)
+            wrong = on.wrong(pushing)
         number = int(np.count_nonzero(wrong))
         if not number:
             break
@@ -260,32 +281,47 @@ def block_pivot_one(
         if patience < 0:
             wrong[: wrong.nonzero()[0][-1]] = False
         pushing ^= wrong
-    force = np.maximum(unit, 0.0) * (scale * bound)
+    force = np.maximum(on.force, 0.0) * (scale * bound)
     product, size = products(matrix, force)
     residual = residual_of(diagonal, product, size, force, bias)
-    return Pivoted(force, product, size, residual, rounds)
+    return Pivoted(force, product, size, residual, rounds, on.indefinite)
 
 
-def _on_set(a: Array, b: Array, pushing: BoolArray) -> tuple[Array, Array, float]:
-    """Forces with A_SS f_S = -b_S, 0 elsewhere; A f + b; and the sum of |f|. The largest |b| is 1."""
+class _OnSet:
+    """Forces with A_SS f_S = -b_S, 0 elsewhere; A f + b; the sum of |f|; what is known of A_SS."""
+
+    def __init__(self, bias: Array) -> None:
+        self.force, self.motion, self.total = np.zeros(bias.size), bias, 0.0
+        self.indefinite, self.refined = False, True
+
+    def wrong(self, pushing: BoolArray) -> BoolArray:
+        """Which contacts pull or approach."""
+        below = -WRONG * (self.total + 1.0)
+        return np.where(pushing, self.force, self.motion) < below
+
+
+def _on_set(a: Array, b: Array, pushing: BoolArray, *, shift: float = SHIFT) -> _OnSet:
+    """The forces on a set, on a diagonal of ones. The largest |b| is 1."""
     from scipy.linalg.lapack import dpotrf, dpotrs
 
-    s = pushing.nonzero()[0]
+    found, s = _OnSet(b), pushing.nonzero()[0]
     if not s.size:
-        return np.zeros(b.size), b, 0.0
+        return found
     columns = a if s.size == b.size else a[:, s]
     matrix = columns[s]
-    matrix.flat[:: s.size + 1] += SHIFT
-    factor = dpotrf(matrix.T, lower=1, overwrite_a=1, clean=0)[0]
-    on = 0.0 - dpotrs(factor, b[s], lower=1)[0]  # no -0
-    for left in range(REFINEMENTS[1], -1, -1):
-        motion, total = columns @ on + b, float(np.abs(on).sum())
-        missing = motion[s]
-        if not left or float(np.abs(missing).max()) <= min(
-            REFINED[0] * (total + 1.0), REFINED[1]
-        ):
+    matrix.flat[:: s.size + 1] += shift
+    factor, info = dpotrf(matrix.T, lower=1, overwrite_a=1, clean=0)
+    if info:
+        found.indefinite = True
+        return found
+    on, missing = 0.0, b[s]
+    for _ in range(1 + REFINEMENTS[1]):
+        on = on - dpotrs(factor, missing, lower=1)[0]
+        found.motion, found.total = columns @ on + b, float(np.abs(on).sum())
+        missing = found.motion[s]
+        off = float(np.abs(missing).max())
+        if off <= min(REFINED[0] * (found.total + 1.0), REFINED[1]):
             break
-        on -= dpotrs(factor, missing, lower=1)[0]
-    force = np.zeros(b.size)
-    force[s] = on
-    return force, motion, total
+    found.refined = off <= SLOW * (found.total + 1.0)
+    found.force[s] = on
+    return found

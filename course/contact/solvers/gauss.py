@@ -34,7 +34,7 @@ LONGER = 0.01
 FRACTION = 0.995
 #: Share of contacts that may be undecided when ``active_set`` is tried.
 UNDECIDED = 0.1
-#: Newton steps after which it is tried anyway; and those a contact that still approaches is given.
+#: Newton steps after which it is tried anyway; and those a contact that still strays is given.
 PATIENCE = 6
 #: What is missing from w = A f + b counts if it is more than this times the terms' magnitudes.
 NOISE = 4e-15
@@ -87,19 +87,19 @@ def solve_gauss(
         at = _start(system)
     except np.linalg.LinAlgError:  # A is not positive semidefinite
         return InteriorPoint(np.zeros(len(system)), np.inf, 1)
-    best, approach, patience = system.tried(at.f), np.inf, PATIENCE
+    best, stray, patience = system.tried(at.f), np.inf, PATIENCE
     count, tried, undecided_then = 1, PATIENCE, len(system) + 1.0
     while count < max_iterations and _sane(at):
         now = system.tried(at.f)
         if np.max(at.f, initial=0.0) > largest:
             return InteriorPoint(system.force(at.f), now.residual, count)
-        if now.residual < best.residual:
+        if _better(now, best, tolerance):
             best = now
         if best.residual <= tolerance:
             # Large forces make the residual small before w is: go on while that falls.
-            before, approach = approach, best.approach
-            patience = PATIENCE if approach <= 0.5 * before else patience - 1
-            if approach == 0 or patience < 0:
+            before, stray = stray, best.stray
+            patience = PATIENCE if stray <= 0.5 * before else patience - 1
+            if stray == 0 or patience < 0:
                 break
         undecided = _undecided(at)
         clear = (
@@ -109,9 +109,10 @@ def solve_gauss(
             undecided_then, tried = min(undecided, undecided_then), count
             found = settle(system, at.f, at.f > at.w, tolerance=tolerance)
             count, tried = count + found.iterations, tried + found.iterations
-            if found.residual < best.residual:
-                best = system.tried(found.force)
-            if best.residual <= tolerance and best.approach == 0:
+            settled = system.tried(found.force)
+            if _better(settled, best, tolerance):
+                best = settled
+            if best.residual <= tolerance and best.stray == 0:
                 break
         try:
             at = _step(now, at)
@@ -119,6 +120,13 @@ def solve_gauss(
             break
         count += 1
     return InteriorPoint(system.force(best.unit_force), best.residual, count)
+
+
+def _better(one: Trial, other: Trial, tolerance: float) -> bool:
+    """Whether its residual is less, or small enough and the contacts stray less."""
+    if one.residual <= tolerance and other.residual <= tolerance:
+        return (one.stray, one.residual) < (other.stray, other.residual)
+    return one.residual < other.residual
 
 
 def _start(system: UnitSystem) -> _Iterate:

@@ -11,8 +11,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, scalars, shaped
-from course.contact.solvers.residual import complementarity_residual
+from course.arrays import Array, ArrayLike, failure, scalars, shaped, written
+from course.contact.solvers.certificate import certificate
+from course.contact.solvers.residual import (
+    complementarity_residual,
+    products,
+    strays,
+    violation_of,
+)
 
 #: Optimality residual above which SciPy's answer is not taken.
 ACCEPTED = 1e-10
@@ -125,24 +131,47 @@ def solve_nnls(
     if factor is not None and (g.ndim != 2 or g.shape[1] != b.size):
         raise failure("factor", f"shape (m, {b.size})", f"shape {g.shape}")
     target = np.linalg.lstsq(g.T, -b, rcond=None)[0]
-    if np.max(np.abs(g.T @ target + b)) <= 1e-12 * np.max(np.abs(b)):
-        force = nonnegative_least_squares(g, target)
-    else:
-        force, certificate = _least_distance(g, b)
+    force = _polished(a, b, nonnegative_least_squares(g, target))
+    if not _holds(a, b, force):  # there is no t, or A is too nearly singular for it
+        other, certificate = _least_distance(a, b, g, exact=factor is not None)
         if certificate is not None:
             zero = np.zeros(b.shape)
             return NonNegativeSolution(
                 zero, float(complementarity_residual(a, zero, b)), certificate
             )
-    force, residual = _polished(a, b, force)
-    return NonNegativeSolution(force, residual)
+        other = _polished(a, b, other)
+        if _better(a, b, other, force):
+            force = other
+    return NonNegativeSolution(force, float(complementarity_residual(a, force, b)))
+
+
+def _holds(a: Array, b: Array, force: Array) -> bool:
+    return not _astray(a, b, force) > 0 and not (
+        complementarity_residual(a, force, b) > ACCEPTED
+    )
+
+
+def _astray(a: Array, b: Array, force: Array) -> float:
+    """The largest |min(D f, w)| if a contact ``strays``, else 0."""
+    product, size = products(a, force)
+    violation = violation_of(a.diagonal(), product, force, b)
+    return float(violation.max()) if np.any(strays(violation, size, b)) else 0.0
+
+
+def _better(a: Array, b: Array, one: Array, other: Array) -> bool:
+    return (_astray(a, b, one), complementarity_residual(a, one, b)) < (
+        _astray(a, b, other),
+        complementarity_residual(a, other, b),
+    )
 
 
 def _factor(a: Array) -> Array:
     """G with G'G = A, from the eigenvectors; rounding noise below the rank is left out."""
     if np.max(np.abs(a - a.T)) > 1e-9 * np.max(np.abs(a)):
         raise failure(
-            "matrix", "a symmetric matrix", f"asymmetry {np.max(np.abs(a - a.T))!r}"
+            "matrix",
+            "a symmetric matrix",
+            f"asymmetry {written(np.max(np.abs(a - a.T)))}",
         )
     # With a diagonal of ones first, so that noise is small beside every
     # contact, not only beside the one of the lightest bodies.
@@ -156,14 +185,18 @@ def _factor(a: Array) -> Array:
         raise failure(
             "matrix",
             "a positive semidefinite matrix",
-            f"least eigenvalue {np.linalg.eigvalsh(a)[0]!r}",
+            f"least eigenvalue {written(np.linalg.eigvalsh(a)[0])}",
         )
     kept = values > a.shape[0] * np.finfo(float).eps * max(values[-1], 0.0)
     return np.sqrt(values[kept])[:, None] * columns[:, kept].T * size
 
 
-def _least_distance(g: Array, b: Array) -> tuple[Array, Array | None]:
-    """Force and None, or zeros and the certificate that none exists."""
+def _least_distance(
+    a: Array, b: Array, g: Array, *, exact: bool
+) -> tuple[Array, Array | None]:
+    """Force and None, or zeros and the certificate that none exists; exact: whether G is more so than A."""
+    from scipy.sparse import csr_array
+
     length = np.sqrt(np.sum(g * g, axis=0))
     bare = (length == 0) & (b < 0)
     if np.any(bare):  # nothing can push there: a contact between two fixed bodies
@@ -176,26 +209,29 @@ def _least_distance(g: Array, b: Array) -> tuple[Array, Array | None]:
         s, moved = 1.0 + scale * float(b @ u), g @ u
         if s < 0.5:
             if np.sqrt(np.sum(moved**2)) <= 1e-10 * np.sum(length * u):
-                return np.zeros(b.shape), u / np.sum(u)
+                rows = csr_array(g.T) if exact else None
+                proof = certificate(a, b, u, search=False, factor=rows)
+                if proof is not None:
+                    return np.zeros(b.shape), proof / np.sum(proof)
             # The same s without the cancellation: |G u|^2 + s^2 = s at the minimum.
             square = min(float(np.sum(moved**2)), 0.25)
             s = 2.0 * square / (1.0 + np.sqrt(1.0 - 4.0 * square))
-        if s > 1e-3:
+        if s > 1e-3 or s <= 0:
             break
         scale *= np.sqrt(s)  # the force is large: bring f'A f back to about 1
-    return u / (s * scale), None
+    return (u / (s * scale) if s > 0 else np.zeros(b.shape)), None
 
 
-def _polished(a: Array, b: Array, force: Array) -> tuple[Array, float]:
+def _polished(a: Array, b: Array, force: Array) -> Array:
     """One more solve on the contacts that push, kept only if it is better."""
-    best, residual = force, float(complementarity_residual(a, force, b))
     push = np.flatnonzero(force > 0)
-    if residual > 0 and push.size:
-        block = a[np.ix_(push, push)]
-        change = np.linalg.lstsq(block, -(a[push] @ force + b[push]), rcond=None)[0]
-        better = force.copy()
-        better[push] = np.maximum(force[push] + change, 0.0)
-        again = float(complementarity_residual(a, better, b))
-        if again < residual:
-            best, residual = better, again
-    return best, residual
+    if not push.size:
+        return force
+    # With a diagonal of ones, so that light and heavy bodies count alike.
+    scale = 1 / np.sqrt(a.diagonal()[push])
+    block = (a[np.ix_(push, push)] * scale[:, None]) * scale
+    missing = -(a[push] @ force + b[push]) * scale
+    better = force.copy()
+    change = scale * np.linalg.lstsq(block, missing, rcond=None)[0]
+    better[push] = np.maximum(force[push] + change, 0.0)
+    return better if _better(a, b, better, force) else force

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
+from course.contact.solvers.certificate import certificate
 
 #: Numbers below this times the largest of their kind count as 0 (in units of the diagonal).
 ROUNDING = 1e-11
@@ -68,8 +69,10 @@ def solve_pivot(
     for contact in np.argsort(b * scale, kind="stable"):
         ray = tableau.settle(int(contact), limit)
         if ray is not None:
+            # Forces that may grow for ever by the tableau, which has its own rounding: so by A?
+            proof = certificate(a, b, ray * scale, search=False)
             return PivotSolution(
-                np.maximum(tableau.f, 0) * scale, tableau.pivots, False, ray * scale
+                np.maximum(tableau.f, 0) * scale, tableau.pivots, False, proof
             )
         if tableau.pivots >= limit:
             return PivotSolution(

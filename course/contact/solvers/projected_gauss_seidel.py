@@ -16,6 +16,7 @@ from course.arrays import (
     scalars,
     shaped,
     whole_number,
+    written,
 )
 from course.contact.solvers.residual import scaled_rows
 
@@ -69,7 +70,7 @@ def solve_projected_gauss_seidel(
     b = scalars("bias", bias)
     factor = scalar("relaxation", relaxation)
     if not 0 < factor < 2:
-        raise failure("relaxation", "a number above 0 and below 2", repr(factor))
+        raise failure("relaxation", "a number above 0 and below 2", written(factor))
     whole_number("max_sweeps", max_sweeps)
     f = np.zeros(b.size) if start is None else np.maximum(scalars("start", start), 0.0)
     shaped("start", f, b.shape)
@@ -215,5 +216,5 @@ def optimal_relaxation(factor: float) -> float:
     """
     rho = scalar("factor", factor)
     if not 0 <= rho < 1:
-        raise failure("factor", "a number from 0, below 1", repr(rho))
+        raise failure("factor", "a number from 0, below 1", written(rho))
     return 2.0 / (1.0 + float(np.sqrt(1.0 - rho)))

@@ -8,8 +8,10 @@ import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
 
-#: See ``runs_away``.
-SUSPICIOUS, ROUNDING = 1e-8, 1e-13
+#: See ``strays``: parts of max |b|, of |A| |f|, and of max |b| again.
+SUSPICIOUS, ROUNDING, SURE = 1e-8, 1e-14, 1e-6
+#: |A| |f| above this times max |b| cannot be sure of SURE: eps |A| |f| is as much.
+HUGE = 1e9
 
 
 def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> Array:
@@ -83,18 +85,34 @@ def scaled_rows(
     return diagonal * force / scale, (product + bias) / scale
 
 
-def runs_away(
-    product: Array, size: Array, bias: Array, largest: Array | None = None
+def violation_of(diagonal: Array, product: Array, force: Array, bias: Array) -> Array:
+    """|min(D f, w)|, (..., c) [m/s^2]: by how much a contact approaches, or parts although it pushes."""
+    return np.abs(np.minimum(diagonal * force, product + bias))
+
+
+def strays(
+    violation: Array,
+    size: Array,
+    bias: Array,
+    *,
+    largest: Array | None = None,
+    tolerance: float = 0.0,
 ) -> BoolArray:
-    """Which contacts approach by more than rounding, whatever the residual says.
+    """Which contacts are not where they should be, whatever the residual says.
 
-    Where no force exists, forces may grow until the residual, which is
-    relative to them, is as small as one likes. So a d_ddot below
-    -1e-8 max |b| - 1e-13 |A| |f| calls for a second look.
+    The residual is relative to the forces. Where they are large it may be as
+    small as one likes while contacts approach, or part although they push, at
+    the size of b itself; the forces are then as wrong. So the violation is
+    held against b alone: above SUSPICIOUS max |b| (or 100 times the tolerance
+    asked for, where that is more), and above what rounding of large forces
+    excuses (ROUNDING |A| |f|, but never more than SURE max |b|),
+    it strays. So does all beyond HUGE, where rounding hides SURE.
 
-    From A f, |A| |f| and b, each (..., c), and max |b| if it is not that of
-    these b; nothing is checked.
+    From ``violation_of``, |A| |f| and b, each (..., c), and max |b| if it is
+    not that of these b; nothing is checked.
     """
     if largest is None:
         largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
-    return product + bias < -(SUSPICIOUS * largest + ROUNDING * size)
+    seen = max(SUSPICIOUS, 100 * tolerance)
+    excused = seen * largest + np.minimum(ROUNDING * size, SURE * largest)
+    return (violation > excused) | (size > HUGE * largest)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array
-from course.contact.solvers.residual import runs_away, scaled_rows
+from course.contact.solvers.residual import scaled_rows, strays, violation_of
 from course.contact.solvers.shifted import Shifted, shifted
 
 
@@ -90,12 +90,13 @@ class Trial:
         return float(np.max(np.abs(np.minimum(*self.rows)), initial=0.0))
 
     @cached_property
-    def approach(self) -> float:
-        """The largest -w, 0 where no contact approaches by more than rounding (``runs_away``)."""
-        _, product, size = self.products
-        if not np.any(runs_away(product, size, self.system.bias)):
+    def stray(self) -> float:
+        """The largest |min(D f, w)|, 0 where no contact ``strays``."""
+        force, product, size = self.products
+        violation = violation_of(self.system.diagonal, product, force, self.system.bias)
+        if not np.any(strays(violation, size, self.system.bias)):
             return 0.0
-        return -float(np.min(product + self.system.bias))
+        return float(np.max(violation))
 
     @property
     def unit_acceleration(self) -> Array:

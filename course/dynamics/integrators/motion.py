@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from course import rotations
-from course.arrays import Array, ArrayLike, BoolArray, failure, scalar, vectors
+from course.arrays import Array, ArrayLike, BoolArray, failure, scalar, vectors, written
 from course.dynamics.bodies import Bodies
 from course.dynamics.integrators.components import (
     conjugated,
@@ -134,7 +134,7 @@ class Motion:
             return np.zeros((3, 1)), np.zeros((3, 1))
         answer = wrench(self.to_bodies(), time)
         if not isinstance(answer, tuple) or len(answer) != 2:
-            raise failure("wrench", "a pair (force, torque)", f"{answer!r:.60}")
+            raise failure("wrench", "a pair (force, torque)", written(answer))
         return self._checked("wrench force", answer[0]), self._checked(
             "wrench torque", answer[1]
         )
@@ -143,7 +143,7 @@ class Motion:
         try:
             array = np.asarray(value, dtype=np.float64)
         except (TypeError, ValueError):
-            raise failure(name, "real numbers", f"{value!r:.60}") from None
+            raise failure(name, "real numbers", written(value)) from None
         if array.shape != self.bodies.position.shape:
             raise failure(
                 name, f"shape {self.bodies.position.shape}", f"shape {array.shape}"

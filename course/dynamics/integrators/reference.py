@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, scalar, scalars
+from course.arrays import Array, ArrayLike, failure, scalar, scalars, written
 from course.dynamics.bodies import Bodies
 from course.dynamics.integrators.components import multiplied, normalized
 from course.dynamics.integrators.motion import Motion, Wrench, step_and_time
@@ -65,12 +65,12 @@ def reference_motion(
         raise failure(
             "times",
             "times one after the other in one direction from time",
-            f"{at!r:.60}",
+            written(at),
         )
     tolerance = scalar("relative_tolerance", relative_tolerance)
     if not 1e-13 <= tolerance < 1:
         raise failure(
-            "relative_tolerance", "a number from 1e-13 to below 1", repr(tolerance)
+            "relative_tolerance", "a number from 1e-13 to below 1", written(tolerance)
         )
     motion, reached, states = Motion.of(bodies), start, []
     for end in at:

@@ -24,7 +24,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from course.arrays import Array, failure
+from course.arrays import Array, failure, written
 from course.dynamics.bodies import Bodies
 from course.dynamics.integrators.components import (
     conjugated,
@@ -161,9 +161,7 @@ def free_flight(bodies: Bodies, step: float, count: int, *, order: int = 2) -> B
 
 def _chain_of(order: int) -> tuple[float, ...]:
     if isinstance(order, bool) or order not in _CHAINS:
-        raise failure(
-            "order", "one of " + ", ".join(map(str, _CHAINS)), f"{order!r:.60}"
-        )
+        raise failure("order", "one of " + ", ".join(map(str, _CHAINS)), written(order))
     return _CHAINS[order]
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from course.arrays import ArrayLike, failure, scalar
+from course.arrays import ArrayLike, failure, scalar, written
 from course.workbook.viewer.scene import CAMERAS, Arrows, Scene, make_scene
 from course.workbook.viewer.solids import Solid, box, capsule, joined, mesh, sphere
 from course.workbook.viewer.still import draw, film
@@ -56,7 +56,7 @@ def show(
         ValueError: shapes that do not fit together, times that do not ascend, an unknown camera or colour.
     """
     if not scalar("speed", speed) > 0:
-        raise failure("speed", "a number above 0", repr(speed))
+        raise failure("speed", "a number above 0", written(speed))
     if isinstance(solids, Scene):
         scene = solids
     elif position is None:

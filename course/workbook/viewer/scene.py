@@ -19,6 +19,7 @@ from course.arrays import (
     scalars,
     unit_quaternions,
     vectors,
+    written,
 )
 from course.workbook.plots.figure import PALETTE
 from course.workbook.viewer.solids import Solid
@@ -213,7 +214,7 @@ def _times(times: ArrayLike | None) -> Array:
         return np.zeros(1)
     t = scalars("times", times)
     if t.ndim != 1 or not t.size or np.any(np.diff(t) <= 0):
-        raise failure("times", "ascending numbers of shape (t,)", f"{t!r:.60}")
+        raise failure("times", "ascending numbers of shape (t,)", written(t))
     return t
 
 
@@ -254,7 +255,9 @@ def _place(arrows: Arrows, number: int, scene: Scene) -> PlacedArrows:
         else scalar(f"arrows {arrows.name}, scale", arrows.scale)
     )
     if not scale > 0:
-        raise failure(f"arrows {arrows.name}, scale", "a number above 0", repr(scale))
+        raise failure(
+            f"arrows {arrows.name}, scale", "a number above 0", written(scale)
+        )
     color = arrows.color or ARROW_COLORS[number % len(ARROW_COLORS)]
     choice(f"arrows {arrows.name}, color", color, tuple(PALETTE))
     length = scale * vector
