@@ -9,7 +9,7 @@ import statistics
 from benchmarks.measure import Row, seconds
 from course.exercises.definition import Exercise, all_lessons
 from course.exercises.message import verdict_message
-from course.workbook.check import judge_here
+from course.workbook.checking import judge_here
 
 WAIT = 0.1
 

@@ -89,7 +89,7 @@ def open_workbook(
 def lesson_to_open(root: Path) -> str | None:
     """The first lesson where nothing was begun; afterwards the first of those there are that is unfinished."""
     from course.exercises.definition import all_lessons
-    from course.workbook.progress import state
+    from course.workbook.recording import state
     from course.workbook.work_folder import lesson_files
 
     files = [path.stem for path in lesson_files(root)]
@@ -149,7 +149,7 @@ def check(
 @app.command()
 def progress() -> None:
     """Show how far you are."""
-    from course.workbook.progress import progress as table
+    from course.workbook.recording import progress as table
 
     typer.echo(str(table(checkout() / "work")))
 
@@ -164,7 +164,7 @@ def build(
     ] = False,
 ) -> None:
     """Make lessons/ from solutions/."""
-    from course.workbook.build import build as build_lessons
+    from course.workbook.building import build as build_lessons
 
     with plainly():
         drift = build_lessons(check=check)

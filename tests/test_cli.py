@@ -206,11 +206,13 @@ def test_progress_reads_the_place_to_work(project, capsys):
 
 
 def test_build_reports_drift(monkeypatch, capsys):
-    from course.workbook import build
+    from course.workbook import building
 
     drift = ["lessons/10-impulse.ipynb: missing"]
     asked = []
-    monkeypatch.setattr(build, "build", lambda *, check: asked.append(check) or drift)
+    monkeypatch.setattr(
+        building, "build", lambda *, check: asked.append(check) or drift
+    )
     assert cli.run(["build", "--check"]) == 1
     assert cli.run(["build"]) == 0
     assert (

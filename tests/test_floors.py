@@ -273,11 +273,11 @@ def test_every_module_is_looked_at():
             "imports course.workbook (floor 9",
         ),
         (
-            "course.workbook.check",
+            "course.workbook.checking",
             "from course.cli import app",
             "imports course.entrance (floor 10",
         ),
-        ("course.workbook.check", "from course.attic import ghost", "has no floor"),
+        ("course.workbook.checking", "from course.attic import ghost", "has no floor"),
         ("course.arrays", "import course.shapes", "imports course.shapes (floor 2"),
         ("course.attic", "import numpy", "no floor is given to attic"),
         (
@@ -326,9 +326,13 @@ def test_every_module_is_looked_at():
             "def f():\n    from course.cli import app",
             "it must run before all else",
         ),
-        ("course.workbook.check", "import solutions.tools", "imports from solutions"),
         (
-            "course.workbook.check",
+            "course.workbook.checking",
+            "import solutions.tools",
+            "imports from solutions",
+        ),
+        (
+            "course.workbook.checking",
             "import importlib\nimportlib.import_module('lessons.x')",
             "imports from lessons",
         ),

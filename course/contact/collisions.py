@@ -11,7 +11,7 @@ from course.arrays import Array, BoolArray, IntArray, choice, failure, in_range,
 from course.contact.solvers.nnls import nonnegative_least_squares
 from course.dynamics.bodies import Bodies
 from course.dynamics.impulse import apply_impulse, effective_mass, normal_velocity
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 
 LAWS = ("simultaneous", "sequential", "reflection")
 #: A contact approaches while its normal velocity is below -APPROACHING times

@@ -21,7 +21,7 @@ from course.arrays import (
 )
 from course.contact.separation import separation_rate, signed_terms
 from course.dynamics.bodies import Bodies
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

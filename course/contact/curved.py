@@ -30,7 +30,7 @@ import numpy as np
 
 from course.arrays import Array, BoolArray, IntArray, failure, written
 from course.dynamics.bodies import Bodies
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 
 #: Curvature below this times the largest counts as flat.
 FLAT = 1e-14

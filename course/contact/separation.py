@@ -24,7 +24,7 @@ from course.arrays import (
 from course.contact.curved import CurvedTerms, curved_terms
 from course.dynamics.bodies import Bodies
 from course.dynamics.impulse import normal_velocity
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 
 #: |e_A x e_B| / (|e_A| |e_B|) below which two edges count as parallel.
 PARALLEL = 1e-9

@@ -20,7 +20,7 @@ from course.arrays import (
     vectors,
     written,
 )
-from course.dynamics.hull_faces import closed_faces, hull_faces, require_solid
+from course.dynamics.convex_faces import closed_faces, hull_faces, require_solid
 
 #: What float64 cannot hold is refused by name (``_solid``), not warned of on the way there.
 QUIET = np.errstate(over="ignore", invalid="ignore")

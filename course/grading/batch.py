@@ -13,7 +13,7 @@ from itertools import islice
 from course.exercises.definition import Lesson
 from course.exercises.notebook_file import UnusableNotebook
 from course.grading.feedback import write_page
-from course.grading.fingerprint import key_of
+from course.grading.fingerprints import key_of
 from course.grading.judge import Judge, Row
 from course.grading.report import Submission, cells_of, safe_cell
 from course.grading.stopping import Stopping

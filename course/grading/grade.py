@@ -18,11 +18,11 @@ from course.exercises.definition import Lesson, all_lessons
 from course.exercises.message import SYMBOLS, WORDS, verdict_message
 from course.grading.batch import Batch, Progress, standing
 from course.grading.feedback import INDEX, write_overview
-from course.grading.fingerprint import grader_version, key_of
+from course.grading.fingerprints import grader_version, key_of
 from course.grading.index import write_index
 from course.grading.judge import Judge, Row
 from course.grading.lock import Lock
-from course.grading.page_names import page_names
+from course.grading.naming import page_names
 from course.grading.report import AGAIN, TRUSTED, TRUSTED_MEANS, safe_cell
 from course.grading.stopping import Stopping
 from course.grading.submissions import (

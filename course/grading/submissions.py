@@ -15,7 +15,7 @@ from course.exercises.definition import Lesson
 from course.exercises.notebook_file import MAXIMUM_BYTES, UnusableNotebook, too_large
 from course.grading.identity import Student, student_of, told_apart
 from course.grading.lock import FIRST_LINE
-from course.grading.page_names import page_names
+from course.grading.naming import page_names
 from course.grading.table import is_table
 from course.grading.writing import CannotWrite, write_whole
 from course.sandbox.reply import clean

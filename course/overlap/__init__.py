@@ -1,5 +1,5 @@
 """One question asked of two shapes: do they overlap, how far apart are they, where do they touch."""
 
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 
 __all__ = ["Contacts"]

@@ -18,7 +18,7 @@ End = Literal[
     "killed",
     "unreadable",
 ]
-ENDS = (
+ENDS: tuple[End, ...] = (
     "replied",
     "time",
     "files",

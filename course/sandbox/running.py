@@ -130,10 +130,9 @@ class Session:
 
     def __init__(self, sandbox: Sandbox, start: Start) -> None:
         self._sandbox = sandbox
+        flags = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0)  # on Windows
         own_group: dict[str, Any] = (
-            {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
-            if sys.platform == "win32"
-            else {"start_new_session": True}
+            {"creationflags": flags} if flags else {"start_new_session": True}
         )
         self._process = subprocess.Popen(
             start.command, cwd=start.folder, env=start.environment, stdin=subprocess.PIPE,
@@ -312,7 +311,7 @@ def _run(seen: Mapping[str, Any] | None, question: Question, cells: int) -> Run:
     """A run out of what was told of it; whatever a stranger's data may bring about, it is their reply that is wrong."""
     if seen is None:
         return Run("killed", detail="its process was ended from outside")
-    end = seen["end"] if seen.get("end") in ENDS else "unreadable"
+    end: End = next((e for e in ENDS if e == seen.get("end")), "unreadable")
     if end == "blocked":
         return Run("blocked", by=int(seen["by"]))
     stage, index = _stage(str(seen.get("stage", "")), cells, len(question.cases))

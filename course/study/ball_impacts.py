@@ -18,7 +18,7 @@ from course.arrays import (
 )
 from course.contact.collisions import LAWS, resolve_collisions
 from course.dynamics.bodies import Bodies
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 
 #: A pool ball: radius [m] and mass [kg] (2 1/4 inches and 6 ounces).
 POOL_RADIUS, POOL_MASS = 0.028575, 0.17

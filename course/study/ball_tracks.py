@@ -20,7 +20,7 @@ from course.arrays import (
 )
 from course.contact.collisions import LAWS, resolve_collisions
 from course.dynamics.bodies import Bodies
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 from course.study.ball_impacts import ball_contacts
 
 

@@ -23,7 +23,7 @@ from course.arrays import (
 from course.contact.collisions import resolve_collisions
 from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
 from course.dynamics.bodies import Bodies
-from course.overlap.contacts import Contacts
+from course.overlap.contact_arrays import Contacts
 
 UP = (0.0, 0.0, 1.0)
 #: A box whose three moments of inertia differ: half extents [m].

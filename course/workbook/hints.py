@@ -8,7 +8,7 @@ from typing import Any
 from course.exercises.definition import Exercise, find_exercise
 from course.exercises.formula_source import expression, source_of
 from course.exercises.message import Message, Part
-from course.workbook import progress
+from course.workbook import recording
 from course.workbook.notebook import display_message
 
 TIERS = ("where to look", "the formula in words", "the line with a hole in it")
@@ -30,14 +30,14 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
         words = 'expected an exercise\'s name or function, as in hint("p_hat")'
         raise ValueError(f"name: {words}; got {name_or_function!r}")
     _, exercise = find_exercise(name)
-    taken = progress.state().hints.get(name, 0)
+    taken = recording.state().hints.get(name, 0)
     # In a new kernel the first call shows again what was seen before: running a whole notebook opens nothing new.
     tier = (
         taken
-        if taken and not progress.hinted_in_this_session(name)
+        if taken and not recording.hinted_in_this_session(name)
         else min(taken + 1, 4)
     )
-    progress.record("hint", name, tier=tier)
+    recording.record("hint", name, tier=tier)
     shown = range(1, min(tier, 3) + 1)
     parts = [
         Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text")

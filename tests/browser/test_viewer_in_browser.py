@@ -176,7 +176,7 @@ def _answers(port):
 
 
 def test_a_saved_notebook_shows_the_picture_before_anything_runs(tmp_path):
-    from course.workbook.build import execute
+    from course.workbook.building import execute
 
     root = checkout(tmp_path)
     path = root / "lessons" / "10-impulse.ipynb"

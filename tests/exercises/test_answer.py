@@ -9,7 +9,7 @@ import sympy as sp
 
 from course.exercises.answer import as_function
 from course.exercises.source import is_blank
-from course.workbook.build import blank
+from course.workbook.building import blank
 
 SOLUTIONS = sorted((Path(__file__).resolve().parents[2] / "solutions").glob("*.ipynb"))
 

@@ -11,7 +11,7 @@ from grading.toy_lessons import LESSONS, blank, write
 
 from course.grading import submissions
 from course.grading.grade import grade_folder
-from course.grading.page_names import page_names
+from course.grading.naming import page_names
 from course.grading.submissions import MARKER, MARKER_TEXT, find_tasks
 
 

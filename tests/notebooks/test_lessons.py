@@ -10,7 +10,7 @@ from nbval.plugin import get_sanitize_patterns
 
 from course.exercises.definition import all_lessons
 from course.exercises.message import SYMBOLS, Message
-from course.workbook.build import BrokenSource, blank, build, lesson_text
+from course.workbook.building import BrokenSource, blank, build, lesson_text
 
 ROOT = Path(__file__).resolve().parents[2]
 SOLUTIONS = sorted((ROOT / "solutions").glob("*.ipynb"))

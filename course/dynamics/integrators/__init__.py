@@ -1,6 +1,5 @@
 """Steps in time with one signature, batched over bodies: (bodies, wrench, step, *, time=0.0) -> Bodies."""
 
-from course.dynamics.integrators.advance import advance
 from course.dynamics.integrators.motion import Wrench, uniform_gravity
 from course.dynamics.integrators.reference import dop853, reference_motion
 from course.dynamics.integrators.runge_kutta import (
@@ -10,6 +9,7 @@ from course.dynamics.integrators.runge_kutta import (
     symplectic_euler,
 )
 from course.dynamics.integrators.splitting_method import splitting
+from course.dynamics.integrators.stepping import advance
 
 __all__ = [
     "Wrench",

@@ -23,7 +23,6 @@ from course.workbook.plots.contact_matrix import (
     matrix_pattern,
     pushed_table,
 )
-from course.workbook.plots.course_map import course_map, falling_boxes
 from course.workbook.plots.difference_quotients import (
     difference_errors,
     errors_by_looks,
@@ -45,6 +44,7 @@ from course.workbook.plots.impacts import (
     impact,
     velocity_circle,
 )
+from course.workbook.plots.maps import course_map, falling_boxes
 from course.workbook.plots.motion import energies, energy_contours, seen_from_body
 from course.workbook.plots.separation import (
     contact_velocities,

@@ -13,7 +13,7 @@ import sympy as sp
 from course.dynamics import impulse
 from course.exercises.definition import find_exercise
 from course.workbook import check, hint, predict, progress, use
-from course.workbook.check import judge_here
+from course.workbook.checking import judge_here
 
 NAME = "impulse_central"
 
@@ -32,7 +32,7 @@ def named(function, name=NAME):
 
 def progress_module_itself():
     return sys.modules[
-        "course.workbook.progress"
+        "course.workbook.recording"
     ]  # as an attribute of the package it is the function
 
 
@@ -64,7 +64,7 @@ def test_right_answer_names_the_next_exercise_and_the_minutes_left(capsys):
 
 def test_an_answer_that_runs_on_is_told_of_while_it_runs(monkeypatch):
     """In a notebook, where a cell that stays busy would say nothing; a quick answer is told of nothing."""
-    module, shown, told = sys.modules["course.workbook.check"], threading.Event(), []
+    module, shown, told = sys.modules["course.workbook.checking"], threading.Event(), []
 
     def display(message):
         told.append(str(message))
@@ -324,7 +324,7 @@ def test_a_hint_shows_those_before_it_again(capsys):
 def test_after_a_restart_a_hint_shows_again_what_was_seen(work, capsys, monkeypatch):
     hint(NAME)
     hint(NAME)
-    monkeypatch.setattr(sys.modules["course.workbook.progress"], "_session", [])
+    monkeypatch.setattr(sys.modules["course.workbook.recording"], "_session", [])
     said(capsys)
     hint(NAME)
     assert "Hint 2 of 3" in said(capsys)
@@ -383,7 +383,7 @@ def test_a_folder_that_cannot_be_written_stops_nothing(work, capsys):
 
 def test_two_kernels_lose_nothing_of_each_other(work):
     """Each appends in one write; neither holds the file."""
-    code = "from course.workbook.progress import record\nfor i in range(200): record('check', f'{who}{i}', state='')"
+    code = "from course.workbook.recording import record\nfor i in range(200): record('check', f'{who}{i}', state='')"
     both = [
         subprocess.Popen([sys.executable, "-c", f"who = {who!r}\n{code}"], cwd=work)
         for who in "ab"

@@ -15,8 +15,8 @@ from grading.toy_lessons import LESSONS, OTHER, THRICE, TOY, blank, write
 
 from course.exercises.definition import Case, Property, all_lessons
 from course.grading import batch as batching
-from course.grading import fingerprint as printing
-from course.grading.fingerprint import fingerprint, grader_version, source_digest
+from course.grading import fingerprints as printing
+from course.grading.fingerprints import fingerprint, grader_version, source_digest
 from course.grading.grade import grade_folder
 from course.sandbox.running import SandboxFailure
 
@@ -68,7 +68,7 @@ def test_another_process_comes_to_the_same():
         "import sys; sys.path.insert(0, sys.argv[1])\n"
         "from grading.toy_lessons import LESSONS\n"
         "from course.exercises.definition import all_lessons\n"
-        "from course.grading.fingerprint import grader_version\n"
+        "from course.grading.fingerprints import grader_version\n"
         "print(grader_version(LESSONS), grader_version(all_lessons()))"
     )
     told = {

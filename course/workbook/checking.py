@@ -25,7 +25,7 @@ from course.exercises.definition import (
 )
 from course.exercises.message import Message, Part, verdict_message
 from course.exercises.verdict import Verdict, judge
-from course.workbook import progress
+from course.workbook import recording
 from course.workbook.notebook import display_message, in_notebook
 from course.workbook.numbers import show
 
@@ -49,19 +49,19 @@ def check(answer: Any, name: str | None = None) -> None:
             verdict,
             reason=(*_unfinished_before(lesson, exercise, answer), *verdict.reason),
         )
-    progress.record("check", name, state=verdict.state)
+    recording.record("check", name, state=verdict.state)
     if (
         not verdict.passed
         and verdict.state != "not attempted"
         and verdict.mistake is None
     ):
-        progress.record_unrecognised(
+        recording.record_unrecognised(
             name, _source(answer), str(verdict_message(exercise, verdict))
         )
-    passed = progress.state().passed
+    passed = recording.state().passed
     if verdict.passed:
-        following = progress.next_exercise(lesson, name, passed)
-        left = progress.minutes_left(lesson, passed)
+        following = recording.next_exercise(lesson, name, passed)
+        left = recording.minutes_left(lesson, passed)
         after = (
             Part(
                 "next",
@@ -71,7 +71,7 @@ def check(answer: Any, name: str | None = None) -> None:
             else Part("next", "that was the last core exercise of this lesson"),
         )
     else:
-        taken = progress.state().hints.get(name, 0)
+        taken = recording.state().hints.get(name, 0)
         advice = (
             "the first of three hints"
             if taken == 0
@@ -200,7 +200,7 @@ def predict(name: str, answer: Any = None) -> None:
     for an unknown name.
     """
     _, prediction = find_prediction(name)
-    if answer is Ellipsis or (answer is None and progress.predicted(name) is None):
+    if answer is Ellipsis or (answer is None and recording.predicted(name) is None):
         choices = tuple(Part(key, text) for key, text in prediction.choices.items())
         way = f"put {_wanted(prediction)} where the ... stands, then run the cell again"
         first = f"commit first: predict({name!r}, ...) with {_wanted(prediction)}"
@@ -215,13 +215,13 @@ def predict(name: str, answer: Any = None) -> None:
         return
     try:
         given = (
-            progress.predicted(name) if answer is None else _given(prediction, answer)
+            recording.predicted(name) if answer is None else _given(prediction, answer)
         )
     except ValueError as error:
         display_message(Message("not attempted", f"Not an answer yet: {error}", ()))
         return
     if answer is not None:
-        progress.record("predict", name, answer=given)
+        recording.record("predict", name, answer=given)
         if prediction.later:
             said = _said(prediction, given) + _unit(prediction)
             noted = Part("answer", f"in the section {prediction.later}")
