@@ -24,7 +24,7 @@ from course.exercises.source import (
 
 MAXIMUM_BYTES = 50_000_000
 #: Code cells; a lesson has about fifty.
-MAXIMUM_CELLS = 2_000
+MAXIMUM_CELLS = 20_000
 #: Names among which the nearest to a missing one is looked for.
 MAXIMUM_NAMES = 2_000
 

@@ -11,6 +11,8 @@ import re
 import symtable
 import warnings
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 
 #: Characters; longer cells are no answers and cost seconds to parse.
 MAXIMUM_CELL = 200_000
@@ -52,16 +54,20 @@ def syntax_error(source: str) -> str:
 
 
 def python_only(source: str) -> str:
-    """The cell with IPython's own lines (%magic, !shell, name?) turned into ``pass``; line numbers stay.
+    """The cell with IPython's own lines (%magic, !shell, name?) turned into ``0``, which does nothing and is never
+    longer; line numbers stay.
 
     A cell that is Python as it stands is left alone: a line may begin with % inside an expression or a text.
     Each line is looked at once from left to right, so that the time grows with its length and no faster.
     """
-    if len(source) > MAXIMUM_CELL or tree_of(source) is not None:
+    lines = source.splitlines()
+    if len(source) > MAXIMUM_CELL or not any(map(_is_foreign, lines)):
+        return source
+    if tree_of(source) is not None:
         return source
     return "\n".join(
-        f"{line[: len(line) - len(line.lstrip())]}pass" if _is_foreign(line) else line
-        for line in source.splitlines()
+        f"{line[: len(line) - len(line.lstrip())]}0" if _is_foreign(line) else line
+        for line in lines
     )
 
 
@@ -77,14 +83,48 @@ def _is_foreign(line: str) -> bool:
     return bool(magic) and re.fullmatch(r"[\w, ]+", left) is not None
 
 
+@dataclass(frozen=True)
+class Facts:
+    """What is told from a cell's source alone, IPython's own lines left out.
+
+    ``defines`` are the names that it defines at its top level, ``definitions`` the source of these alone; ``binds``
+    are the names it binds in the notebook's namespace ("*" for all of a module), ``uses`` those it takes from there.
+    """
+
+    defines: tuple[str, ...] = ()
+    definitions: str = ""
+    binds: frozenset[str] = frozenset()
+    uses: frozenset[str] = frozenset()
+
+
+@lru_cache(maxsize=4096)
+def facts_of(source: str) -> Facts:
+    """What a cell says; nothing if it does not parse. To parse is what takes time: it is done once."""
+    source = python_only(source)
+    tree = tree_of(source)
+    if tree is None:
+        return Facts()
+    try:
+        table = symtable.symtable(source, "<cell>", "exec")
+    except UNREADABLE:  # it parses, and could not be compiled
+        return Facts(_defined(tree), _definitions(source, tree))
+    return Facts(_defined(tree), _definitions(source, tree), *_names(tree, table))
+
+
 def defined_names(source: str) -> tuple[str, ...]:
     """The names of functions and variables that a cell defines at its top level; none if it does not parse.
 
     ``f = use(f)`` defines nothing: it is how a lesson's own cells call what a student wrote.
     """
-    tree = cell_tree(source)
-    if tree is None:
-        return ()
+    return facts_of(source).defines
+
+
+def definitions_only(source: str) -> str:
+    """What a cell defines (functions, classes, imports, names), without what else it does."""
+    return facts_of(source).definitions
+
+
+def _defined(tree: ast.Module) -> tuple[str, ...]:
     names: list[str] = []
     for node in tree.body:
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
@@ -96,11 +136,7 @@ def defined_names(source: str) -> tuple[str, ...]:
     return tuple(names)
 
 
-def definitions_only(source: str) -> str:
-    """What a cell defines (functions, classes, imports, names), without what else it does."""
-    tree = cell_tree(source)
-    if tree is None:
-        return ""
+def _definitions(source: str, tree: ast.Module) -> str:
     wanted = (
         ast.FunctionDef,
         ast.ClassDef,
@@ -109,11 +145,12 @@ def definitions_only(source: str) -> str:
         ast.Assign,
         ast.AnnAssign,
     )
+    if all(isinstance(node, wanted) for node in tree.body):
+        return source
     try:
-        parts = [ast.unparse(n) for n in tree.body if isinstance(n, wanted)]
+        return "\n\n".join(ast.unparse(n) for n in tree.body if isinstance(n, wanted))
     except UNREADABLE:
         return ""
-    return "\n\n".join(parts)
 
 
 def is_blank(source: str, name: str) -> bool:
@@ -180,13 +217,13 @@ def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
 
 def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
     """The names a cell binds in the notebook's namespace, and those it takes from there; none if it is not Python."""
-    tree = tree_of(source)
-    try:
-        table = symtable.symtable(source, "<cell>", "exec") if tree else None
-    except UNREADABLE:
-        table = None
-    if tree is None or table is None:
-        return frozenset(), frozenset()
+    told = facts_of(source)
+    return told.binds, told.uses
+
+
+def _names(
+    tree: ast.Module, table: symtable.SymbolTable
+) -> tuple[frozenset[str], frozenset[str]]:
     bound = {"*"} if any(map(_imports_everything, ast.walk(tree))) else set()
     used = {name for node in ast.walk(tree) for name in _added_to(node)}
     tables = [table]

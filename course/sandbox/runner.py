@@ -62,8 +62,8 @@ def run(task: Task, around: Surroundings, pipe: int) -> None:
     sys.path[:] = around.path
     stand_ins.install_stand_ins()
     _silence()
-    stand_ins.answer_nobody()
     attempts = _Attempts(pipe)
+    stand_ins.answer_nobody(attempts)
     guard.install_guard(around.work, around.closed, around.path, attempts)
     if around.close_calls is not None and around.close_calls():
         held.append("system calls")
@@ -167,7 +167,8 @@ class _Cells:
                     BaseException
                 ) as error:  # SystemExit too: a notebook goes on with its next cell
                     first = first or error
-                    if not tolerant and self._attempts.count == before:
+                    tolerant = tolerant or self._attempts.count > before
+                    if not tolerant:
                         break
         return first
 

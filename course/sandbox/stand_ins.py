@@ -11,6 +11,7 @@ import ast
 import importlib
 import importlib.machinery
 import sys
+from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
@@ -117,12 +118,13 @@ def _put_off(node: ast.Import) -> list[ast.stmt]:
     return [ast.fix_missing_locations(statement) for statement in made]
 
 
-def answer_nobody() -> None:
-    """Have ``input`` and ``getpass`` give an empty line: there is nobody to ask while an answer is marked."""
+def answer_nobody(asked: Callable[[str], None]) -> None:
+    """Have ``input`` and ``getpass`` give an empty line, and tell ``asked``: there is nobody who could answer."""
     import builtins
     import getpass
 
     def empty(prompt: object = "", *_: Any, **__: Any) -> str:
+        asked("asking for input")
         print(prompt)
         return ""
 
