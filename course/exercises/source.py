@@ -105,7 +105,9 @@ def facts_of(source: str) -> Facts:
     if tree is None:
         return Facts()
     try:
-        table = symtable.symtable(source, "<cell>", "exec")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            table = symtable.symtable(source, "<cell>", "exec")
     except UNREADABLE:  # it parses, and could not be compiled
         return Facts(_defined(tree), _definitions(source, tree))
     return Facts(_defined(tree), _definitions(source, tree), *_names(tree, table))
