@@ -19,7 +19,6 @@ class Truth:
     force: list | None
     least: float
     gap: float
-    regular: bool
 
 
 def truth_of(a, b):
@@ -33,8 +32,7 @@ def truth_of(a, b):
     seen = values[values > noise]
     numbers = float(values[0]), float(seen[0]) if seen.size else 0.0
     if not semidefinite(exact):
-        return Truth("indefinite", None, *numbers, False)
-    regular = solved(exact, bias, range(count)) is not None
+        return Truth("indefinite", None, *numbers)
     for size in range(count + 1):
         for support in combinations(range(count), size):
             f = solved(exact, bias, support)
@@ -42,8 +40,8 @@ def truth_of(a, b):
                 continue
             w = motion(exact, bias, f)
             if min(w, default=0) >= 0:
-                return Truth("forces", f, *numbers, regular)
-    return Truth("none", None, *numbers, regular)
+                return Truth("forces", f, *numbers)
+    return Truth("none", None, *numbers)
 
 
 def semidefinite(a):

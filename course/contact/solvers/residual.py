@@ -9,7 +9,7 @@ import numpy as np
 from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
 
 #: See ``strays``: parts of max |b|, of |A| |f|, and of max |b| again.
-SUSPICIOUS, ROUNDING, SURE = 1e-8, 1e-14, 1e-6
+SUSPICIOUS, ROUNDING, SURE = 1e-8, 2e-15, 1e-6
 #: |A| |f| above this times max |b| cannot be sure of SURE: eps |A| |f| is as much.
 HUGE = 1e9
 
