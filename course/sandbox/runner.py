@@ -68,6 +68,7 @@ def run(task: Task, around: Surroundings, pipe: int) -> None:
     if around.close_calls is not None and around.close_calls():
         held.append("system calls")
     gc.freeze()
+    gc.enable()
     stage("ready")
     told = _answers(task, stage, attempts)
     send(pipe, REPLY, wire.pack({**told, "held": held}))
