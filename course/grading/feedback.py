@@ -153,6 +153,9 @@ _HEAD = """\
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem; }
 table.points { border-collapse: collapse; margin-bottom: 1.5rem; }
 table.points th, table.points td { text-align: left; padding: 0.2rem 1rem 0.2rem 0; border-bottom: 1px solid #888; }
+table.points small { font-weight: normal; }
+.wide { overflow-x: auto; }
+.whole { white-space: nowrap; }
 caption { text-align: left; font-weight: 600; padding-bottom: 0.3rem; }
 pre { overflow-x: auto; }
 section { margin: 1.5rem 0; }

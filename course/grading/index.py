@@ -39,7 +39,7 @@ def write_index(
     by_lesson = [_lesson(lesson, rows, overviews) for lesson in lessons]
     marked = {row["page"] for lesson in by_lesson for row in lesson["rows"]}
     text = template(_INDEX).render(
-        title="All submissions", seed=seed,
+        title="All submissions", seed=seed, broken=_broken,
         states=[f"{n} {WORDS_FOR_MANY.get(state, state) if n > 1 else state}"
                 for state, n in Counter(row["state"] for row in rows).most_common()],
         lessons=[lesson for lesson in by_lesson if lesson["rows"]], mistakes=commonest_mistakes(rows),
@@ -91,6 +91,13 @@ def _line(row: Mapping[str, str], overviews: Mapping[str, str]) -> dict[str, Any
     }
 
 
+def _broken(name: str) -> Any:
+    """A name that may be broken at its underscores: nine of them have to stand side by side."""
+    from markupsafe import Markup, escape
+
+    return Markup("_<wbr>").join(escape(part) for part in name.split("_"))
+
+
 def _cell(row: Mapping[str, str], name: str) -> dict[str, str]:
     state, points = row.get(f"{name}_state", ""), row.get(name, "")
     return {"state": state, "told": f"{_SYMBOL.get(state, '')} {points}".strip()}
@@ -106,20 +113,20 @@ _INDEX = """\
 </header>
 <main>
 {% for lesson in lessons %}
-<table class="points">
+<div class="wide"><table class="points">
 <caption>{{ lesson.title }}</caption>
 <thead><tr><th scope="col">student</th>
-{% for name in lesson.exercises %}<th scope="col">{{ name }}</th>{% endfor %}
+{% for name in lesson.exercises %}<th scope="col">{{ broken(name) }}</th>{% endfor %}
 <th scope="col">total</th><th scope="col">state</th></tr></thead>
 <tbody>
 {% for row in lesson.rows %}
 <tr><th scope="row"><a href="{{ row.page }}">{{ row.student }}</a>
 {%- if row.overview %} (<a href="{{ row.overview }}">all</a>){% endif %}<br><small>{{ row.file }}</small></th>
 {% for cell in row.cells %}<td title="{{ cell.state }}">{{ cell.told }}</td>{% endfor %}
-<td>{{ row.total }} of {{ row.out_of }}</td><td>{{ row.state }}</td></tr>
+<td class="whole">{{ row.total }} of {{ row.out_of }}</td><td>{{ row.state }}</td></tr>
 {% endfor %}
 </tbody>
-</table>
+</table></div>
 {% endfor %}
 {% if mistakes %}
 <table class="points">
