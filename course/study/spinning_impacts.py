@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from course.arrays import Array, failure, positive, scalar, whole_number
 from course.contact import contact_system, resolve_collisions
-from course.dynamics import Bodies
+from course.dynamics import Bodies, point_velocity
 from course.overlap import Contacts
 from course.scenes import box_on_corners
 
@@ -163,4 +163,45 @@ def outcomes_by_order(
         rows,
         np.array([a.velocity[0] for a in after]),
         np.array([a.angular_velocity[0] for a in after]),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class BoxOutcomes:
+    """How fast the corners of a box rise before an impact and after it by several laws.
+
+    Args:
+        corners: (4, 3) [m], in the order (-,-), (-,+), (+,-), (+,+).
+        height: of the box [m].
+        speed: "before" and the names of the laws -> (4,) [m/s].
+        spin: the same names -> omega, (3,) [rad/s].
+    """
+
+    corners: Array
+    height: float
+    speed: dict[str, Array]
+    spin: dict[str, Array]
+
+
+def box_outcomes(
+    box: Bodies, corners: Array, outcomes: Mapping[str, Bodies]
+) -> BoxOutcomes:
+    """The corner speeds of a box that stands on the floor with its axes along x, y, z.
+
+    Args:
+        box: before; body 0 is the box.
+        corners: where it touches the floor, (4, 3) [m].
+        outcomes: name -> bodies after.
+    """
+    arms = corners - box.position[0]
+    states = {"before": box} | dict(outcomes)
+    moves = {
+        name: point_velocity(s.velocity[0], s.angular_velocity[0], arms)[:, 2]
+        for name, s in states.items()
+    }
+    return BoxOutcomes(
+        corners,
+        2 * float(box.position[0, 2]),
+        moves,
+        {name: s.angular_velocity[0] for name, s in states.items()},
     )

@@ -6,10 +6,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch, Rectangle
 
-from course.study.falling_boxes import FallingBoxes
-from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
-
-COLOURS = ("blue", "vermillion", "green", "purple", "orange", "sky")
+from course.dynamics import FallingBoxes
+from course.workbook.plots.figure import (
+    COLOURS,
+    PALETTE,
+    axes,
+    describe,
+    side_by_side,
+    style,
+)
 
 
 def falling_boxes(boxes: FallingBoxes, *, asked: bool = True, frames: int = 5) -> Axes:

@@ -9,8 +9,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from course.study.tumbling import Tumble, turnover_times
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.dynamics import Tumble
+from course.workbook.plots.figure import (
+    PALETTE,
+    axes,
+    describe,
+    legend_beside,
+    style,
+)
 
 AXIS_NAMES = ("crossbar", "stem", "third axis")
 RUNS = r"where $\mathbf{l}$ runs"
@@ -49,7 +55,7 @@ def energies(
         if now is not None:
             ax.axvline(now, color="0.25", lw=1, ls=":", label=f"the film: {now:.2f} s")
         ax.set(xlabel="time [s]", ylabel="energy [J]", title=title)
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     # What is nothing beside the largest is told as 0.
     least = 1e-6 * max(float(np.max(np.abs(v))) for v in parts.values())
     runs = {
@@ -82,7 +88,7 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
                 marker="",
                 label=name,
             )
-        moments = turnover_times(tumble)
+        moments = tumble.turnover_times()
         label = "on its side"
         for when in moments:
             ax.axvline(when, color="0.5", lw=1, ls=":", label=label)
@@ -90,7 +96,7 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
         ax.set(
             xlabel="time [s]", ylabel="part of L along the axis / |L|", ylim=(-1.1, 1.1)
         )
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     when = ", ".join(f"{m:.2f}" for m in moments)
     crosses = f"crosses zero at {when} s" if when else "does not cross zero"
     describe(
