@@ -41,11 +41,18 @@ from course.study import rod_on_spring
 
 RNG = np.random.default_rng(12)
 KNOWN = [
-    stack(4, corners=1, mass=[1.0, 30.0, 0.1, 5.0]), stack(1, corners=1), leaning_rod(0.0),
-    leaning_rod(1.1, length=3.0), wedged_ball(0.5), wedged_ball(2.9), ladder(1.2), ladder(0.9, rate=-0.4, length=3.0, mass=7.0),
-    ladder(0.7, kerb=True), loaded_plank(0.3), loaded_plank(-0.75), loaded_plank(1.3), loaded_plank(-1.05, load=55.0),
-    loaded_plank(0.9, feet=1.2, mass=3.0), balls_on_domes(60, RNG),
-]  # fmt: skip
+    stack(4, corners=1, mass=[1.0, 30.0, 0.1, 5.0]),
+    stack(1, corners=1),
+    *(leaning_rod(angle, length=3.0) for angle in (0.0, 1.1)),
+    *(wedged_ball(angle) for angle in (0.5, 2.9)),
+    ladder(1.2),
+    ladder(0.9, rate=-0.4, length=3.0, mass=7.0),
+    ladder(0.7, kerb=True),
+    *(loaded_plank(y) for y in (0.3, -0.75, 1.3)),
+    loaded_plank(-1.05, load=55.0),
+    loaded_plank(0.9, feet=1.2, mass=3.0),
+    balls_on_domes(60, RNG),
+]
 OPEN = [table(), stack(3), wall(3, 4), pile(15, RNG), cannonballs(3)]
 
 

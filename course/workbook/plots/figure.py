@@ -101,7 +101,13 @@ def arrow(
 
 def centre_mark(ax: Axes, place: ArrayLike, **options: Any) -> None:
     """A white cross with a black edge: a centre of mass, or an axle."""
-    look: dict[str, Any] = {"marker": "P", "ms": 10, "mfc": "white", "mec": "black", "ls": "none"}
+    look: dict[str, Any] = {
+        "marker": "P",
+        "ms": 10,
+        "mfc": "white",
+        "mec": "black",
+        "ls": "none",
+    }
     ax.plot(*np.asarray(place, dtype=float)[:2], **look | options)
 
 

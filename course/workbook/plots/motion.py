@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from course.dynamics import Tumble
 from course.workbook.plots.figure import (
+    LINES,
     PALETTE,
     axes,
     describe,
@@ -20,7 +21,7 @@ from course.workbook.plots.figure import (
 
 AXIS_NAMES = ("crossbar", "stem", "third axis")
 RUNS = r"where $\mathbf{l}$ runs"
-_LINES = (("blue", "-"), ("orange", "--"), ("green", "-."), ("purple", ":"))
+_LOOKS = tuple(zip(("blue", "orange", "green", "purple"), LINES, strict=True))
 
 
 def energies(
@@ -38,7 +39,7 @@ def energies(
     t = np.asarray(times)
     with style():
         ax = axes(ax)
-        for (name, values), (color, line) in zip(parts.items(), _LINES, strict=False):
+        for (name, values), (color, line) in zip(parts.items(), _LOOKS, strict=False):
             ax.plot(t, values, color=PALETTE[color], ls=line, marker="", label=name)
         total = np.sum([np.broadcast_to(v, t.shape) for v in parts.values()], axis=0)
         ax.plot(
@@ -78,7 +79,7 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
         ax = axes(ax, size=(7.6, 3.6))
         share = tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum)
         for values, name, (color, line) in zip(
-            share.T, AXIS_NAMES, _LINES, strict=False
+            share.T, AXIS_NAMES, _LOOKS, strict=False
         ):
             ax.plot(
                 tumble.times,

@@ -101,10 +101,12 @@ def rod_impact(result: RodLanding, *, ax: Axes | None = None) -> Axes:
         bare(ax)
     describe(
         ax,
-        f"A rod of 1 kg, 1 m long, {result.angle:.3g} degrees from the horizontal, falls at 1 m/s and is hit from "
-        f"below at {place:.2f} of the way from its middle to its lower end, e = {result.restitution:.2f}. It feels as heavy as "
-        f"{felt:.3f} kg there; the impulse is {push:.3f} N s. Afterwards its middle moves at "
-        f"{result.after[1, 2]:+.2f} m/s upward and it turns at {abs(spin):.2f} rad/s{way}; {100 * kept:.0f} percent of the energy is kept.",
+        f"A rod of 1 kg, 1 m long, {result.angle:.3g} degrees from the horizontal, falls "
+        f"at 1 m/s and is hit from below at {place:.2f} of the way from its middle to its "
+        f"lower end, e = {result.restitution:.2f}. It feels as heavy as {felt:.3f} kg there; "
+        f"the impulse is {push:.3f} N s. Afterwards its middle moves at "
+        f"{result.after[1, 2]:+.2f} m/s upward and it turns at {abs(spin):.2f} rad/s{way}; "
+        f"{100 * kept:.0f} percent of the energy is kept.",
     )
     return ax
 
