@@ -398,7 +398,10 @@ def test_left_out_the_rate_of_the_normal_is_ten_times_off():
     scene = moving_contact("face_a", gap=0.1)
     contacts = scene.contacts
     (x_a, x_b), (turn_a, turn_b) = scene.bodies.position, scene.bodies.rotation
-    p_a, p_b = x_a + turn_a @ scene.spot_a, x_b + turn_b @ scene.spot_b
+    p_a, p_b = (
+        x_a + turn_a @ scene.colliders.spot_a,
+        x_b + turn_b @ scene.colliders.spot_b,
+    )
     a, b = (
         (
             scene.bodies.position[i],
