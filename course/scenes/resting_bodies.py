@@ -125,23 +125,9 @@ def ladder(
         raise failure("rate", "0 where a kerb holds the foot", written(omega))
     half = 0.5 * scalar("length", positive("length", length))
     m, g = scalar("mass", positive("mass", mass)), scalar("gravity", gravity)
-    along = np.array([0.0, np.cos(theta), np.sin(theta)])  # from foot to top
-    across = along[[0, 2, 1]]  # the centre moves on a circle about the corner
-    centre = half * along * (1, -1, 1)
-    square, broad = (2 * half) ** 2, BREADTH**2
-    inertia = m / 12 * np.diag([square, broad, square + broad])
-    upright = rotations.from_rotation_vector([[theta, 0, 0]])
-    still = with_ground(
-        [m, np.inf], np.stack([inertia, np.eye(3)]), np.stack([centre, -UP])
-    )
-    bodies = replace(
-        still,
-        position=np.stack([centre, -UP, [0.0, 1.0, 0.0]]),
-        orientation=np.concatenate([upright, rotations.identity(2)]),
-        momentum=np.outer([1, 0, 0], m * half * omega * across),
-        angular_momentum=np.outer([1, 0, 0], inertia[0] * omega),
-    )
-    foot, top = centre - half * along, centre + half * along
+    bodies = _ladder_bodies(theta, omega, half, m)
+    reach = half * np.array([0.0, np.cos(theta), np.sin(theta)])
+    foot, top = bodies.position[0] - reach, bodies.position[0] + reach
     normal = np.array([UP, [0, -1.0, 0], [0, 1.0, 0]])
     contacts = contacts_at(np.stack([foot, top, foot]), normal, b=[1, 2, 1])
     if kerb:
@@ -155,6 +141,23 @@ def ladder(
         contacts[: 3 if kerb else 2],
         gravity=-g * UP,
         truth=truth if np.all(truth >= 0) else None,
+    )
+
+
+def _ladder_bodies(theta: float, omega: float, half: float, mass: float) -> Bodies:
+    """The ladder, sliding, with the floor and the wall; its centre moves on a circle about their corner."""
+    sine, cosine = np.sin(theta), np.cos(theta)
+    square, broad = (2 * half) ** 2, BREADTH**2
+    inertia = mass / 12 * np.diag([square, broad, square + broad])
+    upright = rotations.from_rotation_vector([[theta, 0, 0]])
+    velocity, ladder_alone = half * omega * np.array([0.0, sine, cosine]), [1, 0, 0]
+    return Bodies(
+        np.array([mass, np.inf, np.inf]),
+        np.stack([inertia, np.eye(3), np.eye(3)]),
+        np.stack([[0.0, -half * cosine, half * sine], -UP, [0.0, 1.0, 0.0]]),
+        np.concatenate([upright, rotations.identity(2)]),
+        np.outer(ladder_alone, mass * velocity),
+        np.outer(ladder_alone, inertia[0] * omega),
     )
 
 

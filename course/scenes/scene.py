@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from course import formulas
-from course.arrays import Array, ArrayLike, failure, shaped, vectors
+from course.arrays import Array, ArrayLike, failure, read_only, shaped, vectors
 from course.contact import ContactSystem, contact_system
 from course.dynamics import Bodies
 from course.overlap import Contacts
@@ -70,12 +70,12 @@ class Scene:
     def __post_init__(self) -> None:
         gravity = vectors("gravity", self.gravity)
         shaped("gravity", gravity, (3,))
-        object.__setattr__(self, "gravity", gravity)
+        object.__setattr__(self, "gravity", read_only(gravity))
         for name in ("applied_force", "torque"):
             value, shape = vectors(name, getattr(self, name)), (len(self.bodies), 3)
             if value.shape not in (shape, (3,)):
                 raise failure(name, f"shape {shape}", f"shape {value.shape}")
-            object.__setattr__(self, name, np.broadcast_to(value, shape))
+            object.__setattr__(self, name, read_only(np.broadcast_to(value, shape)))
 
     @property
     def force(self) -> Array:

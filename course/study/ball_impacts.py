@@ -69,8 +69,6 @@ def cradle_by_springs(
     Raises:
         ValueError: fewer than two balls, exponent below 1, stiffness or mass <= 0.
     """
-    from scipy.integrate import solve_ivp
-
     v = touching_row(velocity).bodies.velocity[:, 0]
     n, power = v.size, scalar("exponent", exponent)
     if power < 1:
@@ -80,43 +78,35 @@ def cradle_by_springs(
     fastest = max(float(np.max(np.abs(v - np.mean(v)))), 1e-300)
     # Units in which mass, stiffness and the fastest ball are all 1.
     length = (float(np.max(m)) * fastest**2 / k) ** (1 / (power + 1))
-    weight, unit = m / np.max(m), length / fastest
+    time, states = _until_parted(v / fastest, m / np.max(m), power)
+    position, speed = states[:, :n] * length, states[:, n:] * fastest
+    force = k * np.maximum(-np.diff(position, axis=1), 0.0) ** power
+    return SpringCradle(time * length / fastest, position, speed, force, speed[-1])
+
+
+def _until_parted(v: Array, mass: Array, power: float) -> tuple[Array, Array]:
+    """Times (t,) and displacements with velocities (t, 2n) of balls on springs of stiffness 1."""
+    from scipy.integrate import solve_ivp
+
+    n = v.size
 
     def rate(_: float, state: Array) -> Array:
-        push = np.concatenate(
-            [[0.0], np.maximum(-np.diff(state[:n]), 0.0) ** power, [0.0]]
-        )
-        return np.concatenate([state[n:], (push[:-1] - push[1:]) / weight])
+        squeeze = np.maximum(-np.diff(state[:n]), 0.0) ** power
+        push = np.concatenate([[0.0], squeeze, [0.0]])
+        return np.concatenate([state[n:], (push[:-1] - push[1:]) / mass])
 
-    state, pieces, began = np.concatenate([np.zeros(n), v / fastest]), [], 0.0
+    state, pieces, began = np.concatenate([np.zeros(n), v]), [], 0.0
     for _ in range(1000):
         times = np.linspace(began, began + 2.0, 81)
-        part = solve_ivp(
-            rate,
-            (began, began + 2.0),
-            state,
-            method="DOP853",
-            t_eval=times,
-            rtol=1e-10,
-            atol=1e-12,
-        )
-        pieces.append((times[:-1], part.y[:, :-1]))
+        options = {"method": "DOP853", "t_eval": times, "rtol": 1e-10, "atol": 1e-12}
+        part = solve_ivp(rate, times[[0, -1]], state, **options)
+        pieces.append((times[:-1], part.y[:, :-1].T))
         state, began = part.y[:, -1], began + 2.0
         if np.all(np.diff(state[:n]) >= 0) and np.all(np.diff(state[n:]) >= 0):
             break
-    pieces.append((np.array([began]), state[:, None]))
-    time, states = (
-        np.concatenate([p[0] for p in pieces]),
-        np.concatenate([p[1] for p in pieces], axis=1),
-    )
-    force = k * (np.maximum(-np.diff(states[:n], axis=0), 0.0) * length) ** power
-    return SpringCradle(
-        time * unit,
-        states[:n].T * length,
-        states[n:].T * fastest,
-        force.T,
-        state[n:] * fastest,
-    )
+    pieces.append((np.array([began]), state[None]))
+    time, states = (np.concatenate(column) for column in zip(*pieces, strict=True))
+    return time, states
 
 
 def cradle_by_steps(

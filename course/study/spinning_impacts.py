@@ -36,43 +36,24 @@ def rod_on_spring(
     from scipy.integrate import solve_ivp
 
     theta = scalar("angle", angle)
-    k, m, size, v = (
-        float(positive(name, scalar(name, x)))
-        for name, x in (
-            ("stiffness", stiffness),
-            ("mass", mass),
-            ("length", length),
-            ("speed", speed),
-        )
-    )
+    given = {"stiffness": stiffness, "mass": mass, "length": length, "speed": speed}
+    k, m, size, v = (scalar(n, positive(n, x)) for n, x in given.items())
     half, inertia = 0.5 * size, m * size**2 / 12
 
     def rate(_: float, state: Array) -> list[float]:
         z, turned, z_rate, turning, _ = state
         force = k * max(half * np.sin(turned) - z, 0.0)
-        return [
-            z_rate,
-            turning,
-            force / m,
-            -force * half * np.cos(turned) / inertia,
-            force,
-        ]
+        torque = -force * half * np.cos(turned)
+        return [z_rate, turning, force / m, torque / inertia, force]
 
     def leaves(_: float, state: Array) -> float:
         return float(state[0] - half * np.sin(state[1]))
 
     leaves.terminal, leaves.direction = True, 1.0  # type: ignore[attr-defined]
-    longest = 4 * np.pi * np.sqrt(m / k)
+    span = 0, 4 * np.pi * np.sqrt(m / k)
     start = [half * np.sin(theta), theta, -v, 0.0, 0.0]
-    motion = solve_ivp(
-        rate,
-        (0, longest),
-        start,
-        method="DOP853",
-        rtol=1e-10,
-        atol=1e-13,
-        events=leaves,
-    )
+    options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-13, "events": leaves}
+    motion = solve_ivp(rate, span, start, **options)
     if not motion.t_events[0].size:
         raise failure("stiffness", "a spring that throws the rod back", f"{k:g}")
     return float(motion.y_events[0][0, 4])

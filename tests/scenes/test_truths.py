@@ -147,6 +147,9 @@ def test_weight_and_what_is_applied_add_up():
     np.testing.assert_array_equal(scene.torque, np.zeros((2, 3)))
     assert table().force[0, 2] == -GRAVITY and not bar_over_plank().force.any()
     assert len(scene.contacts) == 0
+    for field in (scene.gravity, scene.applied_force, scene.torque):
+        with pytest.raises(ValueError, match="read-only"):
+            field[...] = 1.0
 
 
 @pytest.mark.parametrize(
