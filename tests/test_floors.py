@@ -232,6 +232,30 @@ def test_every_module_is_looked_at():
     } <= dict(modules()).keys()
 
 
+def namesakes(source, module):
+    """Functions and classes of a module that bear its name: "from package import x" would be ambiguous."""
+    last = module.split(".")[-1]
+    kinds = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+    return [
+        f"{module} holds {node.name}"
+        for node in ast.parse(source).body
+        if isinstance(node, kinds) and node.name == last
+    ]
+
+
+def test_no_module_bears_the_name_of_a_function_it_holds():
+    found = [
+        said
+        for module, path in modules()
+        if room(module) != "contact"  # its modules get other names as it is divided
+        for said in namesakes(path.read_text(encoding="utf-8"), module)
+    ]
+    assert found == []
+    assert namesakes("def ladder():\n    pass", "course.scenes.ladder") == [
+        "course.scenes.ladder holds ladder"
+    ]
+
+
 # The test above must be able to fail.
 
 
