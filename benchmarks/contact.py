@@ -23,7 +23,7 @@ from course.contact import ContactSystem, solve
 from course.contact.solvers import complementarity_residual
 from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.qp import solve_qp
-from course.study.resting_scenes import pile, shaken, stack, table, wall
+from course.scenes import pile, shaken, stack, table, wall
 
 TOLERANCE, SYSTEMS = 1e-10, 10_000
 

@@ -19,6 +19,7 @@ FLOORS = [
     {"shapes"},
     {"overlap", "dynamics"},
     {"detection", "contact"},
+    {"scenes"},
     {"simulation"},
     {"study"},
     {"exercises"},
@@ -35,7 +36,7 @@ GROUND = {
     "environment",
     "installation",
 }  # standard library only; for the upper floors alone
-NUMERICS = 6  # floors 0-6: NumPy and SciPy, no printing
+NUMERICS = 7  # floors 0-7: NumPy and SciPy, no printing
 NUMERIC_LIBRARIES = {"numpy", "scipy"}
 #: The formulas themselves need NumPy; an expression imports SymPy, the turn of a step
 #: SciPy's Rotation, each in its function.
@@ -231,6 +232,30 @@ def test_every_module_is_looked_at():
     } <= dict(modules()).keys()
 
 
+def namesakes(source, module):
+    """Functions and classes of a module that bear its name: "from package import x" would be ambiguous."""
+    last = module.split(".")[-1]
+    kinds = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+    return [
+        f"{module} holds {node.name}"
+        for node in ast.parse(source).body
+        if isinstance(node, kinds) and node.name == last
+    ]
+
+
+def test_no_module_bears_the_name_of_a_function_it_holds():
+    found = [
+        said
+        for module, path in modules()
+        if room(module) != "contact"  # its modules get other names as it is divided
+        for said in namesakes(path.read_text(encoding="utf-8"), module)
+    ]
+    assert found == []
+    assert namesakes("def ladder():\n    pass", "course.scenes.ladder") == [
+        "course.scenes.ladder holds ladder"
+    ]
+
+
 # The test above must be able to fail.
 
 
@@ -270,15 +295,31 @@ def test_every_module_is_looked_at():
         (
             "course.grading.judge",
             "from course.workbook import check",
-            "imports course.workbook (floor 9",
+            "imports course.workbook (floor 10",
         ),
         (
             "course.workbook.checking",
             "from course.cli import app",
-            "imports course.entrance (floor 10",
+            "imports course.entrance (floor 11",
         ),
         ("course.workbook.checking", "from course.attic import ghost", "has no floor"),
         ("course.arrays", "import course.shapes", "imports course.shapes (floor 2"),
+        (
+            "course.scenes.balls",
+            "from course.study import roll",
+            "floor 5) imports course.study (floor 7",
+        ),
+        (
+            "course.contact.engine",
+            "from course.scenes import stack",
+            "imports course.scenes (floor 5",
+        ),
+        (
+            "course.scenes.balls",
+            "def f():\n    import matplotlib",
+            "imports matplotlib",
+        ),
+        ("course.scenes.balls", "def f():\n    print(1)", "prints (line 2)"),
         ("course.attic", "import numpy", "no floor is given to attic"),
         (
             "course.dynamics.impulse",

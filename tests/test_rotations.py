@@ -89,3 +89,13 @@ def test_identity_turns_nothing_and_can_be_written_to():
     q = rotations.identity(2)
     q[0] = 0
     assert np.array_equal(q[1], [0, 0, 0, 1])
+
+
+def test_angles_between_are_exact_for_small_and_large_turns():
+    axis = np.array([1.0, -2.0, 0.5]) / np.sqrt(5.25)
+    start = rotations.to_matrix(rotations.from_rotation_vector([0.3, 1.1, -0.4]))
+    for angle in (0.0, 1e-9, 1e-3, 1.0, 3.0, np.pi):
+        turn = rotations.to_matrix(rotations.from_rotation_vector(angle * axis))
+        found = rotations.angle_between(start @ turn, start)
+        assert found == pytest.approx(angle, rel=1e-6, abs=1e-15)
+    assert rotations.angle_between(np.stack([start] * 3), start).shape == (3,)

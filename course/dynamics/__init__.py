@@ -1,5 +1,14 @@
-"""Bodies that move, from plain arrays: state, impulses, bounces (syllabus rows 14-18)."""
+"""Bodies that move, from plain arrays: state, impulses, steps, closed forms (syllabus rows 14-18)."""
 
+from course.dynamics.ball_flight import BallEvents, BallMotion, ball_events, ball_motion
+from course.dynamics.block_collisions import (
+    TwoBlocks,
+    count_collisions,
+    critical_mass_ratio,
+    pi_count,
+    predicted_count,
+    two_blocks,
+)
 from course.dynamics.bodies import Bodies
 from course.dynamics.bounces import (
     bounce_path_length,
@@ -8,6 +17,8 @@ from course.dynamics.bounces import (
     wall_bounce,
 )
 from course.dynamics.closed_forms import parabola, pendulum, symmetric_top
+from course.dynamics.domes import Dome
+from course.dynamics.dropped_boxes import FallingBoxes, falling_boxes
 from course.dynamics.energy import (
     angular_kinetic_energy,
     kinetic_energy,
@@ -42,6 +53,12 @@ from course.dynamics.integrators import (
     symplectic_euler,
     uniform_gravity,
 )
+from course.dynamics.ladders import (
+    ladder_gaps,
+    ladder_leaving_angle,
+    sliding_ladder_forces,
+    standing_ladder_forces,
+)
 from course.dynamics.mass_properties import (
     MassProperties,
     box_mass_properties,
@@ -56,14 +73,23 @@ from course.dynamics.torque_free_top import (
     torque_free_motion,
     torque_free_rotation,
 )
+from course.dynamics.tumbles import Tumble, free_tumble, orientation_error
 
 __all__ = [
+    "BallEvents",
+    "BallMotion",
     "Bodies",
+    "Dome",
+    "FallingBoxes",
     "MassProperties",
+    "Tumble",
+    "TwoBlocks",
     "Wrench",
     "advance",
     "angular_kinetic_energy",
     "apply_impulse",
+    "ball_events",
+    "ball_motion",
     "body_frame_euler",
     "bounce_path_length",
     "bounce_rest_time",
@@ -71,30 +97,41 @@ __all__ = [
     "box_mass_properties",
     "capsule_mass_properties",
     "combined_mass_properties",
+    "count_collisions",
+    "critical_mass_ratio",
     "dop853",
     "effective_mass",
     "explicit_euler",
+    "falling_boxes",
+    "free_tumble",
     "hull_mass_properties",
     "impulse_at_point",
     "impulse_central",
     "kinetic_energy",
     "kinetic_energy_lost",
+    "ladder_gaps",
+    "ladder_leaving_angle",
     "linear_kinetic_energy",
     "middle_axis_growth_rate",
     "midpoint",
     "momentum_after",
     "normal_velocity",
+    "orientation_error",
     "parabola",
     "pendulum",
+    "pi_count",
     "point_velocity",
     "potential_energy",
+    "predicted_count",
     "principal_axes",
     "quaternion_euler",
     "reference_motion",
     "rk4",
     "separation_speed",
+    "sliding_ladder_forces",
     "sphere_mass_properties",
     "splitting",
+    "standing_ladder_forces",
     "symmetric_top",
     "symplectic_euler",
     "torque_free_motion",
@@ -102,6 +139,7 @@ __all__ = [
     "total_angular_momentum",
     "total_energy",
     "total_momentum",
+    "two_blocks",
     "uniform_gravity",
     "velocity_after",
     "wall_bounce",

@@ -1,5 +1,16 @@
 """One question asked of two shapes: do they overlap, how far apart are they, where do they touch."""
 
-from course.overlap.contact_arrays import Contacts
+from course.overlap.box_faces import stacked_box_contacts
+from course.overlap.contact_arrays import FEATURES, Contacts
+from course.overlap.feature_pairs import FeaturePair
+from course.overlap.spheres import Spheres, sphere_contacts, sphere_plane_contacts
 
-__all__ = ["Contacts"]
+__all__ = [
+    "FEATURES",
+    "Contacts",
+    "FeaturePair",
+    "Spheres",
+    "sphere_contacts",
+    "sphere_plane_contacts",
+    "stacked_box_contacts",
+]

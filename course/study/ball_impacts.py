@@ -3,76 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from course.arrays import (
-    Array,
-    ArrayLike,
-    failure,
-    positive,
-    scalar,
-    scalars,
-    vectors,
-    whole_number,
-)
-from course.contact.collisions import LAWS, resolve_collisions
-from course.dynamics.bodies import Bodies
-from course.overlap.contact_arrays import Contacts
-
-#: A pool ball: radius [m] and mass [kg] (2 1/4 inches and 6 ounces).
-POOL_RADIUS, POOL_MASS = 0.028575, 0.17
-
-
-def ball_contacts(
-    position: ArrayLike, radius: ArrayLike, *, margin: float = 1e-9
-) -> Contacts:
-    """All pairs of balls closer than a margin, i < j, body A the one with the lower number.
-
-    Args:
-        position: centres, (n, 3) [m].
-        radius: one or (n,) [m].
-        margin: greatest gap that counts as touching [m].
-    """
-    x = vectors("position", position)
-    r = np.broadcast_to(positive("radius", radius), x.shape[:1])
-    first, second = np.triu_indices(len(x), 1)
-    apart = x[first] - x[second]
-    distance = np.sqrt(np.sum(apart**2, axis=-1))
-    gap = distance - r[first] - r[second]
-    near = gap <= margin
-    if np.any(distance[near] == 0):
-        raise failure("position", "centres apart from each other", "two equal ones")
-    a, b = first[near], second[near]
-    normal = apart[near] / distance[near, None]
-    tangent = np.eye(3) - normal[:, :, None] * normal[:, None, :]
-    return Contacts(
-        body_a=a,
-        body_b=b,
-        point=x[a] - (r[a] + 0.5 * gap[near])[:, None] * normal,
-        normal=normal,
-        separation=gap[near],
-        feature=np.full(a.size, "curved"),
-        curvature_a=tangent / r[a, None, None],
-        curvature_b=tangent / r[b, None, None],
-    )
-
-
-def touching_row(
-    velocity: ArrayLike, *, mass: ArrayLike = 1.0, radius: float = 0.5
-) -> tuple[Bodies, Contacts]:
-    """n balls in a row along x, each touching the next, and their n - 1 contacts in order.
-
-    Args:
-        velocity: along x, (n,) [m/s].
-        mass: one or (n,) [kg].
-        radius: [m].
-    """
-    v = _speeds(velocity)
-    r = float(positive("radius", scalar("radius", radius)))
-    position = 2 * r * np.arange(v.size)[:, None] * [1.0, 0.0, 0.0]
-    bodies = Bodies.balls(mass, r, position, v[:, None] * [1.0, 0.0, 0.0])
-    return bodies, ball_contacts(position, r, margin=1e-6 * r)
+from course.arrays import Array, ArrayLike, failure, positive, scalar
+from course.contact import resolve_collisions
+from course.contact.collisions import LAWS
+from course.dynamics import Bodies
+from course.overlap import Contacts
+from course.scenes import POOL_RADIUS, billiard_rack, touching_row
 
 
 def cradle(
@@ -83,8 +23,9 @@ def cradle(
     mass: ArrayLike = 1.0,
 ) -> Array:
     """Velocities of a row of touching balls after they collide, by a law of ``resolve_collisions``, (n,)."""
-    bodies, contacts = touching_row(velocity, mass=mass)
-    return resolve_collisions(bodies, contacts, restitution, law=law).velocity[:, 0]
+    row = touching_row(velocity, mass=mass)
+    after = resolve_collisions(row.bodies, row.contacts, restitution, law=law)
+    return after.velocity[:, 0]
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,9 +69,7 @@ def cradle_by_springs(
     Raises:
         ValueError: fewer than two balls, exponent below 1, stiffness or mass <= 0.
     """
-    from scipy.integrate import solve_ivp
-
-    v = _speeds(velocity)
+    v = touching_row(velocity).bodies.velocity[:, 0]
     n, power = v.size, scalar("exponent", exponent)
     if power < 1:
         raise failure("exponent", "at least 1", f"{power:g}")
@@ -139,43 +78,71 @@ def cradle_by_springs(
     fastest = max(float(np.max(np.abs(v - np.mean(v)))), 1e-300)
     # Units in which mass, stiffness and the fastest ball are all 1.
     length = (float(np.max(m)) * fastest**2 / k) ** (1 / (power + 1))
-    weight, unit = m / np.max(m), length / fastest
+    time, states = _until_parted(v / fastest, m / np.max(m), power)
+    position, speed = states[:, :n] * length, states[:, n:] * fastest
+    force = k * np.maximum(-np.diff(position, axis=1), 0.0) ** power
+    return SpringCradle(time * length / fastest, position, speed, force, speed[-1])
+
+
+def _until_parted(v: Array, mass: Array, power: float) -> tuple[Array, Array]:
+    """Times (t,) and displacements with velocities (t, 2n) of balls on springs of stiffness 1."""
+    from scipy.integrate import solve_ivp
+
+    n = v.size
 
     def rate(_: float, state: Array) -> Array:
-        push = np.concatenate(
-            [[0.0], np.maximum(-np.diff(state[:n]), 0.0) ** power, [0.0]]
-        )
-        return np.concatenate([state[n:], (push[:-1] - push[1:]) / weight])
+        squeeze = np.maximum(-np.diff(state[:n]), 0.0) ** power
+        push = np.concatenate([[0.0], squeeze, [0.0]])
+        return np.concatenate([state[n:], (push[:-1] - push[1:]) / mass])
 
-    state, pieces, began = np.concatenate([np.zeros(n), v / fastest]), [], 0.0
+    state, pieces, began = np.concatenate([np.zeros(n), v]), [], 0.0
     for _ in range(1000):
         times = np.linspace(began, began + 2.0, 81)
-        part = solve_ivp(
-            rate,
-            (began, began + 2.0),
-            state,
-            method="DOP853",
-            t_eval=times,
-            rtol=1e-10,
-            atol=1e-12,
-        )
-        pieces.append((times[:-1], part.y[:, :-1]))
+        options = {"method": "DOP853", "t_eval": times, "rtol": 1e-10, "atol": 1e-12}
+        part = solve_ivp(rate, times[[0, -1]], state, **options)
+        pieces.append((times[:-1], part.y[:, :-1].T))
         state, began = part.y[:, -1], began + 2.0
         if np.all(np.diff(state[:n]) >= 0) and np.all(np.diff(state[n:]) >= 0):
             break
-    pieces.append((np.array([began]), state[:, None]))
-    time, states = (
-        np.concatenate([p[0] for p in pieces]),
-        np.concatenate([p[1] for p in pieces], axis=1),
+    pieces.append((np.array([began]), state[None]))
+    time, states = (np.concatenate(column) for column in zip(*pieces, strict=True))
+    return time, states
+
+
+def cradle_by_steps(
+    velocity: ArrayLike, step: float, *, exponent: float = 1.5
+) -> tuple[Array, int]:
+    """Final velocities of a row of touching equal balls, by velocity Verlet on contact springs, and the work.
+
+    f = k delta^exponent pushes and never pulls (1.5: elastic spheres, Hertz;
+    1: linear). Mass and stiffness are 1: another stiffness only changes the
+    unit of time. It stops when the balls touch no more and part, or, should
+    rounding keep two of equal speed together, after 1000 units of time.
+
+    Args:
+        velocity: along x, (n,) [m/s].
+        step: in units of (m/k)^(1/2) (for exponent 1).
+        exponent: at least 1.
+    Returns:
+        Velocities (n,) [m/s] and the number of force evaluations.
+    """
+    v = touching_row(velocity).bodies.velocity[:, 0]
+    h, power = (
+        float(positive("step", scalar("step", step))),
+        scalar("exponent", exponent),
     )
-    force = k * (np.maximum(-np.diff(states[:n], axis=0), 0.0) * length) ** power
-    return SpringCradle(
-        time * unit,
-        states[:n].T * length,
-        states[n:].T * fastest,
-        force.T,
-        state[n:] * fastest,
-    )
+    x, push = np.zeros(v.size), np.zeros(v.size)
+    count = 0
+    while count * h < 1000.0:
+        v_half = v + 0.5 * h * push
+        x = x + h * v_half
+        squeeze = np.maximum(x[:-1] - x[1:], 0.0) ** power
+        push = np.append(0.0, squeeze) - np.append(squeeze, 0.0)
+        v = v_half + 0.5 * h * push
+        count += 1
+        if not squeeze.any() and np.all(np.diff(v) >= 0):
+            break
+    return v, count
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,23 +172,6 @@ def compare_cradles(velocity: ArrayLike) -> CradleComparison:
     )
 
 
-def rack(*, rows: int = 5, radius: float = POOL_RADIUS, spacing: float = 0.0) -> Array:
-    """Centres of a triangle of balls in the plane z = 0, apex at the origin, opening toward +x, (n, 3) [m].
-
-    Args:
-        rows: 5 make 15 balls.
-        spacing: gap between neighbours [m]; 0 makes them touch.
-    """
-    count, r = (
-        whole_number("rows", rows, minimum=1),
-        float(positive("radius", scalar("radius", radius))),
-    )
-    row = np.repeat(np.arange(count), np.arange(1, count + 1))
-    place = np.concatenate([np.arange(k + 1) - 0.5 * k for k in range(count)])
-    pitch = 2 * r + scalar("spacing", spacing)
-    return pitch * np.stack([np.sqrt(0.75) * row, place, np.zeros(row.size)], axis=-1)
-
-
 @dataclass(frozen=True, eq=False)
 class BilliardBreak:
     """A break at the moment the cue ball (body 0) touches the rack, and after it."""
@@ -236,41 +186,19 @@ class BilliardBreak:
 
 def billiard_break(
     *,
-    speed: float = 8.0,
-    offset: float = 0.0,
     law: str = "simultaneous",
     restitution: float = 1.0,
-    rows: int = 5,
     radius: float = POOL_RADIUS,
-    mass: float = POOL_MASS,
+    **rack: Any,
 ) -> BilliardBreak:
-    """The cue ball, moving along +x, onto the apex of a rack of touching balls, by one of the laws.
+    """The cue ball onto the apex of a rack of touching balls, by one of the laws.
 
     Args:
-        speed: of the cue ball [m/s].
-        offset: how far its path passes beside the apex ball's centre, below 2 radius [m].
         law, restitution: of ``resolve_collisions``.
-        rows: of the rack; 5 make 15 balls.
+        radius: of every ball [m].
+        rack: speed, offset, rows and mass, of ``course.scenes.billiard_rack``.
     """
-    balls, side = rack(rows=rows, radius=radius), scalar("offset", offset)
-    if abs(side) >= 2 * radius:
-        raise failure("offset", f"less than two radii, {2 * radius:g}", f"{side:g}")
-    cue = np.array([-np.sqrt(4 * radius**2 - side**2), side, 0.0])
-    position = np.concatenate([cue[None], balls])
-    velocity = np.zeros(position.shape)
-    velocity[0, 0] = positive("speed", scalar("speed", speed))
-    before = Bodies.balls(mass, radius, position, velocity)
-    contacts = ball_contacts(position, radius, margin=1e-6 * radius)
+    scene = billiard_rack(radius=radius, **rack)
+    before, contacts = scene.bodies, scene.contacts
     after = resolve_collisions(before, contacts, restitution, law=law)
     return BilliardBreak(before, contacts, after, radius, law, restitution)
-
-
-def _speeds(velocity: ArrayLike) -> Array:
-    v = scalars("velocity", velocity)
-    if v.ndim != 1 or v.size < 2:
-        raise failure(
-            "velocity",
-            "the speeds of at least two balls, shape (n,)",
-            f"shape {v.shape}",
-        )
-    return v

@@ -12,16 +12,15 @@ from course.arrays import (
     choice,
     failure,
     in_range,
-    indices,
     positive,
     scalar,
     scalars,
     written,
 )
-from course.contact.collisions import LAWS, resolve_collisions
-from course.dynamics.bodies import Bodies
-from course.overlap.contact_arrays import Contacts
-from course.study.ball_impacts import ball_contacts
+from course.contact import resolve_collisions
+from course.contact.collisions import LAWS
+from course.dynamics import Bodies
+from course.overlap import Contacts, sphere_contacts, sphere_plane_contacts
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,9 +138,16 @@ def _next_event(x: Array, v: Array, radius: float, low: Array, high: Array) -> f
 def _collide(
     state: Bodies, radius: float, low: Array, high: Array, law: str, restitution: float
 ) -> Bodies:
-    touching, n = (
-        ball_contacts(state.position, radius, margin=1e-7 * radius),
-        len(state),
+    n, margin = len(state), 1e-7 * radius
+    axes, limits = np.eye(3)[:2], np.concatenate([low[:2], -high[:2]])
+    cushions = np.isfinite(limits)
+    touching = sphere_contacts(state.position, radius, margin=margin)
+    sides = sphere_plane_contacts(
+        state.position,
+        radius,
+        np.concatenate([axes, -axes])[cushions],
+        limits[cushions] - radius,
+        margin=margin,
     )
     frame = Bodies.balls(np.inf, 1.0, np.zeros((1, 3)))
     both = Bodies(
@@ -150,16 +156,8 @@ def _collide(
             for f in Bodies.__dataclass_fields__
         )
     )
-    parts = [touching]
-    for limit, sign in ((low, 1.0), (high, -1.0)):
-        ball, axis = np.nonzero(sign * (state.position - limit) <= 1e-7 * radius)
-        normal = sign * np.eye(3)[axis]
-        point = state.position[ball] - radius * normal
-        ids = indices("ball", ball)
-        parts.append(
-            Contacts(ids, np.full(ids.size, n), point, normal, np.zeros(ids.size))
-        )
-    after = resolve_collisions(both, Contacts.concatenate(parts), restitution, law=law)
+    contacts = Contacts.concatenate([touching, sides])
+    after = resolve_collisions(both, contacts, restitution, law=law)
     return replace(
         state, momentum=after.momentum[:n], angular_momentum=after.angular_momentum[:n]
     )

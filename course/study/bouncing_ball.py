@@ -23,7 +23,8 @@ from course.arrays import (
     scalar,
     scalars,
 )
-from course.study.ball_flight import GRAVITY, BallMotion, ball_events
+from course.dynamics import BallMotion, ball_events
+from course.scenes import GRAVITY
 
 ORDERS = ("ode", "bullet")
 

@@ -1,11 +1,11 @@
 """Contact matrices of lesson 15: what bodies do when their contacts are pushed, and what A costs to make and to use.
 
-The scenes are those of ``resting_scenes`` and ``ladder``.
+The scenes are those of ``course.scenes``.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -16,21 +16,19 @@ from course.arrays import (
     ArrayLike,
     IntArray,
     failure,
-    indices,
     scalar,
     scalars,
     shaped,
 )
-from course.contact import contact_wrench
-from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
+from course.contact import contact_system, contact_wrench
 from course.dynamics import Bodies, reference_motion
 from course.overlap import Contacts
-from course.study.moving_contacts import SECOND_FIVE
-from course.study.resting_layouts import RestingScene
+from course.scenes import Scene
+from course.study.stencils import SECOND_FIVE
 
 
 def measured_accelerations(
-    scene: RestingScene, contact_force: ArrayLike, *, step: float = 3e-3
+    scene: Scene, contact_force: ArrayLike, *, step: float = 3e-3
 ) -> Array:
     """d_ddot of every contact under these contact forces, from the motion alone: no A, no b (syllabus row 21).
 
@@ -75,24 +73,7 @@ def measured_accelerations(
     return np.sum(terms, axis=0) / h**2
 
 
-def floating(scene: RestingScene) -> RestingScene:
-    """The scene without external forces: what remains under contact forces is A f alone, where nothing spins."""
-    return replace(scene, force=0 * scene.force, torque=0 * scene.torque)
-
-
-def tilted_foot(scene: RestingScene, foot: int, angle: float) -> RestingScene:
-    """The scene with the normal of one contact tilted by an angle about y, toward +x [rad]."""
-    which = int(indices("foot", foot, len(scene.contacts)))
-    normal = scene.contacts.normal.copy()
-    tilt = scalar("angle", angle)
-    normal[which] = np.cos(tilt) * normal[which] + np.sin(tilt) * np.array(
-        [1.0, 0.0, 0.0]
-    )
-    normal[which] /= np.linalg.norm(normal[which])
-    return replace(scene, contacts=replace(scene.contacts, normal=normal))
-
-
-def plain_arrays(scene: RestingScene) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+def plain_arrays(scene: Scene) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
     """The scene as the exercises of lesson 15 take it.
 
     Returns:
@@ -136,7 +117,9 @@ def matrix_cost(bodies: Bodies, contacts: Contacts) -> MatrixCost:
     For a product X Y of sparse matrices the multiplications are the sum over k of the entries in column k of X
     times those in row k of Y.
     """
-    jacobian, inverse = contact_jacobian(bodies, contacts), inverse_mass_matrix(bodies)
+    still = np.zeros((len(bodies), 3))
+    system = contact_system(bodies, contacts, still, still, rate_tolerance=np.inf)
+    jacobian, inverse = system.jacobian, system.inverse_mass
     c, n = len(contacts), len(bodies)
     moved = inverse @ jacobian.T
     first = int(

@@ -1,81 +1,17 @@
-"""Impacts of bodies that turn: a rod on the floor or on pegs, a box on its four corners."""
+"""Impacts of bodies that turn: a rod on a spring, many landings of a box, and the order of its contacts."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from course import rotations
-from course.arrays import (
-    Array,
-    ArrayLike,
-    IntArray,
-    failure,
-    in_range,
-    positive,
-    scalar,
-    scalars,
-    vectors,
-    whole_number,
-)
-from course.contact.collisions import resolve_collisions
-from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
-from course.dynamics.bodies import Bodies
-from course.overlap.contact_arrays import Contacts
-
-UP = (0.0, 0.0, 1.0)
-#: A box whose three moments of inertia differ: half extents [m].
-BOX = (0.5, 0.3, 0.2)
-
-
-def falling_rods(
-    angle: ArrayLike,
-    *,
-    place: ArrayLike = 1.0,
-    mass: float = 1.0,
-    length: float = 1.0,
-    speed: float = 1.0,
-) -> tuple[Bodies, Contacts]:
-    """Thin rods that fall without turning and touch a fixed floor at one point, and that contact of each.
-
-    Rod i lies in the x-z plane, its lower end toward +x, and is hit at r = place (length/2) along it from the
-    centre, n = z. Across its axis I = m length^2/12; about the axis, where no contact can turn it, a hundredth of
-    that. The floor is the last body.
-
-    Args:
-        angle: theta, from the horizontal, (n,) or one number [rad].
-        place: 1 the lower end, 0 the middle, -1 the upper end, (n,) or one number.
-        mass, length, speed: of every rod [kg], [m], [m/s].
-    """
-    theta, where = (
-        np.atleast_1d(scalars("angle", angle)),
-        in_range("place", place, -1, 1),
-    )
-    theta, where = np.broadcast_arrays(theta, where)
-    m, size = (
-        float(positive(name, scalar(name, x)))
-        for name, x in (("mass", mass), ("length", length))
-    )
-    n = theta.size
-    axis = np.stack([np.cos(theta), np.zeros(n), -np.sin(theta)], axis=-1)
-    across = m * size**2 / 12
-    inertia = np.broadcast_to(np.diag([0.01 * across, across, across]), (n + 1, 3, 3))
-    orientation = np.concatenate(
-        [
-            rotations.from_rotation_vector(theta[:, None] * [0.0, 1.0, 0.0]),
-            [[0, 0, 0, 1]],
-        ]
-    )
-    momentum = np.zeros((n + 1, 3))
-    momentum[:n, 2] = -m * float(positive("speed", scalar("speed", speed)))
-    zero = np.zeros((n + 1, 3))
-    bodies = Bodies(
-        np.append(np.full(n, m), np.inf), inertia, zero, orientation, momentum, zero
-    )
-    point = 0.5 * size * where[:, None] * axis
-    return bodies, _on_the_floor(np.arange(n), n, point)
+from course.arrays import Array, failure, positive, scalar, whole_number
+from course.contact import contact_system, resolve_collisions
+from course.dynamics import Bodies, point_velocity
+from course.overlap import Contacts
+from course.scenes import box_on_corners
 
 
 def rod_on_spring(
@@ -100,89 +36,34 @@ def rod_on_spring(
     from scipy.integrate import solve_ivp
 
     theta = scalar("angle", angle)
-    k, m, size, v = (
-        float(positive(name, scalar(name, x)))
-        for name, x in (
-            ("stiffness", stiffness),
-            ("mass", mass),
-            ("length", length),
-            ("speed", speed),
-        )
-    )
+    given = {"stiffness": stiffness, "mass": mass, "length": length, "speed": speed}
+    k, m, size, v = (scalar(n, positive(n, x)) for n, x in given.items())
     half, inertia = 0.5 * size, m * size**2 / 12
 
     def rate(_: float, state: Array) -> list[float]:
         z, turned, z_rate, turning, _ = state
         force = k * max(half * np.sin(turned) - z, 0.0)
-        return [
-            z_rate,
-            turning,
-            force / m,
-            -force * half * np.cos(turned) / inertia,
-            force,
-        ]
+        torque = -force * half * np.cos(turned)
+        return [z_rate, turning, force / m, torque / inertia, force]
 
     def leaves(_: float, state: Array) -> float:
         return float(state[0] - half * np.sin(state[1]))
 
     leaves.terminal, leaves.direction = True, 1.0  # type: ignore[attr-defined]
-    longest = 4 * np.pi * np.sqrt(m / k)
+    span = 0, 4 * np.pi * np.sqrt(m / k)
     start = [half * np.sin(theta), theta, -v, 0.0, 0.0]
-    motion = solve_ivp(
-        rate,
-        (0, longest),
-        start,
-        method="DOP853",
-        rtol=1e-10,
-        atol=1e-13,
-        events=leaves,
-    )
+    options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-13, "events": leaves}
+    motion = solve_ivp(rate, span, start, **options)
     if not motion.t_events[0].size:
         raise failure("stiffness", "a spring that throws the rod back", f"{k:g}")
     return float(motion.y_events[0][0, 4])
 
 
-def box_on_corners(
-    *,
-    velocity: ArrayLike = (0.0, 0.0, -1.0),
-    spin: ArrayLike = (0.0, 0.0, 0.0),
-    half_extents: ArrayLike = BOX,
-) -> tuple[Bodies, Contacts]:
-    """A box of 1 kg that stands on a fixed floor with its four lower corners at the moment of impact.
-
-    Args:
-        velocity: of its centre, (3,) [m/s].
-        spin: omega, (3,) [rad/s].
-        half_extents: (3,) [m]. The floor is body 1, the corners run (-,-), (-,+), (+,-), (+,+) in x and y.
-    """
-    half = positive("half_extents", vectors("half_extents", half_extents))
-    inertia = np.diag(half @ half - half**2) / 3
-    momentum, angular = np.zeros((2, 2, 3))
-    momentum[0], angular[0] = (
-        vectors("velocity", velocity),
-        inertia @ vectors("spin", spin),
-    )
-    position = np.array([[0.0, 0.0, half[2]], [0.0, 0.0, 0.0]])
-    both = np.stack([inertia, np.eye(3)])
-    bodies = Bodies(
-        np.array([1.0, np.inf]),
-        both,
-        position,
-        rotations.identity(2),
-        momentum,
-        angular,
-    )
-    corner = np.array(
-        [[x * half[0], y * half[1], 0.0] for x in (-1, 1) for y in (-1, 1)]
-    )
-    return bodies, _on_the_floor(np.zeros(4, int), 1, corner)
-
-
 def normal_response(bodies: Bodies, contacts: Contacts) -> Array:
     """A = J M^-1 J', (c, c) [1/kg]: a_ij is the change of u_i for an impulse of 1 N s at contact j (row 21)."""
-    jacobian = contact_jacobian(bodies, contacts)
-    matrix = (jacobian @ (inverse_mass_matrix(bodies) @ jacobian.T)).toarray()
-    return np.asarray(0.5 * (matrix + matrix.T))
+    none = np.zeros((len(bodies), 3))
+    system = contact_system(bodies, contacts, none, none, rate_tolerance=np.inf)
+    return np.asarray(system.A.toarray())
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,7 +92,8 @@ def box_landings(
         spread: standard deviation of each spin [rad/s].
     """
     wanted, rng = whole_number("count", count, minimum=1), np.random.default_rng(seed)
-    bodies, contacts = box_on_corners()
+    scene = box_on_corners()
+    bodies, contacts = scene.bodies, scene.contacts
     arm = contacts.point - bodies.position[0]
     found: list[Array] = []
     while len(found) < wanted:
@@ -265,25 +147,42 @@ def outcomes_by_order(
     )
 
 
-def rod_on_two_pegs(place: float) -> tuple[Bodies, Contacts]:
-    """A level rod of 1 kg and 1 m that falls at 1 m/s on two fixed pegs, each place/2 from its middle.
-
-    Its pegs feel each other by a_12 = 1/m - (place/2)^2/I, which is 0 where the pegs stand at the radius of
-    gyration, place = 1/sqrt 3: there neither peg notices the other. The left peg comes first in the list.
+@dataclass(frozen=True, eq=False)
+class BoxOutcomes:
+    """How fast the corners of a box rise before an impact and after it by several laws.
 
     Args:
-        place: from 0, both under the middle, to 1, under the ends.
+        corners: (4, 3) [m], in the order (-,-), (-,+), (+,-), (+,+).
+        height: of the box [m].
+        speed: "before" and the names of the laws -> (4,) [m/s].
+        spin: the same names -> omega, (3,) [rad/s].
     """
-    where = float(in_range("place", scalar("place", place), 0, 1))
-    bodies, _ = falling_rods(0.0)
-    return bodies, _on_the_floor(
-        np.zeros(2, int), 1, 0.5 * where * np.array([[-1.0, 0, 0], [1.0, 0, 0]])
-    )
+
+    corners: Array
+    height: float
+    speed: dict[str, Array]
+    spin: dict[str, Array]
 
 
-def _on_the_floor(body: IntArray, floor: int, point: Array) -> Contacts:
-    """Contacts of bodies on a fixed one below them, n = z."""
-    count = len(point)
-    return Contacts(
-        body, np.full(count, floor), point, np.tile(UP, (count, 1)), np.zeros(count)
+def box_outcomes(
+    box: Bodies, corners: Array, outcomes: Mapping[str, Bodies]
+) -> BoxOutcomes:
+    """The corner speeds of a box that stands on the floor with its axes along x, y, z.
+
+    Args:
+        box: before; body 0 is the box.
+        corners: where it touches the floor, (4, 3) [m].
+        outcomes: name -> bodies after.
+    """
+    arms = corners - box.position[0]
+    states = {"before": box} | dict(outcomes)
+    moves = {
+        name: point_velocity(s.velocity[0], s.angular_velocity[0], arms)[:, 2]
+        for name, s in states.items()
+    }
+    return BoxOutcomes(
+        corners,
+        2 * float(box.position[0, 2]),
+        moves,
+        {name: s.angular_velocity[0] for name, s in states.items()},
     )

@@ -12,7 +12,7 @@ from course.contact.solvers import complementarity_residual
 from course.contact.solvers.block_pivot import block_pivot_one
 from course.contact.solvers.certificate import certificate
 from course.contact.solvers.residual import SUSPICIOUS, strays
-from course.study.resting_scenes import shaken, stack, tangle
+from course.scenes import shaken, stack, tangle
 
 
 def drawn(kind, seed):

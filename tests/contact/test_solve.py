@@ -15,7 +15,7 @@ from course.contact import (
 )
 from course.contact.solve import METHODS
 from course.contact.solvers import complementarity_residual
-from course.study.resting_scenes import (
+from course.scenes import (
     GRAVITY,
     about_to_part,
     cannonballs,

@@ -6,7 +6,7 @@ from scipy.sparse import csr_array
 
 from course.contact import solve
 from course.contact.solvers.certificate import certificate
-from course.study.resting_scenes import (
+from course.scenes import (
     random_scene,
     side_by_side,
     spinning_between_pins,

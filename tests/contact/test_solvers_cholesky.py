@@ -8,7 +8,7 @@ from course.contact.solvers.banded_cholesky import BandedCholesky
 from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.shifted import _cheapest
 from course.contact.solvers.sparse_cholesky import SparseCholesky
-from course.study.resting_scenes import pile, wall
+from course.scenes import pile, wall
 
 KINDS = (BandedCholesky, SparseCholesky)
 

@@ -15,7 +15,7 @@ from course.contact.solvers.shifted import (
 )
 from course.contact.solvers.sparse_cholesky import SparseCholesky
 from course.contact.solvers.unit_system import UnitSystem
-from course.study.resting_scenes import (
+from course.scenes import (
     cannonballs,
     on_a_moving_ground,
     pile,

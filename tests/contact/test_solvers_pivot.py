@@ -5,7 +5,7 @@ import pytest
 
 from course.contact.solvers import complementarity_residual
 from course.contact.solvers.pivot import solve_pivot
-from course.study.resting_scenes import random_scene, spinning_between_pins, table
+from course.scenes import random_scene, spinning_between_pins, table
 
 
 def test_two_contacts_by_hand():

@@ -11,7 +11,7 @@ from course.contact.solvers.projected_gauss_seidel import (
     solve_projected_gauss_seidel,
     sweep_order,
 )
-from course.study.resting_scenes import random_scene, shaken, stack, table, wall
+from course.scenes import random_scene, shaken, stack, table, wall
 
 
 def plain(a, b, sweeps, relaxation, order):

@@ -7,7 +7,7 @@ import numpy as np
 
 from course.contact.solvers import complementarity_residual
 from course.contact.solvers.qp import solve_qp
-from course.study.resting_scenes import stack, table
+from course.scenes import stack, table
 
 
 def test_the_optimality_conditions_come_out():

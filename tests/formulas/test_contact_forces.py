@@ -10,7 +10,7 @@ from formulas.clouds import rate
 from course import formulas
 from course.exercises.definition import find_exercise
 from course.exercises.verdict import answers_of, judge
-from course.study.resting_scenes import random_scene
+from course.scenes import random_scene
 
 SEEDS = pytest.mark.parametrize("seed", range(6))
 

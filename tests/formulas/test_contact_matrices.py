@@ -6,13 +6,8 @@ import pytest
 from formulas.clouds import drawn_cloud
 
 from course import formulas
-from course.study import ladder
-from course.study.contact_matrices import (
-    exact_matrix,
-    measured_accelerations,
-    plain_arrays,
-)
-from course.study.resting_scenes import random_scene, table, tangle
+from course.scenes import ladder, random_scene, table, tangle
+from course.study import exact_matrix, measured_accelerations, plain_arrays
 
 SCENES = pytest.mark.parametrize(
     "scene",

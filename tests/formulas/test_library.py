@@ -4,6 +4,7 @@ form that agrees with them."""
 import numpy as np
 import pytest
 from contact.entry_by_entry import plain
+from scenes.parts import bodies_and_contacts
 from scipy.spatial.transform import Rotation
 
 from course import contact, dynamics, formulas, rotations
@@ -12,8 +13,15 @@ from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.projected_gauss_seidel import solve_projected_gauss_seidel
 from course.contact.solvers.qp import solve_qp
 from course.overlap import Contacts
-from course.study import falling_rods, ladder, moving_contact
-from course.study.resting_scenes import random_scene, stack, table, tangle
+from course.scenes import (
+    falling_rods,
+    ladder,
+    moving_contact,
+    random_scene,
+    stack,
+    table,
+    tangle,
+)
 
 SEEDS = pytest.mark.parametrize("seed", [1, 2, 3])
 
@@ -109,7 +117,9 @@ def test_impulses_of_bodies_that_turn(pairs):
 
 def test_rod_impulse_is_what_a_rod_gets():
     angle = np.linspace(0, 1.5, 6)
-    rods, floor = falling_rods(angle, mass=2.0, length=3.0, speed=1.5)
+    rods, floor = bodies_and_contacts(
+        falling_rods(angle, mass=2.0, length=3.0, speed=1.5)
+    )
     mine = [float(formulas.rod_impulse(2.0, 1.5, a, 0.3, 3.0)) for a in angle]
     theirs = dynamics.impulse_at_point(rods, floor, 0.3)
     np.testing.assert_allclose(mine, theirs, rtol=1e-13)
@@ -161,7 +171,7 @@ def motion(scene, index):
 @pytest.mark.parametrize("kind", ["face_b", "face_a"])
 def test_rates_and_bias_of_faces(kind, seed):
     scene = moving_contact(kind, seed=seed, gap=0.2)
-    contacts, bodies = scene.contacts(scene.bodies), scene.bodies
+    contacts, bodies = scene.contacts, scene.bodies
     n, body_a, body_b = contacts.normal, state(bodies, [0]), state(bodies, [1])
     n_dot = formulas.normal_rate(n, body_a[2], body_b[2], kind)
     np.testing.assert_allclose(n_dot, contact.normal_rate(bodies, contacts), atol=1e-14)
@@ -170,7 +180,7 @@ def test_rates_and_bias_of_faces(kind, seed):
     theirs = contact.separation_rate(bodies, contacts)
     np.testing.assert_allclose(mine, theirs, atol=1e-13)
     scene = moving_contact(kind, seed=seed)
-    contacts = scene.contacts(scene.bodies)
+    contacts = scene.contacts
     motions = motion(scene, contacts.body_a), motion(scene, contacts.body_b)
     mine = formulas.contact_bias(contacts.point, contacts.normal, kind, *motions)
     theirs = contact.separation_acceleration(
@@ -182,7 +192,7 @@ def test_rates_and_bias_of_faces(kind, seed):
 @SEEDS
 def test_rate_of_the_normal_of_edges(seed):
     scene = moving_contact("edges", seed=seed, gap=0.2)
-    contacts, omega = scene.contacts(scene.bodies), scene.bodies.angular_velocity
+    contacts, omega = scene.contacts, scene.bodies.angular_velocity
     edges = contacts.edge_a[0], contacts.edge_b[0]
     mine = formulas.edge_normal_rate(*edges, *omega, contacts.normal[0])
     theirs = contact.normal_rate(scene.bodies, contacts)[0]

@@ -6,19 +6,17 @@ from lesson_text import prose, rounds_to, said
 from scipy.integrate import solve_ivp
 
 from course.contact import resolve_collisions
-from course.dynamics import bounce_rest_time, impulse_central
+from course.dynamics import ball_events, bounce_rest_time, impulse_central, two_blocks
 from course.exercises.definition import all_lessons
 from course.study import (
     PUBLISHED_BOUNCING,
-    ball_events,
     billiard_break,
     bouncing_errors,
     bouncing_loop,
     cradle_by_springs,
     cradle_by_steps,
-    two_blocks,
+    energy_error,
 )
-from course.study.bouncing_ball import energy_error
 
 G = 9.81
 X = np.array([1.0, 0.0, 0.0])

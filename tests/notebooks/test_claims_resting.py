@@ -10,42 +10,50 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scenes.parts import bodies_and_contacts
 from scipy.optimize import brentq
 
 from course.contact import NoContactForce, resolve_collisions, solve
 from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
-from course.dynamics import effective_mass, normal_velocity, total_energy
+from course.dynamics import (
+    Dome,
+    effective_mass,
+    ladder_leaving_angle,
+    normal_velocity,
+    sliding_ladder_forces,
+    total_energy,
+)
 from course.exercises.definition import all_lessons, find_exercise
 from course.overlap import Contacts
-from course.study import (
-    Dome,
-    TurningPair,
-    box_landings,
+from course.scenes import (
+    bar_over_plank,
     box_on_corners,
-    difference_errors,
     flying_corners,
-    impulses_at_once,
-    impulses_by_steps,
-    impulses_in_turn,
     ladder,
-    leaving_angle,
     loaded_plank,
     moving_contact,
-    moving_contacts,
-    outcomes_by_order,
-    rod_on_spring,
     rod_on_two_pegs,
-    slide_off,
-    sliding_ladder_forces,
-)
-from course.study.contact_matrices import matrix_cost, tilted_foot
-from course.study.resting_scenes import (
     shaken,
     spinning_between_pins,
     stack,
     table,
     tangle,
+    tilted_foot,
     wall,
+)
+from course.study import (
+    CENTRAL,
+    FIVE_POINTS,
+    FORWARD,
+    box_landings,
+    difference_errors,
+    impulses_at_once,
+    impulses_by_steps,
+    impulses_in_turn,
+    matrix_cost,
+    outcomes_by_order,
+    rod_on_spring,
+    slide_off,
 )
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
@@ -137,7 +145,7 @@ def test_two_pegs_spin_the_rod_by_three_radians_a_second():
     )
     spins = []
     for place in (1 / 6, *np.linspace(0.01, 0.5, 491)):
-        rod, pegs = rod_on_two_pegs(2 * place)
+        rod, pegs = bodies_and_contacts(rod_on_two_pegs(2 * place))
         spin = outcomes_by_order(rod, pegs, 1.0, [(0, 1), (1, 0)]).spin[:, 1]
         assert spin[0] == pytest.approx(-spin[1], abs=1e-12)
         spins.append(spin[0])
@@ -151,7 +159,7 @@ def test_every_order_of_four_corners_keeps_the_energy():
         "None of these is a bug: all keep the energy",
         "may give another answer at each run",
     )
-    box, corners = box_on_corners()
+    box, corners = bodies_and_contacts(box_on_corners())
     before = total_energy(box)
     orders = list(permutations(range(4)))
     for order in orders:
@@ -178,7 +186,7 @@ def test_a_tenth_of_k_is_different_along_both_axes():
         "impulse without spin is less than 1 percent too large; at the corner it "
         "is 466 percent",
     )
-    box, _ = box_on_corners()
+    box, _ = bodies_and_contacts(box_on_corners())
     k_x, k_y = np.sqrt(np.diag(box.inertia[0])[[1, 0]])  # 1 kg; about the other axis
     assert (k_x / 10, k_y / 10) == pytest.approx((0.031, 0.021), abs=5e-4)
     places = np.array([[k_x / 10, 0, 0.2], [0, k_y / 10, 0.2], [0.5, 0.3, 0.2]])
@@ -197,7 +205,7 @@ def test_a_box_with_its_centre_above_one_corner_needs_no_spin():
     )
     felt, up = reference("effective_mass"), np.array([0.0, 0.0, 1.0])
     half = np.array([0.5, 0.3, 0.2])
-    box, _ = box_on_corners()
+    box, _ = bodies_and_contacts(box_on_corners())
     third = half / np.linalg.norm(half)  # row 3 of a rotation turns the corner downward
     first = np.cross([0.0, 0.0, 1.0], third) / np.linalg.norm(third[:2])
     turn = np.stack([first, np.cross(third, first), third])
@@ -232,7 +240,7 @@ def test_how_far_the_rate_foretells_the_gap():
         "to 0.04 mm for a tenth of a second, and to 0.1 mm at 0.14 s, just "
         "before they meet",
     )
-    pair = TurningPair()
+    pair = bar_over_plank()
     off = [pair.gap(t) - (0.25 - 1.7 * t) for t in np.linspace(0, 0.1, 101)]
     assert 0.03e-3 < np.abs(off).max() < 0.04e-3
     assert pair.gap(0.14) - (0.25 - 1.7 * 0.14) == pytest.approx(0.1e-3, rel=0.02)
@@ -245,8 +253,8 @@ def test_the_bar_and_the_plank_are_no_rigid_whole():
         r"at this moment $\dot d = 0$, as if both were one rigid whole",
         "after 0.1 s the gap is smaller by 1.1 mm, after 0.5 s by 34 mm",
     )
-    pair = TurningPair(rate_a=0.5, rate_b=0.5, clear=0.7)  # the gap of the picture
-    (a, b), contact = pair.bodies().position[:, 1:], pair.contacts()
+    pair = bar_over_plank(rate_a=0.5, rate_b=0.5, clear=0.7)  # the gap of the picture
+    (a, b), contact = pair.bodies.position[:, 1:], pair.contacts
     arm, half = contact.point_a[0, 1:] - a, contact.point_b[0, 2] - b[1]
 
     def gap(time, velocity):
@@ -285,8 +293,8 @@ def test_three_of_four_wrong_arms_get_the_sign_wrong():
         "13",
         "Three of the four slips get even the sign wrong",
     )
-    pair, rate = TurningPair(), reference("separation_rate")
-    contact, bodies = pair.contacts(0.1), pair.bodies(0.1)
+    pair, rate = bar_over_plank(), reference("separation_rate")
+    contact, bodies = pair.touching(pair.at(0.1)), pair.at(0.1)
     p_a, p_b, n = contact.point_a[0], contact.point_b[0], contact.normal[0]
     r_a, r_b = p_a - bodies.position[0], p_b - bodies.position[1]
 
@@ -333,9 +341,9 @@ def test_no_stencil_comes_near_the_formula():
     )
     best = np.inf
     for stencil in (
-        moving_contacts.FORWARD,
-        moving_contacts.CENTRAL,
-        moving_contacts.FIVE_POINTS,
+        FORWARD,
+        CENTRAL,
+        FIVE_POINTS,
     ):
         for h in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6):
             gaps = [
@@ -347,12 +355,12 @@ def test_no_stencil_comes_near_the_formula():
 
 
 def test_the_marks_of_the_stencils_scatter_under_their_lines():
-    pair, rate = TurningPair(), -1.6986332503679176  # by SymPy, in the lesson
+    pair, rate = bar_over_plank(), -1.6986332503679176  # by SymPy, in the lesson
     steps = 10.0 ** np.arange(-13, -8.1, 0.25)  # left of the best step of each
     stencils = (
-        moving_contacts.FORWARD,
-        moving_contacts.CENTRAL,
-        moving_contacts.FIVE_POINTS,
+        FORWARD,
+        CENTRAL,
+        FIVE_POINTS,
     )
     found = difference_errors([(s, pair.gap) for s in stencils], rate, steps, time=0.1)
     for error in found.error.values():
@@ -388,9 +396,12 @@ def test_left_out_the_rate_of_the_normal_is_ten_times_off():
         "in the middle one it is more than ten times too large",
     )
     scene = moving_contact("face_a", gap=0.1)
-    contacts = scene.contacts(scene.bodies)
+    contacts = scene.contacts
     (x_a, x_b), (turn_a, turn_b) = scene.bodies.position, scene.bodies.rotation
-    p_a, p_b = x_a + turn_a @ scene.spot_a, x_b + turn_b @ scene.spot_b
+    p_a, p_b = (
+        x_a + turn_a @ scene.colliders.spot_a,
+        x_b + turn_b @ scene.colliders.spot_b,
+    )
     a, b = (
         (
             scene.bodies.position[i],
@@ -752,9 +763,9 @@ def test_the_programme_finds_the_closed_form_until_the_ladder_lets_go():
     found = np.array([qp(s.A.toarray(), s.b) for s in systems])
     closed, held = (
         sliding_ladder_forces(angles, rate=rates),
-        angles > leaving_angle(start),
+        angles > ladder_leaving_angle(start),
     )
-    assert np.degrees(leaving_angle(start)) == pytest.approx(38.8, abs=0.05)
+    assert np.degrees(ladder_leaving_angle(start)) == pytest.approx(38.8, abs=0.05)
     assert np.abs(found - closed)[held].max() < 1e-4
     assert np.abs(found[~held][:, 1]).max() < 1e-4 and closed[~held][:, 1].max() < -5
 

@@ -2,47 +2,20 @@
 
 import numpy as np
 import pytest
+from scenes.parts import bodies_and_contacts
 
 from course.dynamics import Bodies, normal_velocity
+from course.scenes import rack, touching_row
 from course.study import (
-    ball_contacts,
     billiard_break,
     compare_cradles,
     cradle,
     cradle_by_springs,
-    rack,
     roll,
-    touching_row,
 )
 
 LAWS = ("simultaneous", "sequential", "reflection")
 TABLE = ((-1.2, -0.6), (1.2, 0.6))
-
-
-def test_contacts_of_balls():
-    contacts = ball_contacts([[0, 0, 0], [3.0, 0, 0], [0, 4.0, 0]], [1.0, 2.0, 3.0])
-    # Centres 3, 4 and 5 apart, radii 1, 2 and 3: every pair touches.
-    assert contacts.body_a.tolist() == [0, 0, 1] and contacts.body_b.tolist() == [
-        1,
-        2,
-        2,
-    ]
-    assert np.allclose(
-        contacts.normal, [[-1, 0, 0], [0, -1, 0], [0.6, -0.8, 0]]
-    )  # out of B toward A
-    assert np.allclose(contacts.point, [[1, 0, 0], [0, 1, 0], [1.8, 1.6, 0]])
-    assert contacts.feature.tolist() == ["curved"] * 3
-    assert np.allclose(contacts.curvature_b[1], np.diag([1 / 3, 0, 1 / 3]))
-    apart = ball_contacts([[0, 0, 0], [3.2, 0, 0]], [1.0, 2.0], margin=0.5)
-    assert apart.separation[0] == pytest.approx(0.2) and np.allclose(
-        apart.point, [[1.1, 0, 0]]
-    )
-    assert np.allclose(apart.point_a, [[1, 0, 0]]) and np.allclose(
-        apart.point_b, [[1.2, 0, 0]]
-    )
-    assert len(ball_contacts([[0, 0, 0], [3.2, 0, 0]], [1.0, 2.0])) == 0
-    with pytest.raises(ValueError, match="position: expected centres apart"):
-        ball_contacts(np.zeros((2, 3)), 1.0)
 
 
 def test_cradle_of_the_laws():
@@ -51,7 +24,7 @@ def test_cradle_of_the_laws():
     assert np.allclose(
         cradle([1.0, 0], restitution=0.5, mass=[1.0, 3.0]), [-0.125, 0.375]
     )
-    bodies, contacts = touching_row([1.0, 0, 0, 0])
+    bodies, contacts = bodies_and_contacts(touching_row([1.0, 0, 0, 0]))
     assert len(bodies) == 4 and contacts.body_b.tolist() == [1, 2, 3]
 
 
@@ -107,16 +80,6 @@ def test_no_single_law_is_the_truth():
     assert np.allclose(table.velocity.sum(axis=1), 1) and np.allclose(
         (table.velocity**2).sum(axis=1), 1
     )
-
-
-def test_rack_is_fifteen_touching_balls():
-    x = rack(radius=0.5)
-    distance = np.linalg.norm(x[:, None] - x, axis=-1)[np.triu_indices(15, 1)]
-    assert x.shape == (15, 3) and distance.min() == pytest.approx(1)
-    assert (
-        np.count_nonzero(distance < 1 + 1e-9) == 30
-    )  # 10 + 10 + 10 along the three directions
-    assert np.all(x[0] == 0) and x[:, 0].max() == pytest.approx(4 * np.sqrt(0.75))
 
 
 @pytest.mark.parametrize("law", LAWS)

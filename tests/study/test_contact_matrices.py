@@ -4,21 +4,17 @@ import numpy as np
 import pytest
 from contact.entry_by_entry import matrix_by_entries
 
-from course.study import ladder
-from course.study.contact_matrices import (
-    exact_matrix,
-    floating,
-    matrix_cost,
-    measured_accelerations,
-    tilted_foot,
-)
-from course.study.resting_scenes import (
+from course.scenes import (
+    ladder,
     random_scene,
     spinning_between_pins,
     stack,
     table,
+    tilted_foot,
     wall,
+    without_forces,
 )
+from course.study import exact_matrix, matrix_cost, measured_accelerations
 
 
 @pytest.mark.parametrize(
@@ -35,7 +31,7 @@ def test_motion_obeys_b_plus_a_f(scene):
 
 
 def test_without_external_forces_a_f_remains():
-    scene = floating(table())
+    scene = without_forces(table())
     np.testing.assert_allclose(
         measured_accelerations(scene, [1.0, 0, 0, 0]),
         scene.system().A.toarray()[:, 0],

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+from scenes.parts import bodies_and_contacts
 
 from course.contact import resolve_collisions
 from course.dynamics import normal_velocity
+from course.scenes import box_on_corners
 from course.study import (
     box_landings,
-    box_on_corners,
     cradle_by_springs,
     impulses_at_once,
     impulses_by_springs,
@@ -32,7 +33,9 @@ def row_after(start, impulse):
 def test_counted_laws_are_those_of_the_library(law, function, e):
     rng = np.random.default_rng(6)
     for _ in range(10):
-        bodies, contacts = box_on_corners(spin=[*rng.uniform(-1.2, 1.2, 2), 0.0])
+        bodies, contacts = bodies_and_contacts(
+            box_on_corners(spin=[*rng.uniform(-1.2, 1.2, 2), 0.0])
+        )
         u, matrix = normal_velocity(bodies, contacts), normal_response(bodies, contacts)
         assert np.all(
             u < 0
@@ -95,7 +98,10 @@ def test_steps_come_nearer_to_the_springs():
 
 def test_stopped_early_a_law_breaks_its_promises():
     # A push at the second corner presses the first one down again.
-    matrix, u = normal_response(*box_on_corners()), np.full(4, -1.0)
+    matrix, u = (
+        normal_response(*bodies_and_contacts(box_on_corners())),
+        np.full(4, -1.0),
+    )
     impulse, used = impulses_in_turn(matrix, u, 1.0, passes=1)
     assert used == 1 and np.min(u + matrix @ impulse) < -0.5
     settled, used = impulses_in_turn(matrix, u, 1.0)

@@ -4,38 +4,11 @@ from itertools import permutations
 
 import numpy as np
 import pytest
+from scenes.parts import bodies_and_contacts
 
-from course.contact import resolve_collisions
 from course.dynamics import effective_mass, normal_velocity, total_energy
-from course.study import (
-    box_landings,
-    box_on_corners,
-    falling_rods,
-    normal_response,
-    outcomes_by_order,
-    rod_on_spring,
-    rod_on_two_pegs,
-)
-
-
-@pytest.mark.parametrize("e", [0.0, 0.6, 1.0])
-def test_rods_get_the_closed_form_at_every_angle(e):
-    # j = (1 + e) m v/(1 + 3 cos^2 theta): D. Baraff's formula with I = m L^2/12 about the centre.
-    angle = np.linspace(0, np.pi / 2, 7)
-    rods, floor = falling_rods(angle, mass=2.0, length=3.0, speed=1.5)
-    after = resolve_collisions(rods, floor, e)
-    impulse = (after.momentum - rods.momentum)[:-1, 2]
-    assert np.allclose(
-        impulse, (1 + e) * 3.0 / (1 + 3 * np.cos(angle) ** 2), rtol=1e-13
-    )
-    assert np.allclose(normal_velocity(after, floor), 1.5 * e, atol=1e-13)
-
-
-def test_mass_felt_along_a_rod():
-    # By hand: 1/mu = (1 + 3 place^2)/m for a level rod.
-    place = np.array([-1.0, -0.5, 0.0, 0.5, 1.0])
-    felt = effective_mass(*falling_rods(0.0, place=place))
-    assert np.allclose(felt, [0.25, 4 / 7, 1.0, 4 / 7, 0.25], rtol=1e-14)
+from course.scenes import box_on_corners, rod_on_two_pegs
+from course.study import box_landings, normal_response, outcomes_by_order, rod_on_spring
 
 
 def test_a_rod_on_a_stiffer_spring_comes_nearer_to_the_closed_form():
@@ -59,7 +32,7 @@ def test_a_spring_too_soft_is_refused():
 
 def test_box_matrix_by_hand():
     # a_ij = 1/m + x_i x_j/I_y + y_i y_j/I_x for corners at (x, y) and m = 1.
-    bodies, contacts = box_on_corners(half_extents=(0.5, 0.3, 0.2))
+    bodies, contacts = bodies_and_contacts(box_on_corners(half_extents=(0.5, 0.3, 0.2)))
     x, y = contacts.point[:, 0], contacts.point[:, 1]
     i_x, i_y = (0.3**2 + 0.2**2) / 3, (0.5**2 + 0.2**2) / 3
     expected = 1 + np.outer(x, x) / i_y + np.outer(y, y) / i_x
@@ -71,7 +44,7 @@ def test_box_matrix_by_hand():
 
 def test_landings_are_those_of_a_box_with_spins():
     landings = box_landings(30, seed=4)
-    bodies, contacts = box_on_corners()
+    bodies, contacts = bodies_and_contacts(box_on_corners())
     assert np.array_equal(landings.matrix, normal_response(bodies, contacts))
     assert landings.normal_velocity.shape == (30, 4) and np.all(
         landings.normal_velocity < -0.05
@@ -82,14 +55,18 @@ def test_landings_are_those_of_a_box_with_spins():
             -(u[2] - u[0]) / 1.0,
             0.0,
         )  # corners 0.6 m and 1 m apart
-        assert np.allclose(normal_velocity(*box_on_corners(spin=spin)), u, atol=1e-14)
+        assert np.allclose(
+            normal_velocity(*bodies_and_contacts(box_on_corners(spin=spin))),
+            u,
+            atol=1e-14,
+        )
     assert not np.array_equal(
         landings.normal_velocity, box_landings(30, seed=5).normal_velocity
     )
 
 
 def test_orders_of_a_flat_box_keep_energy_and_disagree():
-    bodies, contacts = box_on_corners()
+    bodies, contacts = bodies_and_contacts(box_on_corners())
     orders = list(permutations(range(4)))
     outcomes = outcomes_by_order(bodies, contacts, 1.0, orders)
     assert outcomes.order.shape == (24, 4)
@@ -110,31 +87,23 @@ def test_what_is_no_order_is_refused(orders):
     with pytest.raises(
         ValueError, match="orders: expected orders of the contacts 0 to 3"
     ):
-        outcomes_by_order(*box_on_corners(), 1.0, orders)
+        outcomes_by_order(*bodies_and_contacts(box_on_corners()), 1.0, orders)
 
 
 def test_pegs_do_not_feel_each_other_at_the_radius_of_gyration():
     def spins(place):
-        return outcomes_by_order(*rod_on_two_pegs(place), 1.0, [(0, 1), (1, 0)]).spin[
-            :, 1
-        ]
+        return outcomes_by_order(
+            *bodies_and_contacts(rod_on_two_pegs(place)), 1.0, [(0, 1), (1, 0)]
+        ).spin[:, 1]
 
     threshold = 1 / np.sqrt(3)
-    assert abs(normal_response(*rod_on_two_pegs(threshold))[0, 1]) < 1e-14
+    assert (
+        abs(normal_response(*bodies_and_contacts(rod_on_two_pegs(threshold)))[0, 1])
+        < 1e-14
+    )
     assert np.abs(spins(threshold)).max() < 1e-13
     for place in (0.3, 0.5, 0.65, 0.9):
         left, right = spins(place)
         assert left == pytest.approx(-right, rel=1e-12) and np.sign(left) == np.sign(
             threshold - place
         )
-
-
-def test_places_outside_the_rod_are_refused():
-    with pytest.raises(
-        ValueError, match="place: expected numbers from -1 to 1; got 1.5"
-    ):
-        falling_rods(0.0, place=1.5)
-    with pytest.raises(
-        ValueError, match="place: expected numbers from 0 to 1; got -0.5"
-    ):
-        rod_on_two_pegs(-0.5)

@@ -15,7 +15,7 @@ from course.dynamics import (
     symplectic_euler,
 )
 from course.rotations import identity
-from course.study.stability import (
+from course.study import (
     find_threshold,
     growth_per_step,
     growth_rate,

@@ -11,7 +11,9 @@ from course.dynamics import (
     Bodies,
     body_frame_euler,
     explicit_euler,
+    free_tumble,
     middle_axis_growth_rate,
+    orientation_error,
     quaternion_euler,
     rk4,
     splitting,
@@ -19,24 +21,16 @@ from course.dynamics import (
     torque_free_motion,
 )
 from course.formulas import symplectic_euler_step
-from course.study.stability import measured_order
-from course.study.tumbling import (
-    HANDLE_CENTERS,
-    HANDLE_HALF_EXTENTS,
-    STEEL,
+from course.scenes import spinning_body, spinning_handle
+from course.study import (
     counting_wrench,
     even_spin_error,
-    free_tumble,
-    handle_mass_properties,
+    measured_order,
     method_of,
-    orientation_error,
-    spinning_body,
-    spinning_handle,
     tilt_growth,
     turn_by_plain_steps,
     turn_for,
     turn_in_body_axes,
-    turnover_times,
 )
 
 SIZE = lambda v: np.linalg.norm(v, axis=-1)  # noqa: E731
@@ -51,58 +45,6 @@ def tumbling_body(seed):
     inertia = frame @ np.diag(np.sort(second.sum() - second)) @ frame.T
     place, momentum, spin = rng.normal(size=(3, 1, 3))
     return Bodies([2.0], inertia[None], place, turned[None], momentum, 4 * spin)
-
-
-def test_the_handle_is_a_steel_T_by_hand():
-    """Mass 8 e1 e2 e3 rho of each box, centre by their masses, moments m (b^2 + c^2)/3 plus Steiner's m d^2."""
-    solid = handle_mass_properties()
-    mass = STEEL * 8 * np.prod(HANDLE_HALF_EXTENTS, axis=1)
-    center = mass @ HANDLE_CENTERS / mass.sum()
-    assert solid.mass == pytest.approx(mass.sum()) and solid.centre == pytest.approx(
-        center
-    )
-    for axis in range(3):
-        others = np.delete(np.arange(3), axis)
-        own = mass * (HANDLE_HALF_EXTENTS[:, others] ** 2).sum(axis=1) / 3
-        away = mass * ((HANDLE_CENTERS - center)[:, others] ** 2).sum(axis=1)
-        assert solid.inertia[axis, axis] == pytest.approx((own + away).sum())
-    assert np.all(np.diff(np.diag(solid.inertia)) > 0)
-
-
-@pytest.mark.parametrize("axis", [0, 1, 2])
-def test_it_starts_tilted_as_asked_with_L_upright(axis):
-    bodies = spinning_handle(tilt=0.3, spin=5.0, axis=axis)
-    momentum, turned = bodies.angular_momentum[0], bodies.rotation[0]
-    assert momentum[:2] == pytest.approx([0, 0]) and momentum[2] > 0
-    assert SIZE(momentum) == pytest.approx(5.0 * bodies.inertia[0, axis, axis])
-    seen = turned.T @ momentum / SIZE(momentum)
-    assert seen[axis] == pytest.approx(np.cos(0.3)) and seen[
-        (axis + 1) % 3
-    ] == pytest.approx(np.sin(0.3))
-
-
-@pytest.mark.parametrize("axis", [0, 1, 2])
-def test_a_body_of_any_moments_starts_as_the_handle_does(axis):
-    """A crate of 20 kg, 0.4 by 0.5 by 0.6 m: moments m (b^2 + c^2)/12."""
-    moments = 20 / 12 * np.array([0.41, 0.52, 0.61])
-    bodies = spinning_body(moments, mass=20.0, tilt=0.2, spin=6.0, axis=axis)
-    seen = bodies.rotation[0].T @ bodies.angular_momentum[0]
-    assert bodies.mass[0] == 20 and np.allclose(
-        bodies.angular_momentum[0], [0, 0, 6 * moments[axis]]
-    )
-    assert np.arccos(seen[axis] / np.linalg.norm(seen)) == pytest.approx(0.2)
-
-
-def test_L_and_energy_stay_and_it_turns_over():
-    motion = free_tumble(spinning_handle(), np.linspace(0, 8, 401))
-    energy = motion.turning_energy.sum(axis=1)
-    assert energy == pytest.approx(energy[0], rel=1e-12)
-    world = np.einsum("tij,tj->ti", motion.rotation * motion.moments, np.einsum("tji,tj->ti", motion.rotation,
-                                                                                motion.angular_velocity))  # fmt: skip
-    np.testing.assert_allclose(
-        world, np.broadcast_to(motion.angular_momentum, (401, 3)), atol=1e-15
-    )
-    assert motion.seen_from_body[:, 1].min() < -0.99 * SIZE(motion.angular_momentum)
 
 
 @pytest.mark.parametrize("seed", [0, 3, 11])
@@ -132,35 +74,6 @@ def test_the_exact_motion_is_that_of_a_fine_integration(seed):
         start.position[0] + 2 * start.velocity[0] + 2 * g
     )
     assert motion.velocity[1] == pytest.approx(start.velocity[0] + 2 * g)
-
-
-@pytest.mark.slow
-def test_turning_over_is_found_between_the_samples():
-    """Twenty times as many samples find the same times; between two of them lies half a period of the motion."""
-    few, many = (
-        turnover_times(free_tumble(spinning_handle(), np.linspace(0, 8, n)))
-        for n in (401, 8001)
-    )
-    assert len(few) == 3 and few == pytest.approx(many, abs=1e-5)
-    assert np.diff(few) == pytest.approx(np.diff(few)[0], abs=1e-4)
-    assert (
-        turnover_times(
-            free_tumble(spinning_handle(axis=2), np.linspace(0, 8, 401)), axis=2
-        ).size
-        == 0
-    )
-
-
-def test_ten_times_the_care_is_a_fixed_time_more():
-    """ln(10)/sigma, from the growth rate of the linear equations."""
-    solid = handle_mass_properties()
-    sigma = middle_axis_growth_rate(np.diag(solid.inertia), 6.0)
-    times = np.linspace(0, 5, 2001)
-    first = [
-        turnover_times(free_tumble(spinning_handle(tilt=np.radians(d)), times))[0]
-        for d in (1, 0.1, 0.01)
-    ]
-    assert np.diff(first) == pytest.approx(np.log(10) / sigma, rel=1e-3)
 
 
 @pytest.mark.slow
@@ -203,7 +116,7 @@ def test_a_step_on_arrays_is_the_method_of_the_library():
 @pytest.mark.slow
 def test_the_plain_step_makes_energy_where_splitting_does_not():
     """What lesson 09 shows: after 8 s 18, 7 and 3 percent too much, about half as much with half the step."""
-    start, gains = spinning_handle(), []
+    start, gains = spinning_handle().bodies, []
     energy = lambda b: (b.angular_momentum * b.angular_velocity).sum()  # noqa: E731
     for step in (0.004, 0.002, 0.001):
         gains.append(
@@ -253,7 +166,10 @@ def test_the_error_is_the_angle_of_the_turn_between(angle):
 def test_the_even_spin_is_exact_about_a_principal_axis_and_for_a_ball():
     times = np.linspace(0.1, 3, 7)
     for axis in range(3):
-        assert even_spin_error(spinning_handle(tilt=0.0, axis=axis), times).max() < 1e-7
+        assert (
+            even_spin_error(spinning_handle(tilt=0.0, axis=axis).bodies, times).max()
+            < 1e-7
+        )
     ball = Bodies(
         [1.0],
         0.4 * np.eye(3)[None],
@@ -263,7 +179,7 @@ def test_the_even_spin_is_exact_about_a_principal_axis_and_for_a_ball():
         [[1, 2, 3]],
     )
     assert even_spin_error(ball, times).max() < 1e-7
-    leaning = even_spin_error(spinning_handle(tilt=0.02, axis=2), times)
+    leaning = even_spin_error(spinning_handle(tilt=0.02, axis=2).bodies, times)
     assert 0.02 < leaning.max() < 0.2
 
 
@@ -280,12 +196,12 @@ def test_a_wrench_counts_how_often_it_is_asked():
     [
         (lambda: free_tumble(Bodies.balls([1.0, 1.0], [1.0, 1.0], np.zeros((2, 3))), [0.0]), "expected one body"),
         (lambda: free_tumble(Bodies.balls([np.inf], [1.0], np.zeros((1, 3))), [0.0]), "expected one body"),
-        (lambda: free_tumble(spinning_handle(), 0.5), "times: expected shape"),
-        (lambda: free_tumble(spinning_handle(), []), "times"),
-        (lambda: spinning_handle(axis=3), "axis: expected 0, 1 or 2"),
-        (lambda: spinning_handle(tilt=np.nan), "tilt"),
-        (lambda: spinning_body([[1.0, 2.0, 3.0]]), "moments: expected shape"),
-        (lambda: spinning_body([1.0, 2.0, 0.0]), "moments"),
+        (lambda: free_tumble(spinning_handle().bodies, 0.5), "times: expected shape"),
+        (lambda: free_tumble(spinning_handle().bodies, []), "times"),
+        (lambda: spinning_handle(axis=3).bodies, "axis: expected 0, 1 or 2"),
+        (lambda: spinning_handle(tilt=np.nan).bodies, "tilt"),
+        (lambda: spinning_body([[1.0, 2.0, 3.0]]).bodies, "moments: expected shape"),
+        (lambda: spinning_body([1.0, 2.0, 0.0]).bodies, "moments"),
         (lambda: tilt_growth([1.0, 2.0, 3.0]), "moments: expected shape"),
         (lambda: tilt_growth([[1.0, 2.0, -3.0]]), "moments"),
     ],

@@ -6,7 +6,8 @@ import pytest
 
 from course.contact import solve
 from course.exercises.definition import find_exercise
-from course.study import SolverGrowth, loaded_plank
+from course.scenes import loaded_plank
+from course.study import SolverGrowth, plank_forces, two_forces
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
 
@@ -31,7 +32,7 @@ def test_leg_forces_draws_a_bar_for_each_answer_and_leg():
 def test_force_plane_marks_the_solution_on_the_lines(load_at):
     system = loaded_plank(load_at).system()
     a, b = system.A.toarray(), system.b
-    ax = plots.force_plane(a, b)
+    ax = plots.force_plane(two_forces(a, b))
     lines = {line.get_label(): np.array(line.get_data()) for line in ax.lines}
     for i in (0, 1):
         points = lines[rf"$\ddot d_{i + 1} = 0$"]
@@ -58,7 +59,7 @@ def test_force_plane_marks_the_solution_on_the_lines(load_at):
 
 def test_the_path_of_the_sweeps_is_told_from_the_ellipses_without_colour():
     system = loaded_plank(1.05).system()
-    ax = plots.force_plane(system.A.toarray(), system.b)
+    ax = plots.force_plane(two_forces(system.A.toarray(), system.b))
     (path,) = (x for x in ax.lines if x.get_label() == "three sweeps from 0")
     levels = [c for c in ax.collections if hasattr(c, "levels")]
     assert levels and path.get_color() == "#000000" and path.get_marker() == "D"
@@ -69,12 +70,16 @@ def test_the_path_of_the_sweeps_is_told_from_the_ellipses_without_colour():
 
 
 def test_plank_says_which_foot_lifts():
-    ax = plots.plank_and_forces(1.05)
+    ax = plots.plank_and_forces(plank_forces(1.05))
     assert "left foot lifts" in ax.get_title(
         loc="left"
     ) and "the right one 272 N" in text(ax)
-    assert "right foot lifts" in plots.plank_and_forces(-1.05).get_title(loc="left")
-    assert "both feet stay" in plots.plank_and_forces(0.0).get_title(loc="left")
+    assert "right foot lifts" in plots.plank_and_forces(plank_forces(-1.05)).get_title(
+        loc="left"
+    )
+    assert "both feet stay" in plots.plank_and_forces(plank_forces(0.0)).get_title(
+        loc="left"
+    )
 
 
 def test_ladder_forces_tell_where_it_lets_go():

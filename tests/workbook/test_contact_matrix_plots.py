@@ -4,7 +4,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from course.study.resting_scenes import table, wall
+from course.scenes import table, wall
+from course.study import pushed_table
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
 
@@ -20,7 +21,7 @@ def text(ax):
 
 
 def test_a_push_at_a_foot_shows_its_column_of_a():
-    ax = plots.pushed_table(-0.5, -0.3)  # foot 3
+    ax = plots.pushed_table(pushed_table(-0.5, -0.3))  # foot 3
     column = table().system().A.toarray()[:, 2]
     assert ", ".join(f"{v:+.2f}" for v in column) in text(ax)
     bars = [bar.get_height() for bar in ax.get_figure().axes[1].patches]
@@ -28,13 +29,13 @@ def test_a_push_at_a_foot_shows_its_column_of_a():
 
 
 def test_without_the_answer_it_says_nothing():
-    ax = plots.pushed_table(answer=False)
+    ax = plots.pushed_table(pushed_table(), answer=False)
     assert "accelerated" not in text(ax) and len(ax.get_figure().axes) == 1
 
 
 def test_the_still_line_parts_rising_from_sinking():
     """Feet on the far side of the dashed line go down, and a push at the centre of mass has no such line."""
-    ax = plots.pushed_table(0.5, 0.3)
+    ax = plots.pushed_table(pushed_table(0.5, 0.3))
     line = next(line for line in ax.lines if line.get_linestyle() == "--")
     (x_0, x_1), (y_0, y_1) = line.get_data()
     side = [
@@ -43,14 +44,14 @@ def test_the_still_line_parts_rising_from_sinking():
     ]
     response = table().system().A.toarray()[:, 0]
     assert np.array_equal(np.sign(side) == np.sign(side[0]), response > 0)
-    even = plots.pushed_table(0.1, 0.05)
+    even = plots.pushed_table(pushed_table(0.1, 0.05))
     assert not [line for line in even.lines if line.get_linestyle() == "--"]
     assert "+1.00, +1.00, +1.00, +1.00" in text(even)
 
 
 def test_pattern_counts_what_is_not_zero():
     scene = wall(2, 2)
-    ax = plots.matrix_pattern(scene)
+    ax = plots.matrix_pattern(scene.system(), name=scene.name)
     drawn = sum(len(line.get_xdata()) for line in ax.lines)
     assert drawn == np.count_nonzero(scene.system().A.toarray())
     assert "percent of A is not 0" in text(ax)
@@ -83,7 +84,7 @@ def test_the_widget_redraws():
 
 def test_a_foot_on_the_still_line_feels_nothing():
     """1 - 1.75 p_y - 2 p_x = 0 for foot 3 with the push at (0.46, 0.21) m: the lesson names this place."""
-    ax = plots.pushed_table(0.46, 0.21)
+    ax = plots.pushed_table(pushed_table(0.46, 0.21))
     heights = [bar.get_height() for bar in ax.get_figure().axes[1].patches]
     assert (
         heights[2] == pytest.approx(0, abs=1e-12)

@@ -4,7 +4,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from course.study.tumbling import free_tumble, spinning_handle, turnover_times
+from course.dynamics import free_tumble
+from course.scenes import spinning_handle
 from course.workbook import demos, plots
 from course.workbook.demos import motion as motion_demo
 from course.workbook.plots.figure import alternative_text
@@ -20,7 +21,7 @@ def closed_figures():
 
 @pytest.fixture(scope="module")
 def motion():
-    return free_tumble(spinning_handle(), np.linspace(0, 8, 401))
+    return free_tumble(spinning_handle().bodies, np.linspace(0, 8, 401))
 
 
 def text(ax):
@@ -47,13 +48,13 @@ def test_L_seen_from_the_body_tells_each_turning_over(motion):
         assert line.get_ydata() == pytest.approx(
             values / np.linalg.norm(motion.angular_momentum)
         )
-    for when in turnover_times(motion):
+    for when in motion.turnover_times():
         assert f"{when:.2f}" in text(ax)
     assert (
         "crossbar -0.49 to 0.49, stem -1.00 to 1.00, third axis 0.02 to 0.87"
         in text(ax)
     )
-    short = free_tumble(spinning_handle(), np.linspace(0, 1, 51))
+    short = free_tumble(spinning_handle().bodies, np.linspace(0, 1, 51))
     assert "The part along the stem does not cross zero." in text(
         plots.seen_from_body(short)
     )

@@ -7,8 +7,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from course.study import Method, Problem, two_blocks, work_precision
-from course.study.work_precision import WorkPrecision
+from course import study
+from course.dynamics import two_blocks
+from course.study import Method, Problem, WorkPrecision, work_precision
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
 
@@ -32,9 +33,11 @@ def a_work_precision():
 
 
 DRAWN = {
-    "impact": lambda ax: plots.impact(2.0, 1.0, -3.0, 1.0, 0.5, ax=ax),
+    "impact": lambda ax: plots.impact(
+        study.central_impact(2.0, 1.0, -3.0, 1.0, 0.5), ax=ax
+    ),
     "impact of bodies that part": lambda ax: plots.impact(
-        2.0, 100.0, 3.0, 1.0, 0.5, ax=ax
+        study.central_impact(2.0, 100.0, 3.0, 1.0, 0.5), ax=ax
     ),
     "ball_row": lambda ax: plots.ball_row(
         {"before": (1.0, 0.0), "after": (0.0, 1.0)}, ax=ax
@@ -42,7 +45,9 @@ DRAWN = {
     "blocks_and_wall": lambda ax: plots.blocks_and_wall(ax=ax),
     "block_paths": lambda ax: plots.block_paths(two_blocks(100), ax=ax),
     "velocity_circle": lambda ax: plots.velocity_circle(two_blocks(100), ax=ax),
-    "reflection": lambda ax: plots.reflection(20.0, -25.0, 0.8, ax=ax),
+    "reflection": lambda ax: plots.reflection(
+        study.wall_reflection(20.0, -25.0, 0.8), ax=ax
+    ),
     "stability_sweep": lambda ax: plots.stability_sweep(
         [1, 2], [3, 4], threshold=1.5, labels=("a", "b", "c"), ax=ax
     ),

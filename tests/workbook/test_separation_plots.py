@@ -4,17 +4,18 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
+from course import study
 from course.contact import separation_acceleration_terms
+from course.dynamics import Dome
+from course.scenes import bar_over_plank, moving_contact
 from course.study import (
-    Dome,
+    CENTRAL,
+    FORWARD,
     Method,
     Problem,
-    TurningPair,
     difference_errors,
-    moving_contact,
     work_precision,
 )
-from course.study.moving_contacts import CENTRAL, FORWARD
 from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
 
@@ -30,23 +31,23 @@ def text(ax):
 
 
 def test_turning_pair_tells_its_gaps():
-    ax = plots.turning_pair(TurningPair(), (0.0, 0.14))
+    ax = plots.turning_pair(bar_over_plank(), (0.0, 0.14))
     assert "0.250 m at 0 s" in text(
         ax
-    ) and f"{TurningPair().gap(0.14):.3f} m at 0.14 s" in text(ax)
+    ) and f"{bar_over_plank().gap(0.14):.3f} m at 0.14 s" in text(ax)
     assert len(ax.patches) >= 4
 
 
 def test_later_gaps_stand_in_the_picture():
-    ax = plots.turning_pair(TurningPair(), (0.0, 0.14))
+    ax = plots.turning_pair(bar_over_plank(), (0.0, 0.14))
     assert (
-        f"d = {TurningPair().gap(0.14):.3f} m at 0.14 s"
+        f"d = {bar_over_plank().gap(0.14):.3f} m at 0.14 s"
         in [t.get_text() for t in ax.texts][2]
     )
 
 
 def test_a_marked_point_and_the_opposite_one():
-    ax = plots.marked_point(TurningPair(), -0.4)
+    ax = plots.marked_point(bar_over_plank(), -0.4)
     drawn = [
         tuple(np.round(line.get_xydata()[0], 9))
         for line in ax.lines
@@ -74,7 +75,7 @@ def test_ladder_tells_both_gaps():
     ],
 )
 def test_contributions_add_up(motion, rate):
-    ax = plots.contact_velocities(*motion)
+    ax = plots.contact_velocities(study.gap_rate(*motion))
     assert f"in all {rate}" in text(ax) and rate in ax.get_title(loc="left")
     bars = ax.get_figure().axes[1].patches
     assert sum(b.get_height() for b in bars[:4]) == pytest.approx(bars[4].get_height())
@@ -83,12 +84,12 @@ def test_contributions_add_up(motion, rate):
 def test_a_rigid_whole_keeps_its_gap():
     """Both turn at one rate about their own centres, and A rises as the whole would carry it: d_dot = 0."""
     assert "in all +0.00" in text(
-        plots.contact_velocities(1.0, 1.0, 1.8, 0.0, reach=1.8)
+        plots.contact_velocities(study.gap_rate(1.0, 1.0, 1.8, 0.0, reach=1.8))
     )
 
 
 def test_difference_errors_show_every_stencil():
-    pair, steps = TurningPair(), [1e-3, 1e-2]
+    pair, steps = bar_over_plank(), [1e-3, 1e-2]
     found = difference_errors([(FORWARD, pair.gap), (CENTRAL, pair.gap)], -1.7, steps)
     ax = plots.difference_errors(
         found, formula=0.0, expected={"one-sided": steps, "central": steps}
@@ -101,7 +102,7 @@ def test_difference_errors_show_every_stencil():
 
 
 def test_the_level_line_is_said_to_be_below_only_where_it_is():
-    pair, steps = TurningPair(), [1e-3, 1e-2]
+    pair, steps = bar_over_plank(), [1e-3, 1e-2]
     found = difference_errors([(CENTRAL, pair.gap)], -1.7, steps)
     lowest = float(found.error["central"].min())
     for formula, where in ((0.5 * lowest, "below them all"), (2 * lowest, "among")):
@@ -197,7 +198,7 @@ def test_dome_bias_draws_points_on_their_lines():
 
 def test_old_point_tells_both_gaps():
     scene, theta = Dome(), np.radians(42)
-    ax = plots.old_point(42.0, 0.08)
+    ax = plots.old_point(study.old_point(42.0, 0.08))
     for gap in (scene.gap(theta, 0.08), scene.gap_from_the_old_point(theta, 0.08)):
         assert f"{1000 * gap:.1f} mm" in text(ax)
     assert "sinks in" in ax.get_title(loc="left")
@@ -217,12 +218,14 @@ def test_old_point_tells_both_gaps():
         assert (
             abs(along[0] * off[1] - along[1] * off[0]) < 1e-9
         )  # the end lies on its helper line
-    assert "lets it go" in plots.old_point(60.0, 0.05).get_title(loc="left")
+    assert "lets it go" in plots.old_point(study.old_point(60.0, 0.05)).get_title(
+        loc="left"
+    )
 
 
 def test_bias_terms_add_up():
     scene = moving_contact("face_b")
-    contacts = scene.contacts(scene.bodies)
+    contacts = scene.contacts
     ax = plots.bias_terms(
         separation_acceleration_terms(
             scene.bodies, contacts, scene.force, scene.torque

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from course import study
 from course.workbook.demos.panel import Panel, slider
 from course.workbook.plots import contact_matrix
 
@@ -9,7 +10,7 @@ from course.workbook.plots import contact_matrix
 def pushed_table() -> Panel:
     """A table pushed up with 1 N: move the push and the centre of mass, and see which feet feel it, and how."""
     return Panel(
-        contact_matrix.pushed_table,
+        lambda **chosen: contact_matrix.pushed_table(study.pushed_table(**chosen)),
         {
             "x": slider("push at x", 0.5, -0.55, 0.55, 0.01, "m"),
             "y": slider("push at y", 0.3, -0.35, 0.35, 0.01, "m"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from course.study import central_impact, wall_reflection
 from course.workbook.demos.panel import Panel, log_slider, slider
 from course.workbook.plots import bounces, impacts
 
@@ -9,7 +10,7 @@ from course.workbook.plots import bounces, impacts
 def impulse() -> Panel:
     """Two balls on one line: masses, speeds and restitution, and what the impulse makes of them."""
     return Panel(
-        impacts.impact,
+        lambda **chosen: impacts.impact(central_impact(**chosen)),
         {
             "mass_1": log_slider("mass 1 (right)", 2.0, -2, 2, "kg"),
             "mass_2": log_slider("mass 2 (left)", 1.0, -2, 2, "kg"),
@@ -24,7 +25,7 @@ def impulse() -> Panel:
 def wall() -> Panel:
     """A ball meets a wall: turn the wall and the ball, and choose how much comes back."""
     return Panel(
-        bounces.reflection,
+        lambda **chosen: bounces.reflection(wall_reflection(**chosen)),
         {
             "wall_angle": slider("angle of the wall", 20.0, -60.0, 60.0, 1.0, "°"),
             "incoming_angle": slider(

@@ -9,15 +9,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from course import rotations
-from course.study.tumbling import (
-    HANDLE_CENTERS,
-    HANDLE_HALF_EXTENTS,
-    Tumble,
-    free_tumble,
-    handle_mass_properties,
-    spinning_handle,
-    turnover_times,
-)
+from course.dynamics import Tumble, free_tumble
+from course.scenes import handle_mass_properties, spinning_handle
+from course.scenes.spinning import HANDLE_CENTERS, HANDLE_HALF_EXTENTS
 from course.workbook import viewer
 from course.workbook.demos.panel import log_slider, slider
 from course.workbook.plots import motion
@@ -114,7 +108,7 @@ class TumblingDemo(ipywidgets.VBox):
         start = spinning_handle(
             axis=self.axis.value, tilt=np.radians(self.tilt.value), spin=self.spin.value
         )
-        return free_tumble(start, np.linspace(0.0, SECONDS, MOMENTS))
+        return free_tumble(start.bodies, np.linspace(0.0, SECONDS, MOMENTS))
 
     @property
     def values(self) -> dict[str, Any]:
@@ -152,7 +146,7 @@ class TumblingDemo(ipywidgets.VBox):
                 tumble.times, parts, title="Energy of turning", now=now, ax=ax
             )
             over = ", ".join(
-                f"{when:.2f}" for when in turnover_times(tumble, self.axis.value)
+                f"{when:.2f}" for when in tumble.turnover_times(self.axis.value)
             )
             describe(
                 ax,

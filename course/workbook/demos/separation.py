@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from course import study
 from course.workbook.demos.panel import Panel, slider
 from course.workbook.plots import separation, separation_acceleration
 
@@ -9,7 +10,7 @@ from course.workbook.plots import separation, separation_acceleration
 def gap_rate() -> Panel:
     """A bar over a plank: let each rise and turn, and see which motion closes the gap."""
     return Panel(
-        separation.contact_velocities,
+        lambda **chosen: separation.contact_velocities(study.gap_rate(**chosen)),
         {
             "rate_a": slider("A turns", 1.5, -3.0, 3.0, 0.25, "rad/s"),
             "rate_b": slider("B turns", 0.5, -3.0, 3.0, 0.25, "rad/s"),
@@ -24,7 +25,7 @@ def gap_rate() -> Panel:
 def dome() -> Panel:
     """A particle let go on a dome, a moment ahead: its gap, and the gap from the point that it touched."""
     return Panel(
-        separation_acceleration.old_point,
+        lambda **chosen: separation_acceleration.old_point(study.old_point(**chosen)),
         {
             "angle": slider("angle from the top", 40.0, 5.0, 70.0, 1.0, "°"),
             "ahead": slider("moment ahead", 0.08, 0.0, 0.12, 0.01, "s"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from course.study import rod_landing
 from course.workbook.demos.panel import Panel, slider
 from course.workbook.plots import spin
 
@@ -9,7 +10,7 @@ from course.workbook.plots import spin
 def rod() -> Panel:
     """A falling rod before and after it is hit: its angle, the restitution, and where the floor meets it."""
     return Panel(
-        spin.rod_impact,
+        lambda **chosen: spin.rod_impact(rod_landing(**chosen)),
         {
             "place": slider("hit at (0 middle, 1 end)", 1.0, -1.0, 1.0, 0.05),
             "angle": slider("angle of the rod", 0.0, 0.0, 90.0, 1.0, "°"),

@@ -7,27 +7,23 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.axes import Axes
 
-from course.dynamics.bounces import wall_bounce
-from course.study.bouncing_ball import PUBLISHED_BOUNCING, BallMotion, BouncingErrors
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.dynamics import BallMotion
+from course.study import PUBLISHED_BOUNCING, BouncingErrors, WallReflection
+from course.workbook.plots.figure import (
+    LINES,
+    PALETTE,
+    arrow,
+    axes,
+    describe,
+    legend_beside,
+    style,
+)
 
 
-def reflection(
-    wall_angle: float,
-    incoming_angle: float,
-    restitution: float,
-    *,
-    ax: Axes | None = None,
-) -> Axes:
-    """A ball meeting a wall in the plane: velocity before and after, each split along and across the normal.
-
-    Angles in degrees from the horizontal: of the wall's surface, and of the velocity the ball comes with (1 m/s).
-    """
-    wall, going = np.radians(wall_angle), np.radians(incoming_angle)
-    normal = np.array([-np.sin(wall), np.cos(wall), 0.0])
-    along = np.array([np.cos(wall), np.sin(wall), 0.0])
-    before = np.array([np.cos(going), np.sin(going), 0.0])
-    after = wall_bounce(before, normal, restitution)
+def reflection(result: WallReflection, *, ax: Axes | None = None) -> Axes:
+    """A ball meeting a wall in the plane: velocity before and after, each split along and across the normal."""
+    normal, along = result.normal, result.along
+    before, after, none = result.before, result.after, np.zeros(3)
     with style():
         ax = axes(ax, size=(5.6, 4.6))
         ends = np.outer([-3.0, 3.0], along)  # beyond the frame at every angle
@@ -38,17 +34,17 @@ def reflection(
             lw=0,
             zorder=0,
         )
-        _arrow(ax, -before, np.zeros(3), "blue", "v before", at_start=True)
-        _arrow(ax, np.zeros(3), after, "vermillion", "v after")
-        _arrow(ax, np.zeros(3), 0.5 * normal, "black", "", lw=1.4)
+        arrow(ax, -before, none, "blue", label="v before", beyond=-0.2, lw=2.4)
+        arrow(ax, none, after, "vermillion", label="v after", beyond=0.2, lw=2.4)
+        arrow(ax, none, 0.5 * normal, lw=1.4)
         # Beside its arrow, on the side the ball leaves to: the dotted parts of the
         # velocity before run along n on the other.
         beside = 0.12 if np.sum(after * along) >= 0 else -0.12
         x, y, _ = 0.45 * normal + beside * along
         ax.text(x, y, "n", ha="center", va="center")
         for tail, tip, colour in (
-            (-before, np.zeros(3), "blue"),
-            (np.zeros(3), after, "vermillion"),
+            (-before, none, "blue"),
+            (none, after, "vermillion"),
         ):
             corner = (
                 tail + np.sum((tip - tail) * along) * along
@@ -73,39 +69,11 @@ def reflection(
         ax.set_title(f"Along n: {told}".replace("-", "\N{MINUS SIGN}"))
     describe(
         ax,
-        f"A wall at {wall_angle:.0f} degrees and a ball at 1 m/s going at {incoming_angle:.0f} degrees, e = "
-        f"{restitution:.2f}. Along the normal its speed is {come:.2f} m/s before and {leave:.2f} m/s after; "
+        f"A wall at {result.wall_angle:.0f} degrees and a ball at 1 m/s going at {result.incoming_angle:.0f} degrees, "
+        f"e = {result.restitution:.2f}. Along the normal its speed is {come:.2f} m/s before and {leave:.2f} m/s after; "
         "along the wall it does not change.",
     )
     return ax
-
-
-def _arrow(
-    ax: Axes,
-    start: np.ndarray,
-    tip: np.ndarray,
-    colour: str,
-    label: str,
-    *,
-    at_start: bool = False,
-    lw: float = 2.4,
-) -> None:
-    """An arrow labelled just beyond its tip, or before its start."""
-    length = float(np.linalg.norm(tip - start))
-    if length < 1e-6:
-        return
-    look = {
-        "arrowstyle": "-|>",
-        "lw": lw,
-        "color": PALETTE[colour],
-        "shrinkA": 0,
-        "shrinkB": 0,
-    }
-    ax.annotate("", (tip[0], tip[1]), (start[0], start[1]), arrowprops=look)
-    end, sign = (start, -1.0) if at_start else (tip, 1.0)
-    x, y, _ = end + sign * 0.2 * (tip - start) / length
-    ground = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.8}
-    ax.text(x, y, label, color=PALETTE[colour], ha="center", va="center", bbox=ground)
 
 
 def heights(
@@ -123,7 +91,7 @@ def heights(
                 motion.height,
                 label=name,
                 marker="",
-                ls=("-", "--", "-.", ":")[i % 4],
+                ls=LINES[i % 4],
             )
         if rest is not None:
             ax.axvline(
@@ -184,7 +152,7 @@ def bouncing_errors(errors: BouncingErrors, *, ax: Axes | None = None) -> Axes:
             ylabel="mean squared energy error [J²]",
             title="49 balls, 20 s, nothing lost",
         )
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     describe(
         ax,
         "Mean squared energy error of 49 bouncing balls over the step size, both logarithmic. The loop that reflects "
@@ -202,9 +170,7 @@ def energy_over_time(
     with style():
         ax = axes(ax)
         for i, (name, (time, energy)) in enumerate(series.items()):
-            ax.plot(
-                time, energy, label=name, marker="", ls=("-", "--", "-.", ":")[i % 4]
-            )
+            ax.plot(time, energy, label=name, marker="", ls=LINES[i % 4])
         ax.set(xlabel="time [s]", ylabel="energy / energy at the start")
         ax.legend()
     ends = "; ".join(

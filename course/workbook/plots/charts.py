@@ -11,15 +11,21 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.lines import Line2D
 
-from course.study.work_precision import Cost, WorkPrecision
+from course.study import Cost, WorkPrecision
 from course.workbook.numbers import show
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.workbook.plots.figure import (
+    LINES,
+    MARKERS,
+    PALETTE,
+    axes,
+    describe,
+    legend_beside,
+    style,
+)
 
-MARKERS = "os^DvPX*"
 # In points: the ring fits inside the star's inner corners (0.38 of its size), and both
 # shrink in the legend to what its lines are apart.
 RING, STAR, IN_LEGEND = 10, 34, 12
-LINES = ("-", "--", "-.", ":")
 SWEEP_LOOKS: dict[str, dict[str, Any]] = {
     "measured": {"ls": "none", "marker": "o", "color": PALETTE["vermillion"]},
     "predicted": {"ls": "-", "marker": "", "color": "0.3", "lw": 1.4},
@@ -90,12 +96,7 @@ def work_precision(
         ax.margins(0.1)  # room for a star at the edge
         for axis in (ax.xaxis, ax.yaxis):
             label_decades(axis)
-        legend = ax.legend(
-            loc="upper left",
-            bbox_to_anchor=(1.0, 1.0),
-            labelspacing=0.7,
-            handlelength=3,
-        )
+        legend = legend_beside(ax, labelspacing=0.7, handlelength=3)
         for handle in legend.legend_handles:
             if isinstance(handle, Line2D):
                 handle.set_markersize(min(handle.get_markersize(), IN_LEGEND))

@@ -10,15 +10,20 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from course.arrays import ArrayLike
-from course.contact import solve
-from course.study.loaded_plank import loaded_plank
-from course.study.solver_growth import SolverGrowth
-from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
-
-COLOURS = ("blue", "vermillion", "green", "purple", "orange", "sky")
-HATCHES = ("", "//", "..", "xx", "\\\\", "--")
-MARKERS = "os^DvP"
-LINES = ("-", "--", "-.", ":", "-", "--")
+from course.study import PlankForces, SolverGrowth, TwoForces
+from course.workbook.plots.figure import (
+    COLOURS,
+    HATCHES,
+    LINES,
+    MARKERS,
+    PALETTE,
+    arrow,
+    axes,
+    describe,
+    legend_beside,
+    side_by_side,
+    style,
+)
 
 
 def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Axes:
@@ -44,7 +49,7 @@ def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Ax
         ax.set_xticks(range(count), [f"leg {i + 1}" for i in range(count)])
         ax.set(ylabel="force [N]")
         ax.grid(axis="x", visible=False)
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     spoken = [
         f"{name}: {', '.join(f'{x:.2f}' for x in f + 0.0)}"
         for name, f in values.items()
@@ -57,16 +62,14 @@ def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Ax
 
 
 def force_plane(
-    a: ArrayLike,
-    b: ArrayLike,
+    result: TwoForces,
     *,
     names: tuple[str, str] = ("1", "2"),
     ax: Axes | None = None,
 ) -> Axes:
     """Two contacts: level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0, sweeps, the solution."""
-    matrix, bias = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-    forced, f = np.linalg.solve(matrix, -bias), _solved(matrix, bias)
-    w = matrix @ f + bias
+    matrix, bias, forced = result.matrix, result.bias, result.forced
+    f, w, path = result.force, result.acceleration, result.sweeps
     reach = 1.25 * max(float(np.abs(forced).max()), float(f.max()))
     low, high = min(-0.25 * reach, 1.25 * float(forced.min())), reach
     with style():
@@ -85,7 +88,6 @@ def force_plane(
             ends = _zero_line(matrix[i], bias[i], (low, high))
             ax.plot(*ends, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
                     label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
-        path = _sweep_path(matrix, bias, 3)
         ax.plot(*path.T, color=PALETTE["black"], ls="-", lw=2.4, marker="D", ms=6,
                 mfc=PALETTE["orange"], zorder=4, label="three sweeps from 0")  # fmt: skip
         ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["black"], zorder=5,
@@ -94,8 +96,7 @@ def force_plane(
                 label="least with f ≥ 0")  # fmt: skip
         if np.abs(w).max() > 1e-9 * np.abs(bias).max():
             tip = f + 0.22 * reach * w / np.linalg.norm(w)
-            look = {"arrowstyle": "-|>", "lw": 2.0, "shrinkA": 6, "shrinkB": 0}
-            ax.annotate("", tuple(tip), tuple(f), arrowprops=look, zorder=6)
+            arrow(ax, f, tip, lw=2.0, shrinkA=6, zorder=6)
             ax.plot([], [], ls="none", marker=r"$\rightarrow$", ms=13, color=PALETTE["black"],
                     label=r"slope of q there, $\ddot d$")  # fmt: skip
         ax.axhline(0, color="0.3", lw=1.0, zorder=2)
@@ -116,22 +117,15 @@ def force_plane(
     return ax
 
 
-def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
-    """A plank on two feet with its load at ``load_at`` [m], and beside it the plane of the two forces."""
-    scene = loaded_plank(load_at)
-    system = scene.system()
-    matrix, bias = system.A.toarray(), system.b
-    f = _solved(matrix, bias)
-    w, feet, centre = (
-        matrix @ f + bias,
-        scene.contacts.point[:, 1],
-        scene.bodies.position[0, 1],
-    )
+def plank_and_forces(result: PlankForces, *, ax: Axes | None = None) -> Axes:
+    """A plank on two feet with its load, and beside it the plane of the two forces."""
+    load_at, forces = result.load_at, result.forces
+    f, w = forces.force, forces.acceleration
     lifted = [name for name, x in zip(("left", "right"), w, strict=True) if x > 1e-9]
     word = f"the {lifted[0]} foot lifts" if lifted else "both feet stay"
     if ax is None:
         _, (ax, plane) = side_by_side(2, size=(9.6, 5.4))
-        force_plane(matrix, bias, names=("left foot", "right foot"), ax=plane)
+        force_plane(forces, names=("left foot", "right foot"), ax=plane)
     with style():
         ax.add_patch(Rectangle((-1.5, 0), 3.0, 0.08, fc="0.8", ec="0.3"))
         ax.add_patch(
@@ -146,7 +140,7 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
         )
         ax.axhline(-0.12, color="0.3", lw=1.0)
         ax.plot(
-            [centre],
+            [result.centre],
             [0.04],
             ls="none",
             marker="P",
@@ -154,8 +148,10 @@ def plank_and_forces(load_at: float, *, ax: Axes | None = None) -> Axes:
             color=PALETTE["black"],
             label="centre of mass",
         )
-        for y, force, colour in zip(feet, f, ("blue", "vermillion"), strict=True):
-            _foot(ax, y, force, PALETTE[colour])
+        for y, force, colour in zip(
+            result.feet, f, ("blue", "vermillion"), strict=True
+        ):
+            _foot(ax, y, force, colour)
         ax.set(
             xlim=(-1.7, 1.7),
             ylim=(-1.15, 0.75),
@@ -219,7 +215,7 @@ def ladder_forces(
         ax.axhline(0, color="0.3", lw=0.8)
         ax.invert_xaxis()
         ax.set(xlabel="angle to the floor [degrees], falling", ylabel="force [N]")
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     last = int(np.argmin(degrees))
     describe(
         ax,
@@ -240,7 +236,7 @@ def solver_growth(result: SolverGrowth, *, ax: Axes | None = None) -> Axes:
     with style():
         for panel, rows, label in panels:
             for k, name in enumerate(result.method):
-                panel.loglog(result.contacts, rows[k], marker=MARKERS[k], ls=LINES[k], color=PALETTE[COLOURS[k]],
+                panel.loglog(result.contacts, rows[k], marker=MARKERS[k], ls=LINES[k % 4], color=PALETTE[COLOURS[k]],
                              label=name)  # fmt: skip
             panel.set(xlabel="contacts", ylabel=label)
         panels[-1][0].legend(loc="upper left", ncols=1, labelspacing=0.3)
@@ -283,16 +279,6 @@ def _level_sets(
         )
 
 
-def _sweep_path(matrix: np.ndarray, bias: np.ndarray, sweeps: int) -> np.ndarray:
-    """The forces after each single step of projected Gauss-Seidel from 0, (2 sweeps + 1, 2) [N]."""
-    path = [np.zeros(2)]
-    for i in [0, 1] * sweeps:
-        f = path[-1].copy()
-        f[i] = max(0.0, f[i] - (matrix[i] @ f + bias[i]) / matrix[i, i])
-        path.append(f)
-    return np.array(path)
-
-
 def _zero_line(
     row: np.ndarray, bias: float, ends: tuple[float, float]
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -306,23 +292,11 @@ def _zero_line(
 def _foot(ax: Axes, y: float, force: float, colour: str) -> None:
     """A foot of the plank, and the force that pushes it up as an arrow with its number."""
     ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
-    if force > 1e-9:
-        look = {
-            "arrowstyle": "-|>",
-            "lw": 2.4,
-            "color": colour,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        }
-        ax.annotate("", (y, -0.15), (y, -0.15 - force / 400), arrowprops=look)
+    arrow(ax, (y, -0.15 - max(force, 0) / 400), (y, -0.15), colour, lw=2.4)
     below = -0.15 - max(force, 0) / 400 - 0.03
-    ax.text(y, below, f"{force + 0:.0f} N", ha="center", va="top", color=colour)
-
-
-def _solved(matrix: np.ndarray, bias: np.ndarray) -> np.ndarray:
-    from course.contact import ContactSystem
-
-    return solve(ContactSystem(matrix, bias)).force
+    ax.text(
+        y, below, f"{force + 0:.0f} N", ha="center", va="top", color=PALETTE[colour]
+    )
 
 
 def _plain(value: float) -> str:

@@ -10,45 +10,41 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from course.arrays import Array
-from course.contact.contact_system import contact_jacobian
-from course.formulas import point_response
-from course.study.resting_layouts import RestingScene
-from course.study.resting_scenes import table
-from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
-
-MARKERS = "os^DvP"
-LINES = ("-", "--", "-.", ":")
-HALF_WIDTHS = (0.5, 0.3)
+from course.contact import ContactSystem
+from course.study import PushedTable
+from course.workbook.plots.figure import (
+    LINES,
+    MARKERS,
+    PALETTE,
+    axes,
+    centre_mark,
+    describe,
+    legend_beside,
+    side_by_side,
+    style,
+)
 
 
 def pushed_table(
-    x: float = 0.5,
-    y: float = 0.3,
-    offset_x: float = 0.1,
-    offset_y: float = 0.05,
-    *,
-    answer: bool = True,
-    ax: Axes | None = None,
+    result: PushedTable, *, answer: bool = True, ax: Axes | None = None
 ) -> Axes:
     """The table of 1 kg from above, pushed up from below with 1 N at (x, y): how its four feet begin to move.
 
-    The dashed line is where nothing moves at first. The offsets are those of the centre of mass from the middle, all
-    lengths in m. Without ``answer`` only the push is shown; with ``ax`` only the picture from above.
+    The dashed line is where nothing moves at first. Without ``answer`` only the push is shown; with ``ax`` only the
+    picture from above.
     """
-    scene = table(offset=(offset_x, offset_y), half_widths=HALF_WIDTHS)
-    response, (bodies, feet) = (
-        _lift(scene, np.array([x, y])),
-        (scene.bodies, scene.contacts.point),
-    )
+    (x, y), centre, response = result.place, result.centre, result.response
     with style():
         bars = None
         if ax is None and answer:
             _, (ax, bars) = plt.subplots(1, 2, figsize=(9.6, 3.9), width_ratios=(3, 2))
         ax = axes(ax, size=(6.4, 3.9))
-        _table_from_above(ax, feet, bodies.position[0, :2])
+        _table_from_above(ax, result.feet, centre)
         if answer:
-            _still_line(ax, scene, np.array([x, y]))
-            _moving_feet(ax, feet, response)
+            if result.still is not None:
+                ax.plot(*result.still.T, color="black", lw=1.4, ls="--", marker="",
+                        label="not moved at first")  # fmt: skip
+            _moving_feet(ax, result.feet, response)
         ax.plot(
             x,
             y,
@@ -76,26 +72,25 @@ def pushed_table(
         spoken = f" The feet are accelerated by {', '.join(f'{v + 0.0:+.2f}' for v in response)} m/s^2, 1 to 4."
     describe(
         ax,
-        f"A table of 1 kg on four feet, from above, its centre of mass at ({offset_x:g}, {offset_y:g}) m from the "
+        f"A table of 1 kg on four feet, from above, its centre of mass at ({centre[0]:g}, {centre[1]:g}) m from the "
         f"middle. It is pushed up with 1 N at ({x:g}, {y:g}) m.{spoken}",
     )
     return ax
 
 
-def matrix_pattern(scene: RestingScene, *, ax: Axes | None = None) -> Axes:
-    """Where J and A of a scene are not 0, and with which sign; with ``ax`` A alone."""
-    a = scene.system().A.toarray()
-    factors = contact_jacobian(scene.bodies, scene.contacts).toarray()
+def matrix_pattern(system: ContactSystem, *, name: str, ax: Axes | None = None) -> Axes:
+    """Where J and A of a named scene are not 0, and with which sign; with ``ax`` A alone."""
+    a, factors = system.A.toarray(), system.jacobian.toarray()
     with style():
         if ax is None:
             _, (left, ax) = side_by_side(2, size=(10.4, 4.4))
             _signs(left, factors, "J", "column: 6 for each body")
         _signs(ax, a, "A = J M⁻¹ J'", "contact that is pushed")
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), markerscale=2.5)
+        legend_beside(ax, markerscale=2.5)
     full = np.count_nonzero(a) / a.size
     describe(
         ax,
-        f"{scene.name}: the pattern of J, {factors.shape[0]} by {factors.shape[1]}, and of A, {len(a)} by {len(a)}, "
+        f"{name}: the pattern of J, {factors.shape[0]} by {factors.shape[1]}, and of A, {len(a)} by {len(a)}, "
         f"positive and negative entries. {100 * full:.0f} percent of A is not 0: only contacts that share a body that "
         "can move.",
     )
@@ -139,17 +134,6 @@ def matrix_costs(
     return panels[0]
 
 
-def _lift(scene: RestingScene, place: Array) -> Array:
-    """d_ddot of each foot by 1 N upward at a place of the table, (c,)."""
-    bodies, up = scene.bodies, np.array([0, 0, 1.0])
-    push_arm = np.array([*place, 0.0]) - bodies.position[0]
-    inverse = bodies.world_inverse_inertia[0]
-    arms = scene.contacts.point - bodies.position[0]
-    return np.array(
-        [point_response(bodies.mass[0], inverse, arm, push_arm, up)[2] for arm in arms]
-    )
-
-
 def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
     """The table with its numbered feet and its centre of mass."""
     low, size = feet[:, :2].min(axis=0) - 0.08, np.ptp(feet[:, :2], axis=0) + 0.16
@@ -165,34 +149,8 @@ def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
             ha="center",
             va="center",
         )
-    ax.plot(
-        *centre,
-        ls="none",
-        marker="P",
-        ms=10,
-        mfc="white",
-        mec="black",
-        label="centre of mass",
-    )
+    centre_mark(ax, centre, label="centre of mass")
     ax.grid(False)
-
-
-def _still_line(ax: Axes, scene: RestingScene, place: Array) -> None:
-    """1/m + r_y p_y/I_x + r_x p_x/I_y = 0, where the principal axes are x and y: what it begins to turn about."""
-    bodies = scene.bodies
-    centre, inverse = bodies.position[0, :2], bodies.world_inverse_inertia[0]
-    slope = (place - centre) * np.array([inverse[1, 1], inverse[0, 0]])
-    size = float(slope @ slope)
-    if size < 1e-9:
-        return
-    nearest, along = (
-        centre - slope / (bodies.mass[0] * size),
-        np.array([-slope[1], slope[0]]) / np.sqrt(size),
-    )
-    ends = nearest + np.array([[-3.0], [3.0]]) * along
-    ax.plot(
-        *ends.T, color="black", lw=1.4, ls="--", marker="", label="not moved at first"
-    )
 
 
 def _moving_feet(ax: Axes, feet: Array, response: Array) -> None:

@@ -8,12 +8,17 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from course.arrays import Array
-from course.study.moving_contacts import DifferenceErrors
-from course.study.work_precision import WorkPrecision
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.study import DifferenceErrors, WorkPrecision
+from course.workbook.plots.figure import (
+    LINES,
+    MARKERS,
+    PALETTE,
+    axes,
+    describe,
+    legend_beside,
+    style,
+)
 
-MARKERS = "os^DvP"
-LINES = ("-", "--", "-.", ":", "-", "--")
 FOOT = 1e-17  # where an error of exactly 0 is drawn
 
 
@@ -46,7 +51,7 @@ def difference_errors(
                 ax.loglog(
                     result.step,
                     expected[name],
-                    ls=LINES[i % 6],
+                    ls=LINES[i % 4],
                     marker="",
                     lw=1.2,
                     color=colours[i % 6],
@@ -62,7 +67,7 @@ def difference_errors(
             )
         ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
         ax.set_title("Errors of difference quotients")
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     describe(
         ax,
         f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "

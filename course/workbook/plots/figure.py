@@ -14,9 +14,11 @@ from typing import Any
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from course.arrays import ArrayLike
 from course.workbook.notebook import display_html
 
 STYLE = Path(__file__).with_name("house.mplstyle")
@@ -30,6 +32,10 @@ PALETTE = {
     "black": "#000000",
     "grey": "#8c8c8c",
 }
+COLOURS = tuple(name for name in PALETTE if name not in ("black", "grey"))
+MARKERS = "os^DvPX*"
+LINES = ("-", "--", "-.", ":")
+HATCHES = ("", "//", "..", "xx", "\\\\", "--")
 _ALT = "_course_alternative_text"
 
 
@@ -54,6 +60,68 @@ def side_by_side(columns: int, *, size: tuple[float, float]) -> tuple[Figure, An
     with style():
         figure, several = plt.subplots(1, columns, figsize=size)
     return figure, several
+
+
+def arrow(
+    ax: Axes,
+    start: ArrayLike,
+    tip: ArrayLike,
+    colour: str = "black",
+    *,
+    label: str = "",
+    beyond: float = 0.16,
+    lw: float = 1.8,
+    head: float = 11.0,
+    style: str = "-|>",
+    **options: Any,
+) -> None:
+    """An arrow between two places of the picture, as long as it says; none where it has no length.
+
+    Args:
+        label: stands beyond the tip, by so much of the axes' unit; before the start where
+            ``beyond`` is negative.
+        head: length of the head in points.
+        style: "<->" for a measure with two heads.
+        options: of matplotlib's arrow, ``connectionstyle``, ``shrinkA``, ``zorder``.
+    """
+    tail, end = (np.asarray(p, dtype=float)[:2] for p in (start, tip))
+    length = float(np.linalg.norm(end - tail))
+    if length < 1e-9:
+        return
+    look = {"arrowstyle": style, "lw": lw, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0,
+            "mutation_scale": head}  # fmt: skip
+    ax.annotate("", tuple(end), tuple(tail), arrowprops=look | options)
+    if label:
+        x, y = (end if beyond > 0 else tail) + beyond * (end - tail) / length
+        behind = {"fc": "white", "ec": "none", "pad": 1.0, "alpha": 0.8}
+        ax.text(
+            x, y, label, color=PALETTE[colour], ha="center", va="center", bbox=behind
+        )
+
+
+def centre_mark(ax: Axes, place: ArrayLike, **options: Any) -> None:
+    """A white cross with a black edge: a centre of mass, or an axle."""
+    look: dict[str, Any] = {
+        "marker": "P",
+        "ms": 10,
+        "mfc": "white",
+        "mec": "black",
+        "ls": "none",
+    }
+    ax.plot(*np.asarray(place, dtype=float)[:2], **look | options)
+
+
+def bare(ax: Axes) -> None:
+    """Take ticks, grid and frame away."""
+    ax.set(xticks=[], yticks=[])
+    ax.grid(False)
+    for side in ax.spines.values():
+        side.set_visible(False)
+
+
+def legend_beside(ax: Axes, **options: Any) -> Any:
+    """The legend to the right of the axes, from their upper edge down."""
+    return ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **options)
 
 
 def describe(ax: Axes, text: str) -> None:

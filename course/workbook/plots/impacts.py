@@ -9,31 +9,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, Rectangle, Wedge
 
-from course.dynamics.impulse import impulse_central, kinetic_energy_lost
-from course.study.ball_impacts import BilliardBreak
-from course.study.two_blocks import TwoBlocks
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.dynamics import TwoBlocks
+from course.study import BilliardBreak, CentralImpact
+from course.workbook.plots.figure import PALETTE, arrow, axes, bare, describe, style
 
 
-def impact(
-    mass_1: float,
-    mass_2: float,
-    velocity_1: float,
-    velocity_2: float,
-    restitution: float,
-    *,
-    ax: Axes | None = None,
-) -> Axes:
-    """Two balls on one line before and after a central impact, and where their kinetic energy goes.
-
-    Speeds in m/s along n (body 2 on the left, body 1 on the right, n to the right), masses in kg.
-    """
-    x = np.array([1.0, 0.0, 0.0])
-    given = (mass_1, mass_2, velocity_1 * x, velocity_2 * x, x, restitution)
-    p_hat, lost = float(impulse_central(*given)), float(kinetic_energy_lost(*given))
-    before = np.array([velocity_1, velocity_2])
-    after = before + p_hat * np.array([1 / mass_1, -1 / mass_2])
-    masses = np.array([mass_1, mass_2])
+def impact(result: CentralImpact, *, ax: Axes | None = None) -> Axes:
+    """Two balls on one line before and after a central impact, and where their kinetic energy goes."""
+    masses, before, after = result.mass, result.before, result.after
+    p_hat, lost = result.impulse, result.lost
     with style():
         if ax is None:
             _, (ax, bars) = plt.subplots(1, 2, figsize=(8.6, 3.4), width_ratios=(3, 2))
@@ -42,24 +26,16 @@ def impact(
         for row, (name, speeds) in enumerate((("before", before), ("after", after))):
             _two_balls(ax, -1.6 * row, masses, speeds, scale)
             ax.text(-3.5, -1.6 * row, name, va="center", ha="left")
-        ax.annotate(
-            "",
-            (0.55, -2.55),
-            (-0.55, -2.55),
-            arrowprops={"arrowstyle": "-|>", "lw": 1.4, "color": "black"},
-        )
-        ax.text(0.65, -2.55, "n", va="center")
-        ax.set(xlim=(-3.6, 2.8), ylim=(-2.8, 1.0), aspect="equal", xticks=[], yticks=[])
+        arrow(ax, (-0.55, -2.55), (0.55, -2.55), label="n", lw=1.4)
+        ax.set(xlim=(-3.6, 2.8), ylim=(-2.8, 1.0), aspect="equal")
         ax.set_title(
             f"$\\hat p$ = {p_hat:.3g} N s"
             + ("" if p_hat > 0 else ": they do not approach")
         )
-        ax.grid(False)
-        for side in ax.spines.values():
-            side.set_visible(False)
+        bare(ax)
     describe(
         ax,
-        f"Body 1 ({mass_1:.3g} kg) and body 2 ({mass_2:.3g} kg) along the normal. Before: {before[0]:.3g} and "
+        f"Body 1 ({masses[0]:.3g} kg) and body 2 ({masses[1]:.3g} kg) along the normal. Before: {before[0]:.3g} and "
         f"{before[1]:.3g} m/s; after an impulse of {p_hat:.3g} N s: {after[0]:.3g} and {after[1]:.3g} m/s. "
         f"Kinetic energy lost: {lost:.3g} J of {0.5 * float(masses @ before**2):.3g} J.",
     )
@@ -95,7 +71,7 @@ def _two_balls(
         tip = scale * speeds[index]
         if abs(speeds[index]) > 1e-9:
             lift = height + radii[index] + 0.14
-            _arrow(ax, (centre, lift), (centre + tip, lift), colour, 2.0)
+            _speed_arrow(ax, (centre, lift), tip, colour, 2.0)
         said = f"{speeds[index]:+.2f} m/s".replace("-", "\N{MINUS SIGN}")
         ax.text(
             side * 1.75, height, said, ha="center", va="center", color=PALETTE[colour]
@@ -147,13 +123,7 @@ def ball_row(
                 )
                 if abs(velocity) > 1e-9:
                     lift = -1.5 * row + 0.22
-                    _arrow(
-                        ax,
-                        (centre, lift),
-                        (centre + 0.85 * velocity, lift),
-                        "vermillion",
-                        1.8,
-                    )
+                    _speed_arrow(ax, (centre, lift), 0.85 * velocity, "vermillion", 1.8)
                 ax.text(
                     centre,
                     -1.5 * row - 0.2,
@@ -170,7 +140,7 @@ def ball_row(
             aspect="equal",
         )
         ax.set_title("velocities [m/s]", fontsize=10)
-        _bare(ax)
+        bare(ax)
     spoken = "; ".join(
         f"{name}: " + ", ".join(f"{v + 0.0:.3f}" for v in values)
         for name, values in outcomes.items()
@@ -201,10 +171,10 @@ def blocks_and_wall(*, ax: Axes | None = None) -> Axes:
                 )
             )
             ax.text(left + size / 2, size + 0.1, label, ha="center", va="bottom")
-        _arrow(ax, (5.3, 0.85), (4.1, 0.85), "vermillion", 2.4)
+        arrow(ax, (5.3, 0.85), (4.1, 0.85), "vermillion", lw=2.4)
         ax.text(4.7, 1.0, "1 m/s", ha="center")
         ax.set(xlim=(-0.5, 9.2), ylim=(-0.1, 2.3), aspect="equal")
-        _bare(ax)
+        bare(ax)
     describe(
         ax,
         "A wall on the left, a block of 1 kg at rest, and a block of 10,000 kg sliding toward it at 1 m/s.",
@@ -212,18 +182,12 @@ def blocks_and_wall(*, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def _arrow(
-    ax: Axes,
-    start: tuple[float, float],
-    tip: tuple[float, float],
-    colour: str,
-    width: float,
+def _speed_arrow(
+    ax: Axes, start: tuple[float, float], length: float, colour: str, lw: float
 ) -> None:
-    """An arrow as long as it says: its head shrinks with it, or all short ones would look alike."""
-    length = float(np.hypot(tip[0] - start[0], tip[1] - start[1]))
-    look = {"arrowstyle": "-|>", "lw": width, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0,
-            "mutation_scale": float(np.clip(24 * length, 3, 12))}  # fmt: skip
-    ax.annotate("", tip, start, arrowprops=look)
+    """A level arrow whose head shrinks with it, or all short ones would look alike."""
+    tip = (start[0] + length, start[1])
+    arrow(ax, start, tip, colour, lw=lw, head=float(np.clip(24 * abs(length), 3, 12)))
 
 
 def _signed(velocity: float) -> str:
@@ -232,13 +196,6 @@ def _signed(velocity: float) -> str:
         if abs(velocity) < 5e-4
         else f"{velocity:+.3f}".replace("-", "\N{MINUS SIGN}")
     )
-
-
-def _bare(ax: Axes) -> None:
-    ax.set(xticks=[], yticks=[])
-    ax.grid(False)
-    for side in ax.spines.values():
-        side.set_visible(False)
 
 
 def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
@@ -386,9 +343,7 @@ def billiard_break(outcome: BilliardBreak, *, ax: Axes | None = None) -> Axes:
                 )
             )
             if np.linalg.norm(v) > 1e-3 * fastest:
-                tip = x + scale * v
-                ax.annotate("", tip[:2], x[:2], arrowprops={"arrowstyle": "-|>", "lw": 1.6,
-                            "color": PALETTE["vermillion"], "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+                arrow(ax, x, x + scale * v, "vermillion", lw=1.6)
         moving = int(np.sum(np.linalg.norm(velocity, axis=-1) > 1e-3 * fastest))
         ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
         ax.set_title(

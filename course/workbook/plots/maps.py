@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import FancyArrowPatch, FancyBboxPatch, Rectangle
+from matplotlib.patches import FancyBboxPatch, Rectangle
 
-from course.study.falling_boxes import FallingBoxes
-from course.workbook.plots.figure import PALETTE, axes, describe, side_by_side, style
-
-COLOURS = ("blue", "vermillion", "green", "purple", "orange", "sky")
+from course.dynamics import FallingBoxes
+from course.workbook.plots.figure import (
+    COLOURS,
+    PALETTE,
+    arrow,
+    axes,
+    bare,
+    describe,
+    side_by_side,
+    style,
+)
 
 
 def falling_boxes(boxes: FallingBoxes, *, asked: bool = True, frames: int = 5) -> Axes:
@@ -107,25 +114,13 @@ def course_map(*, ax: Axes | None = None) -> Axes:
                 color="0.25",
             )
         for (a, b), (c, d) in zip(places, places[1:] + places[:1], strict=True):
-            start = (
-                3.0 * a + 1.15 + 1.27 * np.sign(c - a),
-                1.9 * b + 0.57 + 0.68 * np.sign(d - b),
+            way = np.array([1.27 * np.sign(c - a), 0.68 * np.sign(d - b)])
+            start, end = (
+                np.array([3.0 * x + 1.15, 1.9 * y + 0.57]) for x, y in ((a, b), (c, d))
             )
-            end = (
-                3.0 * c + 1.15 - 1.27 * np.sign(c - a),
-                1.9 * d + 0.57 - 0.68 * np.sign(d - b),
-            )
-            ax.add_patch(
-                FancyArrowPatch(
-                    start, end, arrowstyle="-|>", mutation_scale=16, color="0.3", lw=1.6
-                )
-            )
-        ax.set(
-            xlim=(-0.2, 8.5), ylim=(-0.2, 3.25), xticks=[], yticks=[], aspect="equal"
-        )
-        ax.grid(False)
-        for side in ax.spines.values():
-            side.set_visible(False)
+            arrow(ax, start + way, end - way, lw=1.6, head=16)
+        ax.set(xlim=(-0.2, 8.5), ylim=(-0.2, 3.25), aspect="equal")
+        bare(ax)
     stages = (
         (i, q.replace("\n", " "), lessons)
         for i, (q, lessons, _) in enumerate(STAGES, 1)

@@ -9,12 +9,19 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from course.study.tumbling import Tumble, turnover_times
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.dynamics import Tumble
+from course.workbook.plots.figure import (
+    LINES,
+    PALETTE,
+    axes,
+    describe,
+    legend_beside,
+    style,
+)
 
 AXIS_NAMES = ("crossbar", "stem", "third axis")
 RUNS = r"where $\mathbf{l}$ runs"
-_LINES = (("blue", "-"), ("orange", "--"), ("green", "-."), ("purple", ":"))
+_LOOKS = tuple(zip(("blue", "orange", "green", "purple"), LINES, strict=True))
 
 
 def energies(
@@ -32,7 +39,7 @@ def energies(
     t = np.asarray(times)
     with style():
         ax = axes(ax)
-        for (name, values), (color, line) in zip(parts.items(), _LINES, strict=False):
+        for (name, values), (color, line) in zip(parts.items(), _LOOKS, strict=False):
             ax.plot(t, values, color=PALETTE[color], ls=line, marker="", label=name)
         total = np.sum([np.broadcast_to(v, t.shape) for v in parts.values()], axis=0)
         ax.plot(
@@ -49,7 +56,7 @@ def energies(
         if now is not None:
             ax.axvline(now, color="0.25", lw=1, ls=":", label=f"the film: {now:.2f} s")
         ax.set(xlabel="time [s]", ylabel="energy [J]", title=title)
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     # What is nothing beside the largest is told as 0.
     least = 1e-6 * max(float(np.max(np.abs(v))) for v in parts.values())
     runs = {
@@ -72,7 +79,7 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
         ax = axes(ax, size=(7.6, 3.6))
         share = tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum)
         for values, name, (color, line) in zip(
-            share.T, AXIS_NAMES, _LINES, strict=False
+            share.T, AXIS_NAMES, _LOOKS, strict=False
         ):
             ax.plot(
                 tumble.times,
@@ -82,7 +89,7 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
                 marker="",
                 label=name,
             )
-        moments = turnover_times(tumble)
+        moments = tumble.turnover_times()
         label = "on its side"
         for when in moments:
             ax.axvline(when, color="0.5", lw=1, ls=":", label=label)
@@ -90,7 +97,7 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
         ax.set(
             xlabel="time [s]", ylabel="part of L along the axis / |L|", ylim=(-1.1, 1.1)
         )
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     when = ", ".join(f"{m:.2f}" for m in moments)
     crosses = f"crosses zero at {when} s" if when else "does not cross zero"
     describe(

@@ -11,24 +11,32 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Polygon, Rectangle
 
 from course.arrays import Array, ArrayLike
-from course.dynamics import point_velocity
-from course.study.ladder import ladder_gaps
-from course.study.moving_contacts import TurningPair
-from course.workbook.plots.figure import PALETTE, axes, describe, style
-
-LINES = ("-", "--", "-.", ":", "-", "--")
+from course.dynamics import Bodies
+from course.scenes import Scene, bar_and_plank_outlines
+from course.study import GapRate
+from course.workbook.plots.figure import (
+    LINES,
+    PALETTE,
+    arrow,
+    axes,
+    centre_mark,
+    describe,
+    legend_beside,
+    style,
+)
 
 
 def turning_pair(
-    pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes | None = None
+    pair: Scene, times: Sequence[float] = (0.0,), *, ax: Axes | None = None
 ) -> Axes:
-    """Bar and plank at the first time, and in outline at later ones; crosses mark the axles, which never move."""
+    """Bar over plank at the first time, and in outline at later ones; crosses mark the axles, which never move."""
+    centres = pair.bodies.position[:, 1:]
+    rate_a, rate_b = pair.bodies.angular_velocity[:, 0]
     with style():
         ax = axes(ax, size=(7.4, 3.4))
         for i, time in enumerate(times):
-            for outline, colour in zip(
-                pair.outlines(time), ("blue", "orange"), strict=True
-            ):
+            outlines = bar_and_plank_outlines(pair.at(time))
+            for outline, colour in zip(outlines, ("blue", "orange"), strict=True):
                 filled: dict[str, Any] = {
                     "fc": PALETTE[colour],
                     "ec": "black",
@@ -42,16 +50,12 @@ def turning_pair(
                     "ls": LINES[min(i, 3)],
                 }
                 ax.add_patch(Polygon(outline, **(empty if i else filled)))
-        for place, name in zip(
-            pair.bodies().position[:, 1:], ("A, the bar", "B, the plank"), strict=True
-        ):
-            ax.plot(
-                *place, marker="P", ms=11, mfc="white", mec="black", ls="none", zorder=5
-            )
+        for place, name in zip(centres, ("A, the bar", "B, the plank"), strict=True):
+            centre_mark(ax, place, ms=11, zorder=5)
             ax.text(place[0], place[1] - 0.17, name, ha="center", va="top")
         _written_gaps(ax, pair, times)
-        _turn(ax, pair.reach + 0.25, 0.75, f"{pair.rate_a:g} rad/s", pair.rate_a)
-        _turn(ax, -0.65, 0.42, f"{pair.rate_b:g} rad/s", pair.rate_b)
+        _turn(ax, centres[0, 0] + 0.25, 0.75, f"{rate_a:g} rad/s", rate_a)
+        _turn(ax, -0.65, 0.42, f"{rate_b:g} rad/s", rate_b)
         ax.set(
             xlim=(-1.6, 2.8),
             ylim=(-0.5, 1.15),
@@ -69,40 +73,27 @@ def turning_pair(
     describe(
         ax,
         "Seen from the side: a bar A on an axle, its left end above the right half of a plank B on an axle. Both turn "
-        f"against the clock, the bar at {pair.rate_a:g} and the plank at {pair.rate_b:g} rad/s. The gap between the "
+        f"against the clock, the bar at {rate_a:g} and the plank at {rate_b:g} rad/s. The gap between the "
         f"bar's lower corner and the plank is {gaps}.",
     )
     return ax
 
 
-def marked_point(
-    pair: TurningPair, place: float = -0.4, *, ax: Axes | None = None
-) -> Axes:
+def marked_point(pair: Scene, place: float = -0.4, *, ax: Axes | None = None) -> Axes:
     """Bar over plank, level: the plank's point opposite the corner, and another point marked on the same face.
 
     Args:
         pair: bar and plank.
         place: y of the marked point [m].
     """
-    contact = pair.contacts()
+    contact = pair.contacts
     corner, opposite = contact.point_a[0, 1:], contact.point_b[0, 1:]
     marked = np.array([place, opposite[1]])
     with style():
         ax = axes(ax, size=(7.4, 2.7))
-        for outline, colour in zip(pair.outlines(0.0), ("blue", "orange"), strict=True):
-            ax.add_patch(
-                Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5)
-            )
-        ax.plot(
-            *np.transpose(pair.bodies().position[:, 1:]),
-            marker="P",
-            ms=10,
-            mfc="white",
-            mec="black",
-            ls="none",
-        )
-        _arrow(ax, opposite, corner - opposite, "black", "")
-        _arrow(ax, marked, corner - marked, "vermillion", "")
+        _bar_and_plank(ax, pair.bodies)
+        arrow(ax, opposite, corner)
+        arrow(ax, marked, corner, "vermillion")
         for point, name, shift, side in (
             (corner, "$p_A$", (0.06, -0.1), "left"),
             (opposite, "$p_B$, opposite", (0.06, -0.2), "left"),
@@ -113,9 +104,10 @@ def marked_point(
                 point[0] + shift[0], point[1] + shift[1], name, ha=side, va="center"
             )
         foot = np.array([-1.1, opposite[1]])
-        _arrow(ax, foot, (0.0, 0.45), "blue", "$N$")
-        _arrow(ax, foot + [0.0, 0.45], (-0.3, 0.0), "blue", r"$\dot N$")
-        _turn(ax, 0.0, 0.3, "B turns", pair.rate_b)
+        tip = foot + [0.0, 0.45]
+        arrow(ax, foot, tip, "blue", label="$N$")
+        arrow(ax, tip, tip - [0.3, 0.0], "blue", label=r"$\dot N$")
+        _turn(ax, 0.0, 0.3, "B turns", pair.bodies.angular_velocity[1, 0])
         ax.set(
             xlim=(-1.7, 2.8),
             ylim=(-0.35, 0.85),
@@ -136,10 +128,10 @@ def ladder_picture(
     y: float, z: float, angle: float, *, length: float = 4.0, ax: Axes | None = None
 ) -> Axes:
     """A ladder before a wall, wherever it is: its gaps to floor and wall, and the two normals."""
-    foot_gap, top_gap = ladder_gaps(y, z, angle, length=length)
     half = 0.5 * length * np.array([np.cos(angle), np.sin(angle)])
     centre = np.array([y, z])
     foot, top = centre - half, centre + half
+    foot_gap, top_gap = foot[1], -top[0]
     with style():
         ax = axes(ax, size=(5.6, 4.6))
         left, high = foot[0] - 0.9, top[1] + 0.7
@@ -154,7 +146,7 @@ def ladder_picture(
             marker="",
             solid_capstyle="butt",
         )
-        ax.plot(*centre, marker="P", ms=10, mfc="white", mec="black", ls="none")
+        centre_mark(ax, centre)
         ax.text(
             centre[0] - 0.12, centre[1] + 0.12, "centre (y, z)", ha="right", va="bottom"
         )
@@ -169,8 +161,8 @@ def ladder_picture(
             (0.5 * top_gap - 0.04, 0.16),
             "right",
         )
-        _arrow(ax, (foot[0] - 0.45, 0.0), (0, 0.55), "black", "$N_1$")
-        _arrow(ax, (0.0, 0.55 * high), (-0.55, 0), "black", "$N_2$")
+        arrow(ax, (foot[0] - 0.45, 0.0), (foot[0] - 0.45, 0.55), label="$N_1$")
+        arrow(ax, (0.0, 0.55 * high), (-0.55, 0.55 * high), label="$N_2$")
         ax.add_patch(Arc(tuple(foot), 1.3, 1.3, theta2=np.degrees(angle), lw=1.2))
         ax.plot(
             [foot[0], foot[0] + 0.9],
@@ -198,51 +190,18 @@ def ladder_picture(
     return ax
 
 
-def contact_velocities(
-    rate_a: float,
-    rate_b: float,
-    velocity_a: float = 0.0,
-    velocity_b: float = 0.0,
-    *,
-    reach: float = 1.8,
-    ax: Axes | None = None,
-) -> Axes:
+def contact_velocities(result: GapRate, *, ax: Axes | None = None) -> Axes:
     """Bar over plank, level: how fast the two points of the contact move, and what each motion adds to d_dot.
 
-    Rates in rad/s against the clock, velocities in m/s upward, reach the y of the bar's centre in m. With ``ax`` only
-    the picture is drawn.
+    With ``ax`` only the picture is drawn.
     """
-    pair = TurningPair(rate_a=rate_a, rate_b=rate_b, reach=reach, clear=0.7)
-    contact, bodies = pair.contacts(), pair.bodies()
-    points = np.stack([contact.point_a[0], contact.point_b[0]])
-    moves = point_velocity(
-        np.zeros((2, 3)), bodies.angular_velocity, points - bodies.position
-    )
-    parts = {
-        "A rises": velocity_a,
-        "A turns": moves[0][2],
-        "B rises": -velocity_b,
-        "B turns": -moves[1][2],
-    }
-    speeds = moves + np.array([[0, 0, velocity_a], [0, 0, velocity_b]])
-    total = sum(parts.values())
+    parts, total = result.parts, result.total
     with style():
         bars = None
         if ax is None:
             _, (ax, bars) = plt.subplots(1, 2, figsize=(9.6, 3.6), width_ratios=(3, 2))
-        for outline, colour in zip(pair.outlines(0.0), ("blue", "orange"), strict=True):
-            ax.add_patch(
-                Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5)
-            )
-        ax.plot(
-            *bodies.position[:, 1:].T,
-            marker="P",
-            ms=10,
-            mfc="white",
-            mec="black",
-            ls="none",
-        )
-        _point_velocities(ax, points, speeds)
+        _bar_and_plank(ax, result.bodies)
+        _point_velocities(ax, result.point, result.velocity)
         ax.set(
             xlim=(-1.6, 3.0),
             ylim=(-1.0, 1.4),
@@ -298,14 +257,8 @@ def passing_a_corner(
             for place in y:
                 nearest = np.minimum(np.array([place, height]), 0.0)
                 normal = np.array([place, height]) - nearest
-                _arrow(
-                    ax,
-                    (place, height),
-                    0.85 * speed * step * normal / np.linalg.norm(normal),
-                    colour,
-                    "",
-                    lw=1.3,
-                )
+                reach = 0.85 * speed * step * normal / np.linalg.norm(normal)
+                arrow(ax, (place, height), (place, height) + reach, colour, lw=1.3)
         ax.set(
             xlim=(-0.55, 0.75),
             ylim=(-0.15, 0.45),
@@ -313,7 +266,7 @@ def passing_a_corner(
             xlabel="y [m]",
             ylabel="z [m]",
         )
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     describe(
         ax,
         "A point passes from left to right over the corner of a box, at "
@@ -324,13 +277,22 @@ def passing_a_corner(
     return ax
 
 
-def _written_gaps(ax: Axes, pair: TurningPair, times: Sequence[float]) -> None:
+def _bar_and_plank(ax: Axes, bodies: Bodies) -> None:
+    """Both as they lie, with the axles in their middles."""
+    outlines = bar_and_plank_outlines(bodies)
+    for outline, colour in zip(outlines, ("blue", "orange"), strict=True):
+        ax.add_patch(
+            Polygon(outline, fc=PALETTE[colour], ec="black", lw=0.8, alpha=0.5)
+        )
+    centre_mark(ax, bodies.position[:, 1:].T)
+
+
+def _written_gaps(ax: Axes, pair: Scene, times: Sequence[float]) -> None:
     """One gap as a double arrow with its length; several as a list that points at the last one."""
-    contact = pair.contacts(times[-1])
+    contact = pair.touching(pair.at(times[-1]))
     (_, y, z_a), (_, _, z_b) = contact.point_a[0], contact.point_b[0]
     if len(times) == 1:
-        look = {"arrowstyle": "<->", "lw": 1.3, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", (y, z_a), (y, z_b), arrowprops=look)
+        arrow(ax, (y, z_b), (y, z_a), lw=1.3, style="<->")
         ax.text(
             y - 0.05,
             0.5 * (z_a + z_b),
@@ -350,7 +312,7 @@ def _point_velocities(ax: Axes, points: Array, speeds: Array) -> None:
     for point, speed, colour, mark, name in zip(
         points, speeds, ("blue", "vermillion"), "os", "AB", strict=True
     ):
-        _arrow(ax, point[1:], scale * speed[1:], colour, "", lw=2.4)
+        arrow(ax, point[1:], point[1:] + scale * speed[1:], colour, lw=2.4)
         ax.plot(*point[1:], marker=mark, color=PALETTE[colour], ls="none",
                 label=f"point of {name}, {speed[2]:+.2f} m/s along N")  # fmt: skip
 
@@ -375,45 +337,12 @@ def _contributions(ax: Axes, parts: Mapping[str, float], total: float) -> None:
     ax.grid(axis="x", visible=False)
 
 
-def _arrow(
-    ax: Axes,
-    start: ArrayLike,
-    along: ArrayLike,
-    colour: str,
-    label: str,
-    *,
-    lw: float = 1.8,
-) -> None:
-    tail, way = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    length = float(np.linalg.norm(way))
-    if length < 1e-9:
-        return
-    look = {
-        "arrowstyle": "-|>",
-        "lw": lw,
-        "color": PALETTE[colour],
-        "shrinkA": 0,
-        "shrinkB": 0,
-    }
-    ax.annotate("", tuple(tail + way), tuple(tail), arrowprops=look)
-    if label:
-        y, z = tail + way * (1 + 0.16 / length)
-        ax.text(y, z, label, color=PALETTE[colour], ha="center", va="center")
-
-
 def _measure(
     ax: Axes, start: ArrayLike, end: ArrayLike, label: str, shift: ArrayLike, side: str
 ) -> None:
     """A double arrow with its length beside it."""
     first, last = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-    look = {
-        "arrowstyle": "<->",
-        "lw": 1.2,
-        "color": PALETTE["vermillion"],
-        "shrinkA": 0,
-        "shrinkB": 0,
-    }
-    ax.annotate("", tuple(last), tuple(first), arrowprops=look)
+    arrow(ax, first, last, "vermillion", lw=1.2, style="<->")
     y, z = 0.5 * (first + last) + np.asarray(shift)
     ax.text(y, z, label, color=PALETTE["vermillion"], ha=side, va="center")
 
@@ -423,10 +352,5 @@ def _turn(ax: Axes, y: float, z: float, label: str, rate: float) -> None:
     ends = ((y + 0.18, z - 0.1), (y - 0.18, z - 0.1))
     start, end = ends if rate >= 0 else ends[::-1]
     bend = "arc3,rad=0.7" if rate >= 0 else "arc3,rad=-0.7"
-    ax.annotate(
-        "",
-        end,
-        start,
-        arrowprops={"arrowstyle": "-|>", "lw": 1.6, "connectionstyle": bend},
-    )
+    arrow(ax, start, end, lw=1.6, connectionstyle=bend)
     ax.text(y, z + 0.13, label, ha="center", va="bottom")

@@ -10,8 +10,16 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle
 
 from course.arrays import ArrayLike
-from course.study.dome import Dome
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.dynamics import Dome
+from course.study import OldPoint
+from course.workbook.plots.figure import (
+    PALETTE,
+    arrow,
+    axes,
+    describe,
+    legend_beside,
+    style,
+)
 
 #: The terms of b that a contact of a face can have where the bodies touch.
 TERMS = {
@@ -29,7 +37,7 @@ def dome(scene: Dome, *, ax: Axes | None = None) -> Axes:
     The inset shows where the path of the printed formula runs deepest inside the dome.
     """
     true, printed = scene.leaving_angle, scene.leaving_angle_as_printed
-    depth, there, out = _inside(scene, printed)
+    depth, there, out = scene.dive(printed)
     with style():
         ax = axes(ax, size=(8.2, 3.6))
         near = ax.inset_axes((1.13, 0.0, 0.5, 0.74))
@@ -76,15 +84,6 @@ def _dome_paths(ax: Axes, scene: Dome) -> None:
             [0, foot[0]], [0, foot[1]], color=PALETTE[colour], lw=1.0, ls=":", marker=""
         )
     ax.plot([0, 0], [0, scene.radius], color="0.5", lw=1.0, ls=":", marker="")
-
-
-def _inside(scene: Dome, angle: float) -> tuple[float, np.ndarray, np.ndarray]:
-    """How deep the flight from this angle runs inside the dome [m], where that is, and where it comes out, (2,) [m]."""
-    times = np.linspace(0, np.sqrt(2 * scene.radius / scene.gravity), 2000)
-    gaps, places = scene.gap(angle, times), scene.flight(angle, times)
-    deepest = int(np.argmin(gaps))
-    outside = deepest + int(np.argmax(gaps[deepest:] >= 0))
-    return float(-gaps[deepest]), places[deepest], places[outside]
 
 
 def dome_bias(
@@ -140,7 +139,7 @@ def dome_bias(
             ylabel="second rate of the gap [m/s²]",
             ylim=(-11, 16),
         )
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     true, printed = (
         np.degrees(scene.leaving_angle),
         np.degrees(scene.leaving_angle_as_printed),
@@ -154,26 +153,14 @@ def dome_bias(
     return ax
 
 
-def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
-    """A particle let go on a dome of 1 m, a moment ahead: its gap, and the gap from the point that was touched.
-
-    The angle from the top in degrees, the moment in s.
-    """
-    scene, theta = Dome(), np.radians(angle)
-    p, p_b = scene.flight(theta, ahead), _out(theta)
-    n = p / np.linalg.norm(p)
-    true, old = (
-        float(scene.gap(theta, ahead)),
-        float(scene.gap_from_the_old_point(theta, ahead)),
-    )
-    bias, half = (
-        float(scene.bias(theta)),
-        max(0.08, 0.75 * float(np.linalg.norm(p - p_b))),
-    )
+def old_point(result: OldPoint, *, ax: Axes | None = None) -> Axes:
+    """A particle let go on a dome of 1 m, a moment ahead: its gap, and the gap from the point that was touched."""
+    path, n, ahead, bias = result.path, result.normal, result.ahead, result.bias
+    true, old, p_b, p = result.gap, result.from_old_point, path[0], path[-1]
+    half = max(0.08, 0.75 * float(np.linalg.norm(p - p_b)))
     with style():
         ax = axes(ax, size=(7.8, 4.2))
         ax.add_patch(Circle((0, 0), 1.0, fc="0.9", ec="0.3"))
-        path = scene.flight(theta, np.linspace(0, ahead, 40))
         ax.plot(
             *path.T,
             color="0.4",
@@ -194,16 +181,8 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
         )
         place = f"particle after {ahead:.2f} s"
         ax.plot(*p, marker="o", ms=5, color="black", ls="none", zorder=5, label=place)
-        look = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
-        tip = p + 0.5 * half * n
-        ax.annotate("", tuple(tip), tuple(p + 0.08 * half * n), arrowprops=look)
-        ax.text(
-            tip[0] + 0.1 * half * n[0],
-            tip[1] + 0.1 * half * n[1],
-            "N",
-            ha="center",
-            va="center",
-        )
+        from_p, to = p + 0.08 * half * n, p + 0.5 * half * n
+        arrow(ax, from_p, to, label="N", beyond=0.1 * half, lw=1.4)
         y, z = 0.5 * (p + p_b)
         ax.set(
             xlim=(y - half, y + half),
@@ -212,12 +191,12 @@ def old_point(angle: float, ahead: float, *, ax: Axes | None = None) -> Axes:
             anchor="W",
         )
         ax.set(xlabel="y [m]", ylabel="z [m]")
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
         word = "the dome lets it go" if bias > 0 else "without a force it sinks in"
-        ax.set_title(f"at {angle:.0f}°: b = {bias:+.1f} m/s², {word}")
+        ax.set_title(f"at {result.angle:.0f}°: b = {bias:+.1f} m/s², {word}")
     describe(
         ax,
-        f"A particle on a dome of 1 m is let go {angle:.0f} degrees from the top at {float(scene.speed(theta)):.2f} "
+        f"A particle on a dome of 1 m is let go {result.angle:.0f} degrees from the top at {result.speed:.2f} "
         f"m/s. {ahead:.2f} s later its gap to the dome is {1000 * true:.1f} mm; measured along its new normal from the "
         f"point it touched before, {1000 * old:.1f} mm.",
     )
@@ -310,7 +289,7 @@ def bias_terms(
         ax.invert_yaxis()  # the sum below its terms
         ax.set(xlabel=unit)
         ax.grid(axis="y", visible=False)
-        ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        legend_beside(ax)
     spoken = []
     for row, name in enumerate(labels):
         parts = ", ".join(f"{word} {v[row] + 0.0:.2f}" for word, v in values.items())

@@ -7,14 +7,19 @@ from collections.abc import Mapping, Sequence
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
+from matplotlib.patches import Polygon, Rectangle
 
-from course.contact.collisions import resolve_collisions
-from course.dynamics.bodies import Bodies
-from course.dynamics.energy import total_energy
-from course.dynamics.impulse import effective_mass, point_velocity
-from course.study.spinning_impacts import OrderOutcomes, falling_rods
-from course.workbook.plots.figure import PALETTE, axes, describe, style
+from course.study import BoxOutcomes, OrderOutcomes, RodLanding
+from course.workbook.plots.figure import (
+    COLOURS,
+    HATCHES,
+    PALETTE,
+    arrow,
+    axes,
+    bare,
+    describe,
+    style,
+)
 
 ARROW = 0.22  # metres of picture for a speed of 1 m/s
 LABELS = {  # where a speed is written: right and up of the point, and its alignment
@@ -22,8 +27,6 @@ LABELS = {  # where a speed is written: right and up of the point, and its align
     0.0: (0.09, 0.05, "left", "bottom"),
     1.0: (0.09, -0.04, "left", "top"),
 }
-COLOURS = ("blue", "vermillion", "green", "purple", "orange")
-HATCHES = ("", "//", "..", "xx", "\\\\")
 PIN = 0.45  # how far the lower end stands above the floor
 
 
@@ -38,7 +41,7 @@ def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
             ax.plot([middle - 0.5, middle + 0.5], [0.04, 0.04], color=PALETTE["blue"], lw=7, ls="-", marker="",
                     solid_capstyle="butt")  # fmt: skip
             for x in (-0.4, 0.0, 0.4):
-                _arrow(ax, (middle + x, 0.42), (middle + x, 0.42 - ARROW), "blue")
+                arrow(ax, (middle + x, 0.42), (middle + x, 0.42 - ARROW), "blue")
             x = middle + peg
             ax.add_patch(
                 Polygon(
@@ -53,7 +56,7 @@ def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
         ax.text(-0.05, 0.28, "1 m/s", ha="center", va="center")
         ax.plot([-1.6, 1.95], [-0.34, -0.34], color="0.3", lw=1.2, marker="", ls="-")
         ax.set(xlim=(-1.65, 2.0), ylim=(-0.6, 0.5), aspect="equal")
-        _bare(ax)
+        bare(ax)
     describe(
         ax,
         "Two equal rods fall flat at 1 m/s, the left one on a fixed peg under its middle, which gives it 2 N s, the "
@@ -62,24 +65,13 @@ def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def rod_impact(
-    angle: float, restitution: float, place: float, *, ax: Axes | None = None
-) -> Axes:
+def rod_impact(result: RodLanding, *, ax: Axes | None = None) -> Axes:
     """A rod of 1 kg and 1 m that falls at 1 m/s, before and after the floor hits it at one point.
 
-    Args:
-        angle: of the rod, from the horizontal [degrees]; the lower end is on the right.
-        restitution: e.
-        place: 1 the lower end, 0 the middle, -1 the upper end; there a light pin stands down to the floor.
+    There a light pin stands down to the floor.
     """
-    before, contact = falling_rods(np.radians(angle), place=place)
-    after = resolve_collisions(before, contact, restitution)
-    axis = before.rotation[0, :, 0]
-    push = float(after.momentum[0, 2] - before.momentum[0, 2])
-    felt, kept = (
-        float(effective_mass(before, contact)[0]),
-        total_energy(after) / total_energy(before),
-    )
+    axis, place, push = result.axis, result.place, result.impulse
+    felt, kept, spin = result.felt, result.kept, result.spin
     floor = 0.5 * axis[2] - PIN
     with style():
         ax = axes(ax, size=(8.8, 4.5))
@@ -89,10 +81,12 @@ def rod_impact(
             )
         )
         ax.plot([-2.2, 2.3], [floor, floor], color="0.3", lw=1.2, marker="", ls="-")
-        for middle, state, words in ((-1.1, before, "before"), (1.1, after, "after")):
-            _rod(ax, middle, axis, place, floor, state)
+        for middle, velocity, words in (
+            (-1.1, result.before, "before"),
+            (1.1, result.after, "after"),
+        ):
+            _rod(ax, middle, axis, place, floor, velocity)
             ax.text(middle, 1.12, words, ha="center", va="top", fontweight="bold")
-        spin = float(after.angular_velocity[0, 1])
         way = (
             "" if abs(spin) < 5e-3 else ", anticlockwise" if spin < 0 else ", clockwise"
         )
@@ -104,20 +98,26 @@ def rod_impact(
         ax.set_title(
             f"impulse of the floor {push:.3f} N s; at the points: upward speeds [m/s]"
         )
-        _bare(ax)
-    speeds = after.velocity[0, 2]
+        bare(ax)
     describe(
         ax,
-        f"A rod of 1 kg, 1 m long, {angle:.3g} degrees from the horizontal, falls at 1 m/s and is hit from below at "
-        f"{place:.2f} of the way from its middle to its lower end, e = {restitution:.2f}. It feels as heavy as "
-        f"{felt:.3f} kg there; the impulse is {push:.3f} N s. Afterwards its middle moves at {speeds:+.2f} m/s upward "
-        f"and it turns at {abs(spin):.2f} rad/s{way}; {100 * kept:.0f} percent of the energy is kept.",
+        f"A rod of 1 kg, 1 m long, {result.angle:.3g} degrees from the horizontal, falls "
+        f"at 1 m/s and is hit from below at {place:.2f} of the way from its middle to its "
+        f"lower end, e = {result.restitution:.2f}. It feels as heavy as {felt:.3f} kg there; "
+        f"the impulse is {push:.3f} N s. Afterwards its middle moves at "
+        f"{result.after[1, 2]:+.2f} m/s upward and it turns at {abs(spin):.2f} rad/s{way}; "
+        f"{100 * kept:.0f} percent of the energy is kept.",
     )
     return ax
 
 
 def _rod(
-    ax: Axes, middle: float, axis: np.ndarray, place: float, floor: float, state: Bodies
+    ax: Axes,
+    middle: float,
+    axis: np.ndarray,
+    place: float,
+    floor: float,
+    velocity: np.ndarray,
 ) -> None:
     """The rod in the x-z plane with the velocities of its ends and its middle, and the pin that meets the floor."""
     x, z = middle + 0.5 * axis[0] * np.array([-1, 1]), 0.5 * axis[2] * np.array([-1, 1])
@@ -127,17 +127,12 @@ def _rod(
         [middle + hit[0]] * 2, [hit[2], floor], color="0.3", lw=1.6, ls="-", marker=""
     )
     ax.plot(middle + hit[0], floor, marker="^", ms=8, color="black", ls="none")
-    for s in (-1.0, 0.0, 1.0):
+    for s, v in zip((-1.0, 0.0, 1.0), velocity, strict=True):
         arm = 0.5 * s * axis
-        v = point_velocity(state.velocity[0], state.angular_velocity[0], arm)
         start = (middle + arm[0], arm[2])
         if np.hypot(v[0], v[2]) > 5e-3:
-            _arrow(
-                ax,
-                start,
-                (start[0] + ARROW * v[0], start[1] + ARROW * v[2]),
-                "vermillion",
-            )
+            tip = (start[0] + ARROW * v[0], start[1] + ARROW * v[2])
+            arrow(ax, start, tip, "vermillion", zorder=4)
         ax.plot(*start, marker="o" if s else "s", ms=5, color="black", ls="none")
         right, up, across, along = LABELS[s]
         ax.text(
@@ -214,25 +209,19 @@ def rod_impulses(
     return ax
 
 
-def box_outcomes(
-    box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies]
-) -> Axes:
-    """A box on its four corners before an impact, and how fast they rise after it by several laws.
+def box_outcomes(result: BoxOutcomes) -> Axes:
+    """A box on its four corners before an impact, and how fast they rise after it by up to five laws.
 
-    Args:
-        box: before; body 0 is the box, standing with its axes along x, y, z.
-        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-), (+,+),
-            which the picture numbers 1 to 4 [m].
-        outcomes: name -> bodies after, up to five.
+    The picture numbers the corners 1 to 4.
     """
     with style():
         _, (ax, bars) = plt.subplots(1, 2, figsize=(10.0, 4.4), width_ratios=(1.0, 1.9))
-        _box(ax, corners, 2 * box.position[0, 2], box)
-        _corner_bars(bars, corners, outcomes)
+        _box(ax, result)
+        _corner_bars(bars, result)
     spoken = " ".join(
-        f"{name}: {', '.join(map(_plain, _corner_speeds(corners, state)))} m/s, "
-        f"spin {_spin(state)} rad/s."
-        for name, state in ({"before": box} | dict(outcomes)).items()
+        f"{name}: {', '.join(map(_plain, speed))} m/s, "
+        f"spin {_spin(result.spin[name])} rad/s."
+        for name, speed in result.speed.items()
     )
     describe(
         ax,
@@ -242,20 +231,19 @@ def box_outcomes(
     return ax
 
 
-def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies) -> None:
+def _box(ax: Axes, result: BoxOutcomes) -> None:
     """The box with the numbers and the upward speeds of its corners."""
+    corners = result.corners
     low = np.stack([corners[:, 0] + 0.5 * corners[:, 1], 0.45 * corners[:, 1]], axis=-1)
-    high = low + [0.0, height]
+    high = low + [0.0, result.height]
     for face in (low, high):
         ax.add_patch(Polygon(face[[0, 2, 3, 1]], fc="0.9", ec="0.45", alpha=0.6))
     for a, b in zip(low, high, strict=True):
         ax.plot(*np.stack([a, b]).T, color="0.45", lw=1.0, ls="-", marker="")
-    for i, (start, speed) in enumerate(
-        zip(low, _corner_speeds(corners, state), strict=True)
-    ):
+    for i, (start, speed) in enumerate(zip(low, result.speed["before"], strict=True)):
         if abs(speed) > 5e-3:
             tip = (start[0], start[1] + ARROW * speed)
-            _arrow(ax, (start[0], start[1]), tip, "vermillion")
+            arrow(ax, start, tip, "vermillion", zorder=4)
         ax.plot(*start, marker="o", ms=4, color="black", ls="none")
         side = (
             (0.05, "left") if i % 2 else (-0.05, "right")
@@ -271,18 +259,21 @@ def _box(ax: Axes, corners: np.ndarray, height: float, state: Bodies) -> None:
             bbox=back,
         )
     ax.set(xlim=(-1.0, 1.0), ylim=(-0.7, 0.6), aspect="equal")
-    ax.set_title(f"before [m/s],\nspin {_spin(state)} rad/s", fontsize=10)
-    _bare(ax)
+    ax.set_title(
+        f"before [m/s],\nspin {_spin(result.spin['before'])} rad/s", fontsize=10
+    )
+    bare(ax)
 
 
-def _corner_bars(ax: Axes, corners: np.ndarray, outcomes: Mapping[str, Bodies]) -> None:
+def _corner_bars(ax: Axes, result: BoxOutcomes) -> None:
     """The upward speeds of the corners after, a group a corner and a bar a law."""
-    width = 0.86 / len(outcomes)
-    for k, ((name, state), colour, hatch) in enumerate(
-        zip(outcomes.items(), COLOURS, HATCHES, strict=False)
+    laws = [name for name in result.speed if name != "before"]
+    width = 0.86 / len(laws)
+    for k, (name, colour, hatch) in enumerate(
+        zip(laws, COLOURS, HATCHES, strict=False)
     ):
-        place = np.arange(4) + (k - 0.5 * (len(outcomes) - 1)) * width
-        speeds = _corner_speeds(corners, state)
+        place = np.arange(4) + (k - 0.5 * (len(laws) - 1)) * width
+        speeds = np.round(result.speed[name], 9) + 0.0  # no minus zero below the axis
         drawn = ax.bar(
             place,
             speeds,
@@ -290,7 +281,7 @@ def _corner_bars(ax: Axes, corners: np.ndarray, outcomes: Mapping[str, Bodies]) 
             color=PALETTE[colour],
             hatch=hatch,
             ec="white",
-            label=f"{name}: {_spin(state)}",
+            label=f"{name}: {_spin(result.spin[name])}",
         )
         ax.bar_label(drawn, [_plain(v) for v in speeds], fontsize=8, padding=1)
     ax.axhline(0, color="0.3", lw=0.8)
@@ -302,17 +293,9 @@ def _corner_bars(ax: Axes, corners: np.ndarray, outcomes: Mapping[str, Bodies]) 
     ax.legend(loc="upper center", bbox_to_anchor=(0.45, -0.09), ncols=2, title=said)
 
 
-def _corner_speeds(corners: np.ndarray, state: Bodies) -> np.ndarray:
-    """How fast the corners of body 0 rise, (4,) [m/s]."""
-    arms = corners - state.position[0]
-    moves = point_velocity(state.velocity[0], state.angular_velocity[0], arms)
-    speeds: np.ndarray = np.round(moves[:, 2], 9) + 0.0  # no minus zero below the axis
-    return speeds
-
-
-def _spin(state: Bodies) -> str:
-    """The spin of body 0 about x and about y, with their signs."""
-    return f"({', '.join(map(_plain, state.angular_velocity[0, :2]))})"
+def _spin(omega: np.ndarray) -> str:
+    """The spin about x and about y, with their signs."""
+    return f"({', '.join(map(_plain, omega[:2]))})"
 
 
 def spins_by_order(
@@ -476,13 +459,6 @@ def mass_over_face(
     return ax
 
 
-def _arrow(
-    ax: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str
-) -> None:
-    ax.add_patch(FancyArrowPatch(start, tip, arrowstyle="-|>", mutation_scale=11, lw=1.8, color=PALETTE[colour],
-                                 shrinkA=0, shrinkB=0, zorder=4))  # fmt: skip
-
-
 def _speed(value: float) -> str:
     return "0" if abs(value) < 5e-3 else f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")
 
@@ -490,10 +466,3 @@ def _speed(value: float) -> str:
 def _plain(value: float) -> str:
     """Two decimals, and never a minus zero."""
     return f"{round(float(value), 2) + 0.0:.2f}"
-
-
-def _bare(ax: Axes) -> None:
-    ax.set(xticks=[], yticks=[])
-    ax.grid(False)
-    for side in ax.spines.values():
-        side.set_visible(False)

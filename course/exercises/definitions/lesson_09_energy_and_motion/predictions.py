@@ -11,11 +11,11 @@ from course.exercises.definition import Prediction
 
 
 def _what_L_does() -> str:
-    from course.dynamics import explicit_euler
-    from course.study.tumbling import free_tumble, spinning_handle
+    from course.dynamics import explicit_euler, free_tumble
+    from course.scenes import spinning_handle
 
     # By steps, which are free to change L, half a second past the first turning over.
-    start = bodies = spinning_handle()
+    start = bodies = spinning_handle().bodies
     for _ in range(200):
         bodies = explicit_euler(bodies, None, 0.01)
     turned = float(free_tumble(start, [2.0]).seen_from_body[0, 1]) < 0
@@ -31,17 +31,18 @@ def _what_L_does() -> str:
 
 
 def _first_turnover(degrees: float) -> float:
-    from course.study.tumbling import free_tumble, spinning_handle, turnover_times
+    from course.dynamics import free_tumble
+    from course.scenes import spinning_handle
 
     motion = free_tumble(
-        spinning_handle(tilt=np.radians(degrees)), np.linspace(0.0, 6.0, 1201)
+        spinning_handle(tilt=np.radians(degrees)).bodies, np.linspace(0.0, 6.0, 1201)
     )
-    return float(turnover_times(motion)[0])
+    return float(motion.turnover_times()[0])
 
 
 def _spring_growth() -> str:
     from course.dynamics import explicit_euler
-    from course.study.stability import oscillator_growth
+    from course.study import oscillator_growth
 
     grown = float(oscillator_growth(explicit_euler, 0.1, steps=628)) ** 628
     sizes = {"lost": 0.01, "same": 1.0, "times 7": 7.0, "times 500": 500.0}

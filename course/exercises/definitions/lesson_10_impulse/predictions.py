@@ -9,15 +9,15 @@ from course.exercises.definition import Prediction
 
 
 def _blocks() -> int:
-    from course.study.two_blocks import count_collisions
+    from course.dynamics import count_collisions
 
     return count_collisions(100**2)
 
 
 def _cradle_choice() -> str:
-    from course.study import ball_impacts
+    from course.study import cradle
 
-    first = float(ball_impacts.cradle([1.0, 0.0, 0.0], law="simultaneous")[0])
+    first = float(cradle([1.0, 0.0, 0.0], law="simultaneous")[0])
     return "stands" if abs(first) < 1e-9 else "back" if first < 0 else "on"
 
 

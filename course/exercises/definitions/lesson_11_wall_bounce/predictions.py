@@ -14,7 +14,7 @@ def _long_normal() -> float:
 
 
 def _longer_choice() -> str:
-    from course.study.bouncing_ball import energy_error
+    from course.study import energy_error
 
     ratios = [
         energy_error("bullet", 1e-3, duration=t) / energy_error("ode", 1e-3, duration=t)

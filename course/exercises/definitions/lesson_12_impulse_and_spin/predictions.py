@@ -11,22 +11,25 @@ from course.exercises.definition import Prediction
 
 def _rod_centre() -> float:
     from course.contact import resolve_collisions
-    from course.study import falling_rods
+    from course.scenes import falling_rods
 
-    return float(resolve_collisions(*falling_rods(0.0), 1.0).velocity[0, 2])
+    rod = falling_rods(0.0)
+    return float(resolve_collisions(rod.bodies, rod.contacts, 1.0).velocity[0, 2])
 
 
 def _halfway() -> float:
-    from course.study import falling_rods
+    from course.scenes import falling_rods
 
-    return float(impulse.effective_mass(*falling_rods(0.0, place=0.5))[0])
+    rod = falling_rods(0.0, place=0.5)
+    return float(impulse.effective_mass(rod.bodies, rod.contacts)[0])
 
 
 def _box_in_turn() -> str:
     from course.contact import resolve_collisions
-    from course.study import box_on_corners
+    from course.scenes import box_on_corners
 
-    after = resolve_collisions(*box_on_corners(), 1.0, law="sequential")
+    box = box_on_corners()
+    after = resolve_collisions(box.bodies, box.contacts, 1.0, law="sequential")
     return "turns" if np.linalg.norm(after.angular_velocity[0]) > 1e-6 else "straight"
 
 

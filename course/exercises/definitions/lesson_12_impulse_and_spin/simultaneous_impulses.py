@@ -94,7 +94,7 @@ def _solved(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
 
 
 def _in_turn(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:
-    from course.study.impact_laws import impulses_in_turn
+    from course.study import impulses_in_turn
 
     return impulses_in_turn(matrix, normal_velocity, restitution, passes=200)[0]
 

@@ -11,10 +11,10 @@ from course.exercises.definitions.lesson_13_separation.shared import UP, ZERO
 
 
 def _closing() -> float:
-    from course.study import TurningPair
+    from course.scenes import bar_over_plank
 
-    pair = TurningPair()
-    return float(contact.separation_rate(pair.bodies(), pair.contacts())[0])
+    pair = bar_over_plank()
+    return float(contact.separation_rate(pair.bodies, pair.contacts)[0])
 
 
 def _left_corner() -> float:
@@ -30,7 +30,7 @@ def _left_corner() -> float:
 
 
 def _top_speed() -> float:
-    from course.study import ladder
+    from course.scenes import ladder
 
     scene = ladder(np.radians(60), rate=-1.0)
     bodies, (foot, top) = scene.bodies, scene.contacts.point

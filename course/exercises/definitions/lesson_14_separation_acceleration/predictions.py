@@ -8,7 +8,7 @@ from course.exercises.definition import Prediction
 
 
 def _counted_twice() -> str:
-    from course.study import Dome
+    from course.dynamics import Dome
 
     dome = Dome()
     theta = dome.leaving_angle
@@ -22,7 +22,7 @@ def _counted_twice() -> str:
 
 def _ladder_top() -> float:
     from course.contact import separation_acceleration
-    from course.study import ladder
+    from course.scenes import ladder
 
     scene = ladder(np.radians(60), rate=-0.5)
     return float(

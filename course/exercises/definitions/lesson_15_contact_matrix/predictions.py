@@ -8,7 +8,7 @@ from course.exercises.definition import Prediction
 
 
 def _feet() -> str:
-    from course.study.resting_scenes import table
+    from course.scenes import table
 
     column = table().system().A.toarray()[1:, 0]
     if np.all(np.abs(column) < 1e-9):
@@ -17,13 +17,13 @@ def _feet() -> str:
 
 
 def _top() -> float:
-    from course.study import ladder
+    from course.scenes import ladder
 
     return float(ladder(np.radians(60)).system().A.toarray()[1, 1])
 
 
 def _legs() -> int:
-    from course.study.resting_scenes import table
+    from course.scenes import table
 
     return int(np.linalg.matrix_rank(table(8).system().A.toarray()))
 

@@ -10,7 +10,7 @@ from course.exercises.definition import Prediction
 def _what_agrees() -> str:
     """Two solvers on the table, two solutions of a ball between upright walls: what is equal every time?"""
     from course.contact import solve
-    from course.study.resting_scenes import table, wedged_ball
+    from course.scenes import table, wedged_ball
 
     four, ball = table().system(), wedged_ball(0.0).system()
     legs = [(four, solve(four, method=method).force) for method in ("nnls", "pivot")]
@@ -24,7 +24,7 @@ def _what_agrees() -> str:
 
 def _sliding_ladder() -> float:
     from course.contact import solve
-    from course.study import ladder
+    from course.scenes import ladder
 
     return float(solve(ladder(np.radians(60), rate=-2.0).system()).force[0])
 
@@ -33,7 +33,7 @@ def _sweeps_at_a_mass_ratio() -> float:
     from course.contact.solvers.projected_gauss_seidel import (
         predicted_gauss_seidel_factor,
     )
-    from course.study.resting_scenes import stack
+    from course.scenes import stack
 
     factor = predicted_gauss_seidel_factor(
         stack(2, corners=1, mass=[1.0, 1000.0]).system().A

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from course.contact import NoContactForce, contact_wrench, separation_rate, solve
-from course.study.resting_scenes import (
+from course.scenes import (
     GRAVITY,
     about_to_part,
     balls_on_domes,

@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from course.study import (
+from course.dynamics import (
     count_collisions,
     critical_mass_ratio,
     pi_count,

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from course.contact import solve
+from course.scenes import stack
 from course.study import SolverGrowth, solver_growth
-from course.study.resting_scenes import stack
 
 SYSTEMS = [stack(n, corners=1).system() for n in (2, 4, 8)]
 

@@ -1,17 +1,18 @@
-"""The ladder: its gaps along its motion, and the closed forms against the contact system and each other."""
+"""One body on its supports: the ladder and the plank, their closed forms against contact systems and each other."""
 
 import numpy as np
 import pytest
 
-from course.contact import contact_system, separation_rate
-from course.dynamics import reference_motion, uniform_gravity
-from course.study.ladder import (
-    ladder,
+from course.contact import contact_system, separation_rate, solve
+from course.dynamics import (
     ladder_gaps,
-    leaving_angle,
+    ladder_leaving_angle,
+    reference_motion,
     sliding_ladder_forces,
     standing_ladder_forces,
+    uniform_gravity,
 )
+from course.scenes import ladder, loaded_plank
 
 
 def forces(scene):
@@ -75,22 +76,63 @@ def test_standing_ladder_balances():
 
 def test_it_leaves_the_wall_at_two_thirds():
     start = 1.2
-    theta = leaving_angle(start)
+    theta = ladder_leaving_angle(start)
     rate = -np.sqrt(
         3 * 9.81 / 4.0 * (np.sin(start) - np.sin(theta))
     )  # energy: m l^2 theta_dot^2/6
     assert sliding_ladder_forces(theta, rate=rate)[1] == pytest.approx(0, abs=1e-12)
 
 
-def test_gaps_of_a_batch():
-    found = ladder_gaps(
-        np.array([-2.0, -3.0]), 1.0, np.array([0.0, np.pi / 2]), length=2.0
-    )
-    np.testing.assert_allclose(found, [[1.0, 1.0], [0.0, 3.0]], atol=1e-15)
-
-
 @pytest.mark.parametrize(("bad", "name"), [(dict(angle=0.0), "angle"), (dict(angle=2.0), "angle"),
                                            (dict(mass=-1.0), "mass"), (dict(rate=1.0, kerb=True), "rate")])  # fmt: skip
-def test_refusals(bad, name):
+def test_ladders_that_are_refused(bad, name):
     with pytest.raises(ValueError, match=f"^{name}: expected"):
         ladder(**({"angle": 1.0} | bad))
+
+
+G = 9.81
+
+
+@pytest.mark.parametrize("load_at", [-0.75, -0.3, 0.0, 0.6])
+def test_both_feet_carry_by_the_lever(load_at):
+    """Moments about one foot: f_2 (2 feet) = m g (c + feet), with the common centre c."""
+    centre = 20 * load_at / 30
+    found = solve(loaded_plank(load_at).system())
+    np.testing.assert_allclose(
+        found.force, 30 * G * (0.5 + np.array([-centre, centre])), rtol=1e-9, atol=1e-9
+    )
+    np.testing.assert_allclose(found.acceleration, 0, atol=1e-9)
+
+
+def test_a_foot_lifts_as_the_plank_turns_about_the_other():
+    """Newton for the turn about the right foot: f_2 = M g - M c'' with c'' = g M a^2/(I + M a^2), a = .2 m its arm."""
+    scene = loaded_plank(1.05)
+    inertia = 10 * 9 / 12 + 10 * 0.7**2 + 20 * 0.35**2
+    assert scene.bodies.inertia[0, 0, 0] == pytest.approx(inertia, rel=1e-12)
+    found = solve(scene.system())
+    fall = G * 30 * 0.2**2 / (inertia + 30 * 0.2**2)
+    np.testing.assert_allclose(found.force, [0, 30 * (G - fall)], rtol=1e-9, atol=1e-9)
+    assert found.acceleration[0] == pytest.approx(
+        fall / 0.2, rel=1e-9
+    )  # 1 m from the foot it turns about
+
+
+def test_forcing_both_feet_to_stay_needs_one_that_pulls():
+    """Misprint 14: feet at +-.5, centre at .7: (-.2, 1.2) m g."""
+    system = loaded_plank(1.05).system()
+    forced = np.linalg.solve(system.A.toarray(), -system.b) / (30 * G)
+    np.testing.assert_allclose(forced, [-0.2, 1.2], rtol=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("bad", "name"),
+    [
+        (dict(load_at=1.6), "load_at"),
+        (dict(load=0.0), "load"),
+        (dict(mass=-1.0), "mass"),
+        (dict(feet=0.0), "feet"),
+    ],
+)
+def test_planks_that_are_refused(bad, name):
+    with pytest.raises(ValueError, match=f"^{name}: expected"):
+        loaded_plank(**({"load_at": 0.0} | bad))

@@ -1,9 +1,4 @@
-"""Scenes of resting contact, laid out or drawn by seed: for tests, benchmarks and lessons.
-
-Every scene has velocities with d_dot = 0 at all its contacts, so that
-``contact_system`` takes it as it is. The last body is the fixed ground unless
-a scene says otherwise.
-"""
+"""Resting scenes drawn by seed, for tests and benchmarks: tangles, and anything that rests, changed in any way."""
 
 from __future__ import annotations
 
@@ -13,8 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from course.arrays import whole_number
-from course.study.resting_balls import balls_on_domes, cannonballs, pile, wedged_ball
-from course.study.resting_changes import (
+from course.dynamics import Bodies
+from course.overlap import Contacts
+from course.scenes.balls import balls_on_domes, cannonballs, pile
+from course.scenes.changes import (
     about_to_part,
     on_a_moving_ground,
     shaken,
@@ -22,40 +19,10 @@ from course.study.resting_changes import (
     with_duplicates,
     with_redundant_points,
 )
-from course.study.resting_layouts import (
-    GRAVITY,
-    RestingScene,
-    leaning_rod,
-    side_by_side,
-    spinning_between_pins,
-    stack,
-    table,
-    tangle,
-    wall,
-)
-
-__all__ = [
-    "GRAVITY",
-    "RestingScene",
-    "about_to_part",
-    "balls_on_domes",
-    "cannonballs",
-    "leaning_rod",
-    "on_a_moving_ground",
-    "pile",
-    "random_scene",
-    "shaken",
-    "side_by_side",
-    "spinning_between_pins",
-    "stack",
-    "table",
-    "tangle",
-    "wall",
-    "wedged_ball",
-    "weighed_anew",
-    "with_duplicates",
-    "with_redundant_points",
-]
+from course.scenes.layout import contacts_at, with_ground
+from course.scenes.masonry import stack, wall
+from course.scenes.resting_bodies import table, wedged_ball
+from course.scenes.scene import Scene, resting, resting_again
 
 #: What may be done to a random scene, in this order, each with its chance.
 CHANCES = {
@@ -68,7 +35,7 @@ CHANCES = {
 }
 
 
-def random_scene(seed: int | Sequence[int], *, contacts: int = 100) -> RestingScene:
+def random_scene(seed: int | Sequence[int], *, contacts: int = 100) -> Scene:
     """A scene that has a solution, drawn from all that is here, of about this many contacts.
 
     Stacks, walls, blocks of bricks, piles, pyramids of balls, tangles, many
@@ -85,7 +52,7 @@ def random_scene(seed: int | Sequence[int], *, contacts: int = 100) -> RestingSc
     kinds = _kinds(rng, max(contacts, 1))
     scene = kinds[str(rng.choice(list(kinds)))]()
     still = not np.any(scene.bodies.momentum)
-    changes: dict[str, Callable[[RestingScene], RestingScene]] = {
+    changes: dict[str, Callable[[Scene], Scene]] = {
         "mass ratio": lambda s: weighed_anew(
             s, 10.0 ** rng.uniform(-3, 3, len(s.bodies))
         ),
@@ -104,12 +71,56 @@ def random_scene(seed: int | Sequence[int], *, contacts: int = 100) -> RestingSc
             still or change not in ("mass ratio", "moving")
         ):
             scene = make(scene)
-    return replace(scene, contacts=scene.contacts[:0]) if contacts == 0 else scene
+    return resting_again(scene, contacts=scene.contacts[:0]) if contacts == 0 else scene
 
 
-def _kinds(
-    rng: np.random.Generator, contacts: int
-) -> dict[str, Callable[[], RestingScene]]:
+def tangle(count: int, contacts: int, rng: np.random.Generator) -> Scene:
+    """Bodies pushed at random, with contacts anywhere and in any direction between any two or one and the ground.
+
+    No geometry would make it, and no body has such inertias; solvers must
+    bear both. Velocities are 0, so a solution exists.
+    """
+    whole_number("count", count, minimum=1)
+    whole_number("contacts", contacts)
+    root = rng.normal(size=(count, 3, 3))
+    mass = rng.uniform(0.5, 2, count)
+    bodies = with_ground(
+        mass,
+        root @ np.swapaxes(root, 1, 2) + 0.1 * np.eye(3),
+        rng.normal(size=(count, 3)),
+    )
+    a = rng.integers(count, size=contacts)
+    b = (a + rng.integers(1, count + 1, size=contacts)) % (count + 1)
+    normal = rng.normal(size=(contacts, 3))
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    found = contacts_at(rng.normal(size=(contacts, 3)), normal, a=a, b=b)
+    force, torque = rng.normal(size=(2, count + 1, 3))
+    return resting("tangle", bodies, found, applied_force=force, torque=torque)
+
+
+def side_by_side(scenes: Sequence[Scene]) -> Scene:
+    """Scenes under the same gravity that do not touch, as one; each keeps its ground."""
+    start = np.cumsum([0] + [len(s.bodies) for s in scenes])
+    contacts = [
+        replace(s.contacts, body_a=s.contacts.body_a + n, body_b=s.contacts.body_b + n)
+        for s, n in zip(scenes, start, strict=False)
+    ]
+    fields = [
+        np.concatenate([getattr(s.bodies, name) for s in scenes])
+        for name in Bodies.__dataclass_fields__
+    ]
+    return resting(
+        f"{len(scenes)} scenes",
+        Bodies(*fields),
+        Contacts.concatenate(contacts),
+        gravity=scenes[0].gravity,
+        applied_force=np.concatenate([s.applied_force for s in scenes]),
+        torque=np.concatenate([s.torque for s in scenes]),
+        solvable=all(s.solvable for s in scenes),
+    )
+
+
+def _kinds(rng: np.random.Generator, contacts: int) -> dict[str, Callable[[], Scene]]:
     """What a scene of this many contacts may be."""
     side, edge = (
         max(round(np.sqrt(contacts / 8)), 2),
@@ -131,7 +142,7 @@ def _kinds(
     }
 
 
-def _any_table(rng: np.random.Generator) -> RestingScene:
+def _any_table(rng: np.random.Generator) -> Scene:
     if rng.uniform() < 0.2:
         return wedged_ball(float(rng.choice([0.0, rng.uniform(0.1, 1.4)])))
     x, y = rng.uniform(-0.6, 0.6, 2)

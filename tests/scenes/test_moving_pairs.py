@@ -5,20 +5,19 @@ import pytest
 import sympy as sp
 
 from course.contact import normal_rate, separation_acceleration, separation_rate
-from course.study.moving_contacts import (
-    CENTRAL,
-    FIVE_POINTS,
-    FORWARD,
-    KINDS,
-    SECOND,
-    SECOND_FIVE,
-    TurningPair,
-    difference_errors,
+from course.overlap import FEATURES
+from course.scenes import (
+    bar_and_plank_outlines,
+    bar_over_plank,
     flying_corners,
     moving_contact,
 )
+from course.study import (
+    CENTRAL,
+    SECOND_FIVE,
+)
 
-by_kind = pytest.mark.parametrize("kind", KINDS)
+by_kind = pytest.mark.parametrize("kind", FEATURES)
 
 
 @by_kind
@@ -26,7 +25,7 @@ by_kind = pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("gap", [0.0, 0.1])
 def test_rates_are_those_of_the_gap(kind, seed, gap):
     scene = moving_contact(kind, seed=seed, gap=gap)
-    contacts = scene.contacts(scene.bodies)
+    contacts = scene.contacts
     assert contacts.separation[0] == pytest.approx(gap, abs=1e-14)
     d_dot = separation_rate(scene.bodies, contacts)[0]
     assert CENTRAL.difference(scene.gap, 0.0, 1e-5) == pytest.approx(d_dot, abs=1e-8)
@@ -39,7 +38,7 @@ def test_rates_are_those_of_the_gap(kind, seed, gap):
 
     def rate(time):
         bodies = scene.at(time)
-        return separation_rate(bodies, scene.contacts(bodies))[0]
+        return separation_rate(bodies, scene.touching(bodies))[0]
 
     assert CENTRAL.difference(rate, 0.0, 3e-6) == pytest.approx(d_ddot, abs=1e-9)
 
@@ -47,8 +46,8 @@ def test_rates_are_those_of_the_gap(kind, seed, gap):
 @by_kind
 def test_normal_turns_as_the_formula_says(kind):
     scene, h = moving_contact(kind, gap=0.1), 1e-5
-    after, before = (scene.contacts(scene.at(t)).normal[0] for t in (h, -h))
-    turning = normal_rate(scene.bodies, scene.contacts(scene.bodies))[0]
+    after, before = (scene.touching(scene.at(t)).normal[0] for t in (h, -h))
+    turning = normal_rate(scene.bodies, scene.contacts)[0]
     np.testing.assert_allclose((after - before) / (2 * h), turning, atol=1e-8)
 
 
@@ -77,14 +76,14 @@ def test_inertias_are_those_of_bodies(kind):
 
 
 def test_kinds_differ_and_words_are_checked():
-    assert len({moving_contact(kind).gap(0.05) for kind in KINDS}) == len(KINDS)
+    assert len({moving_contact(kind).gap(0.05) for kind in FEATURES}) == len(FEATURES)
     with pytest.raises(ValueError, match="kind: expected one of 'face_b'"):
         moving_contact("face")
 
 
 def test_turning_pair_against_sympy():
     """The gap of the plane scene written down once more, with other means, and differentiated."""
-    pair, t = TurningPair(), sp.Symbol("t")
+    pair, t = bar_over_plank(), sp.Symbol("t")
     a, b = sp.Rational(3, 2) * t, t / 2
     corner = sp.Matrix([sp.Rational(9, 5), sp.Rational(7, 20)]) + sp.Matrix(
         [[sp.cos(a), -sp.sin(a)], [sp.sin(a), sp.cos(a)]]
@@ -92,49 +91,20 @@ def test_turning_pair_against_sympy():
     d = corner.dot(sp.Matrix([-sp.sin(b), sp.cos(b)])) - sp.Rational(1, 20)
     for time in (0.0, 0.1, -0.3):
         assert pair.gap(time) == pytest.approx(float(d.subs(t, time)), abs=1e-15)
-        rate = separation_rate(pair.bodies(time), pair.contacts(time))[0]
+        rate = separation_rate(pair.at(time), pair.touching(pair.at(time)))[0]
         assert rate == pytest.approx(float(sp.diff(d, t).subs(t, time)), abs=1e-14)
     assert pair.gap(0) == pytest.approx(0.25)
-    assert separation_rate(pair.bodies(), pair.contacts())[0] == pytest.approx(-1.7)
-    assert not pair.bodies(0.2).velocity.any()
+    assert separation_rate(pair.bodies, pair.contacts)[0] == pytest.approx(-1.7)
+    assert not pair.at(0.2).velocity.any()
 
 
 def test_outlines_hold_the_corner_that_meets():
-    pair = TurningPair()
+    pair = bar_over_plank()
     np.testing.assert_allclose(
-        pair.outlines(0.1)[0, 0], pair.contacts(0.1).point_a[0, 1:], atol=1e-15
+        bar_and_plank_outlines(pair.at(0.1))[0, 0],
+        pair.touching(pair.at(0.1)).point_a[0, 1:],
+        atol=1e-15,
     )
-
-
-@pytest.mark.parametrize(
-    "stencil",
-    [FORWARD, CENTRAL, FIVE_POINTS, SECOND, SECOND_FIVE],
-    ids=lambda s: s.name,
-)
-def test_stencils_have_the_order_they_say(stencil):
-    """On exp at 0, whose derivatives are all 1; halving a step that is large against rounding."""
-    errors = [abs(stencil.difference(np.exp, 0.0, h) - 1) for h in (0.2, 0.1)]
-    assert np.log2(errors[0] / errors[1]) == pytest.approx(stencil.order, abs=0.1)
-
-
-def test_error_of_differences_is_a_v():
-    pair, steps = TurningPair(), 10.0 ** np.arange(-12, -0.5, 0.5)
-    exact = separation_rate(pair.bodies(0.1), pair.contacts(0.1))[0]
-    found = difference_errors(
-        [(s, pair.gap) for s in (FORWARD, CENTRAL, FIVE_POINTS)], exact, steps, time=0.1
-    )
-    for name, largest in (
-        ("one-sided", 1e-7),
-        ("central", 1e-9),
-        ("five points", 1e-11),
-    ):
-        step, error = found.best(name)
-        assert error < largest and steps[0] < step < steps[-1]
-        assert found.error[name][0] > 100 * error < found.error[name][-1]
-    with pytest.raises(ValueError, match="name"):
-        found.best("six points")
-    with pytest.raises(ValueError, match="steps"):
-        difference_errors([(FORWARD, pair.gap)], exact, [0.0])
 
 
 def test_complex_step_is_the_rate_of_the_gap():

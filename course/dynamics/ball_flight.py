@@ -76,7 +76,7 @@ def ball_motion(
 ) -> BallMotion:
     """The dropped ball in closed form.
 
-    The k-th flight starts at t_k (``course.dynamics.bounce_times``) with
+    The k-th flight starts at t_k (``bounce_times``) with
     speed e^(k+1) sqrt(2 g h); with q = t/t_0 - 1 it is flight
     k = floor(log_e(1 - q (1 - e)/(2 e))) for e < 1, floor(q/2) at e = 1.
 
@@ -133,7 +133,7 @@ def ball_events(
     """The dropped ball, from impact to impact: each impact is located, then v' = -e v.
 
     For e < 1 the impacts crowd together before a finite time
-    (``course.dynamics.bounce_rest_time``). With rest_speed = 0 only rounding
+    (``bounce_rest_time``). With rest_speed = 0 only rounding
     ends them: for e <= 1/2 the speed is 0 in the end (after 1077 impacts at
     e = 1/2 from 1 m), above that it never is and max_events are used up. A ball
     that leaves the ground slower than rest_speed is put to rest.
