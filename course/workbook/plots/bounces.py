@@ -8,7 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from course.dynamics.bounces import wall_bounce
-from course.study.bouncing_ball import PUBLISHED_BOUNCING, BallMotion, BouncingErrors
+from course.study.ball_flight import BallMotion
+from course.study.bouncing_ball import PUBLISHED_BOUNCING, BouncingErrors
 from course.workbook.plots.figure import PALETTE, axes, describe, style
 
 
