@@ -178,7 +178,7 @@ def refuse_foreign(venv: Path) -> None:
     )
     raise SetupError(
         f"{venv} was not made by this project and is left alone. Rename or delete it and run {START} again, "
-        f"or, to use it, install the project into it yourself: {activate} && pip install -e ."
+        f'or, to use it, install the project into it yourself: {activate} && pip install -e ".[workbook,test]"'
     )
 
 
