@@ -1,6 +1,8 @@
 """The package as pip installs it: what the wheel holds, and what it asks for."""
 
 import re
+import subprocess
+import sys
 import zipfile
 from pathlib import Path
 
@@ -42,3 +44,48 @@ def test_the_library_alone_asks_for_little(wheel):
     assert plain <= {"numpy", "scipy", "numba"}
     extras = set(re.findall(r"^Provides-Extra: (\S+)$", text, flags=re.M))
     assert extras == {"workbook", "test", "peers", "browser"}
+
+
+LIBRARY_ALONE = """
+import importlib.abc, pkgutil, sys
+ALLOWED = {"course", "numpy", "scipy", "numba", "llvmlite", *sys.stdlib_module_names}
+
+class Nothing(importlib.abc.MetaPathFinder):
+    def find_spec(self, name, path=None, target=None):
+        room = name.split(".")[0]
+        if room not in ALLOWED and not room.startswith("_"):
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+sys.meta_path.insert(0, Nothing())
+import course
+ROOMS = ("formulas", "shapes", "overlap", "dynamics", "detection", "contact", "scenes",
+         "simulation", "study", "exercises")
+seen = 0
+for found in pkgutil.walk_packages(course.__path__, "course."):
+    if found.name.split(".")[1] in ROOMS:
+        importlib.import_module(found.name)
+        seen += 1
+assert seen > 50, seen
+
+import numpy as np
+from course.contact import ContactSystem, solve
+from course.dynamics import impulse_central
+
+A, b = np.array([[2.0, 1.0], [1.0, 2.0]]), np.array([-3.0, -3.0])
+assert np.allclose(solve(ContactSystem(A, b)).force, [1.0, 1.0])
+e = np.array([1.0, 0, 0])
+print(impulse_central(2.0, 1.0, np.array([-3.0, 0, 0]), e, e, 0.5))
+"""
+
+
+def test_the_library_works_with_numpy_and_scipy_alone():
+    """Every module of the numerics is imported; the README's example, 4 N s, is run."""
+    done = subprocess.run(
+        [sys.executable, "-c", LIBRARY_ALONE],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert float(done.stdout) == 4.0
