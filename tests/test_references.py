@@ -2,9 +2,7 @@
 
 import ast
 import importlib
-import io
 import re
-import tokenize
 from functools import cache
 from pathlib import Path
 
@@ -47,8 +45,7 @@ def prose(path: Path) -> str:
         for node in ast.walk(ast.parse(source))
         if isinstance(node, kinds)
     ]
-    tokens = tokenize.generate_tokens(io.StringIO(source).readline)
-    comments = [t.string for t in tokens if t.type == tokenize.COMMENT]
+    comments = re.findall(r"(?:^|\s)#.*$", source, flags=re.M)
     return "\n\n".join(docs + comments)
 
 
@@ -59,6 +56,7 @@ def file_names():
     return {p.name for p in paths} | {f"{p.parent.name}/{p.name}" for p in paths}
 
 
+@cache
 def leads_somewhere(reference: str, path: Path) -> bool:
     """Whether a file is there, seen from the root, from beside the page, or by its name."""
     if reference in ELSEWHERE or PLACEHOLDER.search(reference):
@@ -69,6 +67,7 @@ def leads_somewhere(reference: str, path: Path) -> bool:
     return by_name_alone and reference in file_names()
 
 
+@cache
 def is_known(dotted: str) -> bool:
     """Whether ``course.a.b`` is a module or something that can be got from one."""
     parts = dotted.split(".")
