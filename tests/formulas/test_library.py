@@ -4,6 +4,7 @@ form that agrees with them."""
 import numpy as np
 import pytest
 from contact.entry_by_entry import plain
+from formulas.clouds import unit
 from scipy.spatial.transform import Rotation
 
 from course import contact, dynamics, formulas, rotations
@@ -16,10 +17,6 @@ from course.study import falling_rods, ladder, moving_contact
 from course.study.resting_scenes import random_scene, stack, table, tangle
 
 SEEDS = pytest.mark.parametrize("seed", [1, 2, 3])
-
-
-def unit(v):
-    return v / np.linalg.norm(v, axis=-1, keepdims=True)
 
 
 def drawn_impacts(seed, count=40):

@@ -1,8 +1,8 @@
 """Pictures of gaps: what is drawn, and that the alternative text says the numbers."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from workbook.pictures import text
 
 from course.contact import separation_acceleration_terms
 from course.study import (
@@ -16,17 +16,6 @@ from course.study import (
 )
 from course.study.moving_contacts import CENTRAL, FORWARD
 from course.workbook import demos, plots
-from course.workbook.plots.figure import alternative_text
-
-
-@pytest.fixture(autouse=True)
-def closed_figures():
-    yield
-    plt.close("all")
-
-
-def text(ax):
-    return alternative_text(ax.get_figure(root=True))
 
 
 def test_turning_pair_tells_its_gaps():

@@ -1,23 +1,12 @@
 """Pictures of impacts with spin: what is drawn, and that the alternative text says the numbers."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from workbook.pictures import text
 
 from course.contact import resolve_collisions
 from course.study import box_on_corners, outcomes_by_order
 from course.workbook import plots
-from course.workbook.plots.figure import alternative_text
-
-
-@pytest.fixture(autouse=True)
-def closed_figures():
-    yield
-    plt.close("all")
-
-
-def text(ax):
-    return alternative_text(ax.get_figure(root=True))
 
 
 @pytest.mark.parametrize(
