@@ -573,7 +573,7 @@ def test_too_little_room_is_said_before_the_start(project, fake, monkeypatch):
         installation.shutil, "disk_usage", lambda path: usage(9e9, 8e9, 4e8)
     )
     with pytest.raises(
-        SetupError, match=r"needs 1\.5 GB .* has 0\.4 GB free\. Make room"
+        SetupError, match=r"needs 1\.7 GB .* has 0\.4 GB free\. Make room"
     ):
         installation.make(project)
     assert run.done == []
