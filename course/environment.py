@@ -3,8 +3,9 @@
 Standard library only, nothing of the house. ``ensure`` decides, in this order:
 
 1. a complete ``.venv`` that this project made wins: the program goes on in it;
-2. where every requirement of ``pyproject.toml`` is met already (conda, Colab,
-   an environment of one's own), the running interpreter is used as it is;
+2. where every requirement of ``pyproject.toml`` and its everyday extras is met
+   already (conda, Colab, an environment of one's own), the running interpreter is
+   used as it is;
 3. otherwise ``.venv`` is made, completed or renewed first, by the ``make`` it is given.
 
 Written so that Python 3.6 can read it: a ``.venv`` made by a newer Python
@@ -23,6 +24,7 @@ import sys
 OLDEST_PYTHON = (3, 11)
 LOCK = "requirements.lock"
 LOCK_WITH_EXTRAS = "requirements-all.lock"
+EVERYDAY = ("workbook", "test")  # the extras that the two first commands need
 MARKER = "made-by-collision-course"  # says that a .venv is ours; also locked while one is set up
 STAMP = "collision-course.json"  # written last: the set-up is complete
 ENTERED = "COLLISION_COURSE_ENTERED"  # set on the way into .venv, so that a broken one cannot loop
@@ -41,7 +43,8 @@ def ensure(arguments, make, root=None):
     ``root`` is the checkout (found from this file). Raises SetupError.
     """
     root = root or project_root()
-    if root is None:  # installed as a library: pip has seen to the requirements
+    if root is None:  # installed as a library, perhaps without the workbook
+        require_workbook()
         return
     extras = "test" in arguments and "--all" in arguments
     venv = os.path.join(root, ".venv")
@@ -197,39 +200,73 @@ def works(name):
         return False
 
 
-def unmet_requirements(root, extras=False):
-    """The requirements of ``pyproject.toml`` that the running interpreter does not meet."""
+def require_workbook():
+    """Raise SetupError where pip installed the library alone: commands need more."""
     from importlib import metadata
 
-    unmet = []
-    for requirement in requirements(root, extras):
+    try:
+        lines = metadata.requires("collision-course") or []
+    except metadata.PackageNotFoundError:
+        return
+    own = [
+        line.split(";")[0].strip()
+        for line in lines
+        if re.search(r"""extra == ["']workbook["']""", line)
+    ]
+    missing = unmet(own)
+    if missing:
+        raise SetupError(
+            "Commands need the packages of the workbook, and %s is not here: "
+            'pip install "collision-course[workbook]"' % missing[0]
+        )
+
+
+def unmet_requirements(root, extras=False):
+    """The requirements of ``pyproject.toml`` that the running interpreter does not meet."""
+    return unmet(requirements(root, extras))
+
+
+def unmet(wanted):
+    """The requirement lines among ``wanted`` that the running interpreter does not meet."""
+    from importlib import metadata
+
+    missing = []
+    for requirement in wanted:
+        if not is_asked_here(requirement):
+            continue
         name, bounds = parse_requirement(requirement)
         try:
             version = metadata.version(name)
         except metadata.PackageNotFoundError:
             version = None
         if version is None or not within(version, bounds):
-            unmet.append(requirement)
-    return unmet
+            missing.append(requirement)
+    return missing
 
 
 def requirements(root, extras=False):
-    """The requirement lines of ``pyproject.toml``, with those of its extras where asked."""
+    """The requirement lines of ``pyproject.toml`` with those of its everyday extras, and
+    of all others where asked.
+    """
     import tomllib
 
     with open(os.path.join(root, "pyproject.toml"), "rb") as file:
         project = tomllib.load(file)["project"]
-    optional = project.get("optional-dependencies", {}) if extras else {}
     return project["dependencies"] + [
-        line for lines in optional.values() for line in lines
+        line
+        for name, lines in project.get("optional-dependencies", {}).items()
+        for line in lines
+        if extras or name in EVERYDAY
     ]
 
 
 def parse_requirement(requirement):
-    """("name", [(">=", (1, 2)), ...]) from "name>=1.2,<2"; ValueError for a form this project does not use."""
+    """("name", [(">=", (1, 2)), ...]) from "name>=1.2,<2", with or without a marker;
+    ValueError for a form this project does not use.
+    """
     match = re.match(
         r"^([A-Za-z0-9._-]+)\s*((?:(?:>=|<=|==|!=|<|>)\s*[0-9.]+\s*,?\s*)*)$",
-        requirement,
+        requirement.split(";")[0].rstrip(),
     )
     if match is None:
         raise ValueError("requirement: expected name>=X,<Y, got %r" % requirement)
@@ -237,6 +274,35 @@ def parse_requirement(requirement):
     return match.group(1), [
         (operator, release(version)) for operator, version in bounds
     ]
+
+
+def is_asked_here(requirement):
+    """Whether a requirement's marker holds for the running interpreter.
+
+    A marker compares python_version, sys_platform or platform_machine with a text, once
+    or several times with "and" and "or" between and no brackets; ValueError for another.
+    """
+    _, semicolon, marker = requirement.partition(";")
+    return not semicolon or any(
+        all(holds(part, requirement) for part in re.split(r"\s+and\s+", either))
+        for either in re.split(r"\s+or\s+", marker.strip())
+    )
+
+
+def holds(comparison, requirement):
+    """Whether one comparison of a marker holds, such as python_version < "3.15"."""
+    import platform
+
+    match = re.match(
+        r"""^(\w+)\s*(>=|<=|==|!=|<|>)\s*(["'])([^"']*)\3$""", comparison.strip()
+    )
+    here = {"sys_platform": sys.platform, "platform_machine": platform.machine()}
+    name, operator, _, text = match.groups() if match else ("",) * 4
+    if name == "python_version":
+        return within("%d.%d" % sys.version_info[:2], [(operator, release(text))])
+    if name not in here or operator not in ("==", "!="):
+        raise ValueError("requirement: expected a plain marker, got %r" % requirement)
+    return (here[name] == text) is (operator == "==")
 
 
 def release(version):

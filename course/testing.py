@@ -87,6 +87,7 @@ def stages(tier: Tier) -> list[Stage]:
     unit = f"not ({ELSEWHERE} or slow)" if tier == "quick" else f"not ({ELSEWHERE})"
     everything = [
         Stage("lint", ("-m", "ruff", "check", "."), "quick"),
+        Stage("format", ("-m", "ruff", "format", "--check", "."), "quick"),
         Stage("unit tests", (*pytest, *workers, "-m", unit, "tests"), "quick"),
         Stage("doctests", (*pytest, "--doctest-modules", "course")),
         Stage("types", ("-m", "mypy"), "standard"),

@@ -51,25 +51,68 @@ def test_a_version_keeps_its_bounds(requirement, version, met):
 
 @pytest.mark.parametrize(
     "requirement",
-    ["a~=1.2", "a>=1; python_version<'3.12'", "a[more]>=1", "a @ file:///x", ">=1"],
+    [
+        "a~=1.2",
+        "a[more]>=1; python_version < '3.12'",
+        "a[more]>=1",
+        "a @ file:///x",
+        ">=1",
+    ],
 )
 def test_a_requirement_in_a_form_not_used_here_is_refused(requirement):
     with pytest.raises(ValueError, match="expected name>=X,<Y, got"):
         environment.parse_requirement(requirement)
 
 
+@pytest.mark.parametrize(
+    "marker, asked",
+    [
+        ("python_version < '3.12'", False),
+        ('python_version<"3.12"', False),
+        ("python_version >= '3.9'", True),
+        ("python_version < '3.13' and sys_platform == 'darwin'", True),
+        ("python_version < '3.13' and sys_platform != 'darwin'", False),
+        ("sys_platform != 'darwin' or platform_machine == 'arm64'", True),
+        ("sys_platform != 'darwin' or platform_machine != 'arm64'", False),
+    ],
+)
+def test_a_marker_says_where_a_requirement_is_asked(monkeypatch, marker, asked):
+    monkeypatch.setattr(sys, "version_info", (3, 12, 4, "final", 0))
+    monkeypatch.setattr(sys, "platform", "darwin")
+    monkeypatch.setattr("platform.machine", lambda: "arm64")
+    assert environment.is_asked_here(f"a>=1; {marker}") is asked
+    assert environment.parse_requirement(f"a>=1; {marker}") == ("a", [(">=", (1,))])
+    assert environment.unmet([f"no-such-thing; {marker}"]) == (
+        [f"no-such-thing; {marker}"] if asked else []
+    )
+
+
+@pytest.mark.parametrize(
+    "marker",
+    ["os_name == 'nt'", "(python_version < '3')", "sys_platform < 'win32'", "extra"],
+)
+def test_a_marker_in_a_form_not_used_here_is_refused(marker):
+    with pytest.raises(ValueError, match="expected a plain marker, got"):
+        environment.is_asked_here(f"a>=1; {marker}")
+
+
 def test_unmet_requirements_are_those_missing_or_too_old(tmp_path):
     (tmp_path / "pyproject.toml").write_text(
         '[project]\ndependencies = ["pytest>=1", "numpy>=999", "no-such-thing>=1"]\n'
-        '[project.optional-dependencies]\nmore = ["another-missing"]\n'
+        "[project.optional-dependencies]\n"
+        'more = ["another-missing"]\ntest = ["pytest>=998"]\nworkbook = ["pip>=997"]\n'
     )
-    assert environment.unmet_requirements(tmp_path) == [
-        "numpy>=999",
-        "no-such-thing>=1",
-    ]
-    assert (
-        environment.unmet_requirements(tmp_path, extras=True)[-1] == "another-missing"
-    )
+    everyday = ["numpy>=999", "no-such-thing>=1", "pytest>=998", "pip>=997"]
+    assert environment.unmet_requirements(tmp_path) == everyday
+    found = environment.unmet_requirements(tmp_path, extras=True)
+    assert sorted(found) == sorted([*everyday, "another-missing"])
+
+
+def test_the_everyday_extras_are_extras_of_the_project():
+    import tomllib
+
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    assert set(environment.EVERYDAY) < set(project["optional-dependencies"])
 
 
 def test_this_interpreter_meets_the_project_s_requirements():
@@ -530,7 +573,7 @@ def test_too_little_room_is_said_before_the_start(project, fake, monkeypatch):
         installation.shutil, "disk_usage", lambda path: usage(9e9, 8e9, 4e8)
     )
     with pytest.raises(
-        SetupError, match=r"needs 1\.5 GB .* has 0\.4 GB free\. Make room"
+        SetupError, match=r"needs 1\.7 GB .* has 0\.4 GB free\. Make room"
     ):
         installation.make(project)
     assert run.done == []
@@ -754,6 +797,25 @@ def test_the_stamp_is_json_that_a_person_can_read(project, fake):
     installation.make(project)
     stamp = json.loads((project / ".venv" / environment.STAMP).read_text())
     assert set(stamp) == {"lock", "extras", "folder", "base", "python"}
+
+
+@pytest.mark.parametrize(
+    "asks, said",
+    [
+        (['no-such-thing>=1 ; extra == "workbook"'], "no-such-thing>=1 is not here"),
+        (["pytest>=1; extra == 'workbook'", "no-such; extra == 'test'"], None),
+        (None, None),
+    ],
+)
+def test_a_command_of_the_library_alone_says_what_it_lacks(monkeypatch, asks, said):
+    monkeypatch.setattr("importlib.metadata.requires", lambda name: asks)
+    monkeypatch.setattr(environment, "project_root", lambda: None)
+    if said is None:
+        environment.ensure([], None)
+        return
+    with pytest.raises(SetupError, match=said) as raised:
+        environment.ensure([], None)
+    assert str(raised.value).endswith('pip install "collision-course[workbook]"')
 
 
 def test_installed_without_a_checkout_there_is_nothing_to_do(tmp_path):

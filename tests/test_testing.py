@@ -35,7 +35,7 @@ def names(tier):
 
 
 def test_the_tiers_hold_what_the_design_says():
-    assert names("quick") == ["lint", "unit tests"]
+    assert names("quick") == ["lint", "format", "unit tests"]
     assert set(names("standard")) == {*names("quick"), "doctests", "types", "lessons as built", "solutions, strict",
                                       "lessons, as handed out"}  # fmt: skip
     assert set(names("all")) == {

@@ -48,8 +48,9 @@ def make(folder, *, requirement="tiny-dependency>=1"):
     (course / "cli.py").write_text(CLI)
     (folder / "pyproject.toml").write_text(
         '[build-system]\nrequires = []\nbuild-backend = "backend"\nbackend-path = ["."]\n'
-        f'[project]\nname = "tiny-course"\nversion = "1.0"\ndependencies = ["{requirement}"]\n'
-        '[project.optional-dependencies]\nmore = ["tiny-extra>=1"]\n'
+        '[project]\nname = "tiny-course"\nversion = "1.0"\ndependencies = []\n'
+        f'[project.optional-dependencies]\nworkbook = ["{requirement}"]\n'
+        'more = ["tiny-extra>=1"]\n'
     )
     (folder / "backend.py").write_text(BACKEND)
     lock(folder, {"tiny-dependency": "1.0"})

@@ -15,7 +15,8 @@ from course.contact.judgement import (
     require_semidefinite,
     require_solution,
 )
-from course.contact.parts import SMALL, Parts, dense
+from course.contact.parts import SMALL, Parts
+from course.contact.rescue import dense
 from course.contact.solution import ContactSolution, contact_solution
 from course.contact.solvers.block_pivot import (
     Pivoted,

@@ -151,7 +151,7 @@ def _begin(task: Task) -> bytes:
     return b"%d %d\0" % (len(task.place), len(reason)) + task.place + reason
 
 
-def _opened(path: Path):  # type: ignore[no-untyped-def]
+def _opened(path: Path):
     """A plain file, open for reading; a link or a pipe that was put in its place is
     refused, not waited for.
     """

@@ -92,7 +92,7 @@ def install_stand_ins() -> None:
     """Put the stand-in in the course's place; what was imported of it before stays with those who hold it."""
     for name in [n for n in sys.modules if n == "course" or n.startswith("course.")]:
         del sys.modules[name]
-    sys.meta_path.insert(0, _Finder())  # type: ignore[arg-type]
+    sys.meta_path.insert(0, _Finder())
 
 
 def with_later_imports(tree: ast.Module) -> ast.Module:

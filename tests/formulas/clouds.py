@@ -51,6 +51,11 @@ def carried(motion, t):
     return place, turn(t * omega + t**2 / 2 * omega_dot)
 
 
+def unit(v):
+    """Vectors (..., 3) made one long."""
+    return v / np.linalg.norm(v, axis=-1, keepdims=True)
+
+
 def rate(f, h=1e-5):
     """f'(0) by a central difference, good to h^2."""
     return (f(h) - f(-h)) / (2 * h)

@@ -4,6 +4,7 @@ form that agrees with them."""
 import numpy as np
 import pytest
 from contact.entry_by_entry import plain
+from formulas.clouds import unit
 from scenes.parts import bodies_and_contacts
 from scipy.spatial.transform import Rotation
 
@@ -24,10 +25,6 @@ from course.scenes import (
 )
 
 SEEDS = pytest.mark.parametrize("seed", [1, 2, 3])
-
-
-def unit(v):
-    return v / np.linalg.norm(v, axis=-1, keepdims=True)
 
 
 def drawn_impacts(seed, count=40):

@@ -2,15 +2,11 @@
 
 import numpy as np
 import pytest
-from formulas.clouds import rate, turn
+from formulas.clouds import rate, turn, unit
 
 from course import formulas
 
 SEEDS = pytest.mark.parametrize("seed", [1, 2, 3])
-
-
-def unit(v):
-    return v / np.linalg.norm(v, axis=-1, keepdims=True)
 
 
 def test_separation_is_the_way_along_the_normal():

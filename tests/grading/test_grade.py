@@ -235,15 +235,6 @@ def test_every_submission_has_a_page_of_its_own(batch):
     assert "7 of 7 points" in written[batch.rows["right.ipynb"]["page"]]
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """Four submissions that need no process and one that does."""
-    for name in ("ann", "ben", "dan", "eve"):
-        write(tmp_path / "in" / f"{name}.ipynb", blank())
-    write(tmp_path / "in" / "cal.ipynb", notebook(OTHER))
-    return tmp_path / "in"
-
-
 @pytest.mark.slow
 def test_a_batch_that_is_done_is_not_done_again(folder, tmp_path, monkeypatch):
     out = tmp_path / "new" / "grades.csv"

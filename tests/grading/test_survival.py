@@ -14,10 +14,8 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 from grading.toy_lessons import (
     LESSONS,
-    OTHER,
     RIGHT,
     blank,
-    notebook,
     only,
     rows_in,
     write,
@@ -53,14 +51,6 @@ sys.exit(cli.run(["grade", *sys.argv[2:]]))
 """
 SLEEPS = "import time\ndef twice(x):\n    time.sleep(4)"
 NEVER = "def twice(x):\n    while True: pass"
-
-
-@pytest.fixture
-def folder(tmp_path):
-    for name in ("ann", "ben", "dan", "eve"):
-        write(tmp_path / "in" / f"{name}.ipynb", blank())
-    write(tmp_path / "in" / "cal.ipynb", notebook(OTHER))
-    return tmp_path / "in"
 
 
 @pytest.fixture

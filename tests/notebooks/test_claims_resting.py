@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from lesson_text import prose
 from scenes.parts import bodies_and_contacts
 from scipy.optimize import brentq
 
@@ -57,15 +58,6 @@ from course.study import (
 )
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
-
-
-@cache
-def prose(lesson):
-    """All text cells of a lesson, in one string of single spaces."""
-    (path,) = SOLUTIONS.glob(f"{lesson}-*.ipynb")
-    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-    texts = ("".join(c["source"]) for c in cells if c["cell_type"] == "markdown")
-    return " ".join(" ".join(texts).split())
 
 
 @cache

@@ -1,7 +1,9 @@
 """The notebooks as files: built from their source, comparable by nbval, in the shape every lesson has."""
 
 import ast
+import io
 import re
+import tokenize
 from pathlib import Path
 
 import nbformat
@@ -173,9 +175,26 @@ def test_style_that_can_be_counted(path):
             )
     for cell in code_cells(path):
         if cell.metadata.get("course", {}).get("exercise") is None:
-            assert len(cell.source.splitlines()) <= 16, (
+            assert logical_lines(cell.source) <= 16, (
                 f"a long cell: {cell.source[:60]!r}"
             )
+
+
+def logical_lines(code) -> int:
+    """How many lines Python counts: a statement wrapped over several counts once."""
+    tokens = tokenize.generate_tokens(io.StringIO(code).readline)
+    return sum(token.type == tokenize.NEWLINE for token in tokens)
+
+
+def test_a_wrapped_statement_is_one_line():
+    assert logical_lines("x = (\n    1 + 1\n)\n\n# said\nif x:\n    y = x") == 3
+
+
+@each
+def test_no_line_of_code_is_wider_than_the_formatter_s(path):
+    """The formatter leaves long texts and comments alone; the page does not."""
+    lines = [line for c in code_cells(path) for line in c.source.splitlines()]
+    assert [line for line in lines if len(line) > 88] == []
 
 
 COMMANDS = frozenset(

@@ -1,25 +1,14 @@
 """Pictures of contact forces: what is drawn, and that the alternative text says the numbers."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from workbook.pictures import text
 
 from course.contact import solve
 from course.exercises.definition import find_exercise
 from course.scenes import loaded_plank
 from course.study import SolverGrowth, plank_forces, two_forces
 from course.workbook import demos, plots
-from course.workbook.plots.figure import alternative_text
-
-
-@pytest.fixture(autouse=True)
-def closed_figures():
-    yield
-    plt.close("all")
-
-
-def text(ax):
-    return alternative_text(ax.get_figure(root=True))
 
 
 def test_leg_forces_draws_a_bar_for_each_answer_and_leg():

@@ -1,23 +1,12 @@
 """Pictures of the contact matrix: what is drawn, and that the alternative text says the numbers."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from workbook.pictures import text
 
 from course.scenes import table, wall
 from course.study import pushed_table
 from course.workbook import demos, plots
-from course.workbook.plots.figure import alternative_text
-
-
-@pytest.fixture(autouse=True)
-def closed_figures():
-    yield
-    plt.close("all")
-
-
-def text(ax):
-    return alternative_text(ax.get_figure(root=True))
 
 
 def test_a_push_at_a_foot_shows_its_column_of_a():

@@ -1,31 +1,20 @@
 """Pictures of motion and the tumbling widget: what is drawn, and that the alternative text says the numbers."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from workbook.pictures import text
 
 from course.dynamics import free_tumble
 from course.scenes import spinning_handle
 from course.workbook import demos, plots
 from course.workbook.demos import motion as motion_demo
-from course.workbook.plots.figure import alternative_text
 from course.workbook.plots.motion import RUNS
 from course.workbook.viewer.still import draw
-
-
-@pytest.fixture(autouse=True)
-def closed_figures():
-    yield
-    plt.close("all")
 
 
 @pytest.fixture(scope="module")
 def motion():
     return free_tumble(spinning_handle().bodies, np.linspace(0, 8, 401))
-
-
-def text(ax):
-    return alternative_text(ax.get_figure(root=True))
 
 
 def test_energies_are_drawn_with_their_sum():

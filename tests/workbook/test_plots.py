@@ -14,13 +14,6 @@ from course.workbook import demos, plots
 from course.workbook.plots.figure import alternative_text
 
 
-@pytest.fixture(autouse=True)
-def no_figure_left():
-    plt.close("all")
-    yield
-    plt.close("all")
-
-
 def a_work_precision():
     method = Method(
         "halving", lambda h: (1 + h, round(1 / h)), (0.5, 0.25, 0.125), "step"

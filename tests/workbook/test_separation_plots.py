@@ -1,8 +1,8 @@
 """Pictures of gaps: what is drawn, and that the alternative text says the numbers."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from workbook.pictures import text
 
 from course import study
 from course.contact import separation_acceleration_terms
@@ -17,17 +17,6 @@ from course.study import (
     work_precision,
 )
 from course.workbook import demos, plots
-from course.workbook.plots.figure import alternative_text
-
-
-@pytest.fixture(autouse=True)
-def closed_figures():
-    yield
-    plt.close("all")
-
-
-def text(ax):
-    return alternative_text(ax.get_figure(root=True))
 
 
 def test_turning_pair_tells_its_gaps():

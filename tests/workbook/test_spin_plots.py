@@ -1,25 +1,14 @@
 """Pictures of impacts with spin: what is drawn, and that the alternative text says the numbers."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from scenes.parts import bodies_and_contacts
+from workbook.pictures import text
 
 from course.contact import resolve_collisions
 from course.scenes import box_on_corners
 from course.study import box_outcomes, outcomes_by_order, rod_landing
 from course.workbook import plots
-from course.workbook.plots.figure import alternative_text
-
-
-@pytest.fixture(autouse=True)
-def closed_figures():
-    yield
-    plt.close("all")
-
-
-def text(ax):
-    return alternative_text(ax.get_figure(root=True))
 
 
 @pytest.mark.parametrize(
