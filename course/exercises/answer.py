@@ -197,7 +197,7 @@ def _compiled(points: Sequence[Any], expression: Any) -> Callable[..., Any]:
     settings = {"fully_qualified_modules": False, "inline": True}
     printer = NumPyPrinter({**settings, "allow_unknown_functions": True})
     names = {**vars(np.linalg), **vars(np), "numpy": np}
-    return sympy.lambdify(points, expression, [names], printer)  # type: ignore[no-any-return]
+    return sympy.lambdify(points, expression, [names], printer)
 
 
 def _require_known(expression: Any, symbols: Sequence[str]) -> None:
