@@ -7,6 +7,7 @@ happens inside the box: parsing what a stranger wrote takes as much time and mem
 from __future__ import annotations
 
 import difflib
+import hashlib
 import json
 import re
 from collections.abc import Mapping, Sequence
@@ -50,19 +51,38 @@ class ExerciseCell:
 
 @dataclass(frozen=True)
 class Outline:
-    """What reading needs to know of a lesson: its number and the names of its exercises."""
+    """What reading needs to know of a lesson: its number, the names of its exercises, and digests (``digest_of``) of
+    the lesson's own cells as they are handed out."""
 
     number: str
     exercises: tuple[str, ...]
+    handed_out: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
 class NotebookFile:
-    """A submission: its lesson, the code that runs first, and the exercise cells in the lesson's order."""
+    """A submission: its lesson, the code that runs first, the exercise cells in the lesson's order, and all code cells
+    in the notebook's order."""
 
     lesson: str
     preamble: tuple[str, ...]
     cells: tuple[ExerciseCell, ...]
+    code: tuple[CodeCell, ...] = ()
+
+
+@dataclass(frozen=True)
+class CodeCell:
+    """A code cell: its source, the exercise it is for, its role, and whether it is the lesson's own, unchanged."""
+
+    source: str
+    exercise: str = ""
+    role: str = ""
+    handed_out: bool = False
+
+
+def digest_of(source: str) -> str:
+    """A digest of a cell."""
+    return hashlib.sha256(source.encode("utf-8", "replace")).hexdigest()
 
 
 @dataclass(frozen=True)
@@ -96,7 +116,16 @@ def parse_notebook(
     lesson = _lesson_of(notebook, file_name, cells, lessons)
     names = lesson.exercises
     found = tuple(_find(name, names, cells) for name in names)
-    return NotebookFile(lesson.number, _preamble(cells, names), found)
+    code = tuple(
+        CodeCell(
+            cell.source,
+            cell.exercise if cell.exercise in names else "",
+            str(cell.told.get("role", "")),
+            digest_of(cell.source) in lesson.handed_out,
+        )
+        for cell in cells
+    )
+    return NotebookFile(lesson.number, _preamble(cells, names), found, code)
 
 
 def _load(content: bytes) -> Mapping[str, Any]:

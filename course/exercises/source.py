@@ -95,6 +95,7 @@ class Facts:
     definitions: str = ""
     binds: frozenset[str] = frozenset()
     uses: frozenset[str] = frozenset()
+    parsed: bool = False
 
 
 @lru_cache(maxsize=4096)
@@ -110,7 +111,8 @@ def facts_of(source: str) -> Facts:
             table = symtable.symtable(source, "<cell>", "exec")
     except UNREADABLE:  # it parses, and could not be compiled
         return Facts(_defined(tree), _definitions(source, tree))
-    return Facts(_defined(tree), _definitions(source, tree), *_names(tree, table))
+    bound, used = _names(tree, table)
+    return Facts(_defined(tree), _definitions(source, tree), bound, used, True)
 
 
 def defined_names(source: str) -> tuple[str, ...]:
@@ -201,10 +203,13 @@ def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
     Names are all that is looked at. Where they cannot tell (``eval``, ``from x import *``) a cell is kept. A cell
     that no name leads to is left out: its loop without end then costs its own exercise alone.
     """
+    used = names_of(wanted)[1]
+    return tuple(range(len(sources))) if used & DYNAMIC else closure(sources, used)
+
+
+def closure(sources: Sequence[str], used: frozenset[str]) -> tuple[int, ...]:
+    """The indices of the cells that bind one of these names, or one that such a cell uses, and so on."""
     names = [names_of(source) for source in sources]
-    bound_here, used = names_of(wanted)
-    if used & DYNAMIC:
-        return tuple(range(len(sources)))
     kept: set[int] = {i for i, (bound, _) in enumerate(names) if "*" in bound}
     used = used.union(*(names[i][1] for i in kept))
     while True:

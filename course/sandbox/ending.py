@@ -5,14 +5,13 @@ from __future__ import annotations
 import signal
 from typing import Literal
 
-#: "replied": results came. "time", "files", "memory": a limit was passed. "blocked": a cell it needs ended an earlier
-#: run. The rest came without a reply: "ended" by the program itself, "crashed", "killed" from outside, "unreadable".
+#: "replied": results came. "time", "files", "memory": a limit was passed. The rest came without a reply: "ended" by the
+#: program itself, "crashed", "killed" from outside, "unreadable".
 End = Literal[
     "replied",
     "time",
     "files",
     "memory",
-    "blocked",
     "ended",
     "crashed",
     "killed",
@@ -23,7 +22,6 @@ ENDS: tuple[End, ...] = (
     "time",
     "files",
     "memory",
-    "blocked",
     "ended",
     "crashed",
     "killed",

@@ -7,10 +7,11 @@ is, and the report says that submissions were trusted. No mark hangs on it: verd
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 REFUSED = frozenset(
@@ -56,7 +57,7 @@ Tell = Callable[[str], None]
 
 def install_guard(
     own: str, closed: Sequence[str], packages: Sequence[str], tell: Tell
-) -> None:
+) -> _Guard:
     """From now on writing works in the folder ``own`` alone, and the folders ``closed`` cannot be read.
 
     ``tell`` is called with each attempt that is refused, in words. What is looked for in vain among the ``packages``
@@ -68,6 +69,7 @@ def install_guard(
             guard.replace(module, name)
     guard.refuse_folders_by_number()
     sys.addaudithook(guard)
+    return guard
 
 
 class _Guard:
@@ -80,8 +82,20 @@ class _Guard:
         self._shut = [os.path.realpath(folder) for folder in closed]
         self._harmless = (*HARMLESS, *filter(None, packages))
         self._tell = tell
+        self._aside = False
+
+    @contextlib.contextmanager
+    def aside(self) -> Iterator[None]:
+        """Stand aside for what is our own to do."""
+        self._aside = True
+        try:
+            yield
+        finally:
+            self._aside = False
 
     def __call__(self, event: str, details: tuple[Any, ...]) -> None:
+        if self._aside:
+            return
         if event in REFUSED:
             self._refuse(event, f"{event} is not allowed while an answer is marked")
         elif event == "open":

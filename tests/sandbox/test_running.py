@@ -400,14 +400,16 @@ def test_memory_is_watched_where_it_cannot_be_limited(monkeypatch, tmp_path):
     """As on macOS: the memory that ps tells of is looked at while the answer runs."""
     assert 10 < watching._resident_mb(os.getpid()) < 100_000
     assert watching._resident_mb(2**22 + 1) == 0.0
-    seen = watching._Limits(os.getpid(), str(tmp_path), Limits(seconds=99.0), False)
-    seen.begun = time.monotonic()
+    limits, place = Limits(seconds=99.0), str(tmp_path)
+    seen = watching.Watch(
+        os.getpid(), 0, 0, None, place, limits, boxed=False, seconds=99.0
+    )
     seen._looked -= 1.0
-    assert seen.passed() is None
+    assert seen._passed() is None
     monkeypatch.setattr(watching, "watches_memory", lambda: True)
     monkeypatch.setattr(watching, "_resident_mb", lambda pid: 2001.0)
     seen._looked -= 1.0
-    assert seen.passed() == "memory"
+    assert seen._passed() == "memory"
 
 
 @pytest.mark.parametrize("way", ["start_plain", "start_in_box"])
