@@ -253,6 +253,7 @@ def _unfinished(
         "time": f"did not finish within {limits.seconds:g} s: a loop without end?",
         "files": f"wrote more than {limits.file_mb} MB, or thousands of files",
         "memory": f"took more than {limits.memory_mb} MB of memory",
+        "threads": "started thousands of threads",
         "ended": f"ended the whole program ({run.detail}) instead of returning",
         "crashed": f"crashed Python ({run.detail})",
         "killed": f"was ended from outside ({run.detail})",

@@ -17,6 +17,10 @@ from course.sandbox.messages import FAULT, REPLY, STAGE, TRIED, Garbled, Incomin
 START_SECONDS = 60.0  # for a run to begin: a slow disk is not the student's
 LOOK_SECONDS = 0.25
 MOST_FILES = 2_000
+#: Started in one run, whether they still live or not.
+MOST_THREADS = 4_000
+#: Numbers of processes start anew there, on most machines.
+NUMBERS = 1 << 15
 
 
 class Abandoned(Exception):
@@ -132,7 +136,24 @@ class _Limits:
                 and _resident_mb(self._process) > self._limits.memory_mb
             ):
                 return "memory"
+            if self._boxed and self._too_many_threads():
+                return "threads"
         return None
+
+    def _too_many_threads(self) -> bool:
+        """Whether thousands were started: they would use up the machine's numbers.
+
+        In a box, processes and threads are numbered one after the other, so a process
+        made now tells how many there have been. No limit of the system's holds for root.
+        """
+        try:
+            latest = os.fork()
+        except OSError:
+            return True
+        if latest == 0:
+            os._exit(0)
+        os.waitpid(latest, 0)
+        return (latest - self._process) % NUMBERS > MOST_THREADS
 
     def _too_much_written(self) -> bool:
         if (

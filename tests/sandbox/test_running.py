@@ -320,7 +320,7 @@ def test_limits_are_set_on_the_process():
     )
     command = [sys.executable, "-c", source]
     told = subprocess.run(command, capture_output=True, text=True, timeout=60).stdout
-    assert told.strip() == "[(7, 9), (7000000, 7000000), (0, 0)]"
+    assert told.strip() == "[(7, 9), (7000000, 7000000), (1, 1)]"
 
 
 @POSIX
@@ -485,3 +485,26 @@ def test_the_box_holds_what_the_child_imports_and_no_more():
     told = subprocess.run(command, capture_output=True, text=True).stdout
     loaded = [Path(p).relative_to(box.ROOT).as_posix() for p in json.loads(told)]
     assert tuple(loaded) == box.CHILD_FILES
+
+
+@BOXED
+def test_thousands_of_threads_are_ended_before_the_machine_has_no_numbers_left():
+    source = """import _thread
+_thread.stack_size(32768)
+lock = _thread.allocate_lock()
+lock.acquire()
+for _ in range(20_000): _thread.start_new_thread(lock.acquire, ())
+def f(x): return x"""
+    assert run(source, boxed=True).end == "threads"
+
+
+@BOXED
+def test_some_hundred_threads_are_nobodys_business():
+    source = """import threading, time
+def f(x):
+    for _ in range(300):
+        t = threading.Thread(target=time.sleep, args=(0.002,))
+        t.start()
+        t.join()
+    return x"""
+    assert run(source, boxed=True).end == "replied"
