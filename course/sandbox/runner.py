@@ -16,7 +16,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from types import CodeType
+from types import CodeType, ModuleType
 from typing import Any
 
 from course.exercises import answer
@@ -129,8 +129,10 @@ class _Cells:
 
     def __init__(self, attempts: _Attempts) -> None:
         nothing = stand_ins.StandInForCourse()
-        self.namespace: dict[str, Any] = {
-            "__name__": "__main__",
+        # A module of its own, as in a kernel: pickle and dataclasses look names up there.
+        main = sys.modules["__main__"] = ModuleType("__main__")
+        self.namespace: dict[str, Any] = vars(main)
+        self.namespace |= {
             "exit": sys.exit,
             "quit": sys.exit,
             "display": nothing,
