@@ -37,14 +37,18 @@ def pack(value: Any) -> bytes:
     return _LENGTH.pack(len(head)) + head + bytes(body)
 
 
-def unpack(message: bytes) -> Any:
-    """The tree of a message; raises ``Unreadable`` for anything that ``pack`` does not write."""
+def unpack(message: bytes, header: int = HEADER_LIMIT) -> Any:
+    """The tree of a message; raises ``Unreadable`` for anything that ``pack`` does not write.
+
+    ``header`` is the most bytes of all but its arrays: what is read of them takes a
+    hundred times their number.
+    """
     if len(message) < _LENGTH.size:
         raise Unreadable("too short")
     (length,) = _LENGTH.unpack_from(message)
     body = message[_LENGTH.size + length :]
     if (
-        length > HEADER_LIMIT
+        length > header
         or length > len(message) - _LENGTH.size
         or len(body) > BODY_LIMIT
     ):
