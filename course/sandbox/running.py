@@ -361,7 +361,7 @@ def _run(seen: Mapping[str, Any] | None, question: Question, cells: int) -> Run:
 def _stage(told: str, cells: int, cases: int) -> tuple[str, int]:
     """Where the run stood; a student's code can say so too, so nothing in it is taken unseen."""
     words = told.split()
-    if len(words) == 2 and words[0] in ("cell", "case") and words[1].isdigit():
+    if len(words) == 2 and words[0] in ("cell", "case") and words[1].isdecimal():
         index = int(words[1]) if len(words[1]) < 9 else cells + cases
         if index < (cells if words[0] == "cell" else cases):
             return words[0], index
