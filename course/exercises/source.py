@@ -18,6 +18,16 @@ from functools import lru_cache
 MAXIMUM_CELL = 200_000
 #: What Python's parser and its visitors raise for a source that they cannot take.
 UNREADABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+#: What a pasted session begins its lines with.
+PROMPT = re.compile(r"(>>>|In \[\d+\]:)( |$)")
+MORE_PROMPT = re.compile(r"(>>>|\.\.\.|In \[\d+\]:|\s*\.\.\.:)( |$)")
+#: What IPython is asked about, and what a magic's result can be given to.
+ASKED = re.compile(r"[\w.*\[\]]+")
+TARGETS = re.compile(r"[\w, .\[\]'\"]+")
+#: What opens or closes a text or a bracket, a comment, or a pair that a backslash makes.
+TOKENS = re.compile(r"\\.|\"\"\"|'''|[\"'#()\[\]{}]")
+#: A function may be defined in one, and is there afterwards.
+BLOCKS = (ast.If, ast.For, ast.While, ast.With, ast.Try, ast.Match)
 DYNAMIC = frozenset(
     {"globals", "locals", "vars", "eval", "exec", "__import__", "get_ipython"}
 )
@@ -54,21 +64,54 @@ def syntax_error(source: str) -> str:
 
 
 def python_only(source: str) -> str:
-    """The cell with IPython's own lines (%magic, !shell, name?) turned into ``0``, which does nothing and is never
-    longer; line numbers stay.
+    """The cell as Python, where IPython takes more than that; line numbers stay.
 
-    A cell that is Python as it stands is left alone: a line may begin with % inside an expression or a text.
-    Each line is looked at once from left to right, so that the time grows with its length and no faster.
+    Its own lines (%magic, !shell, name?) turn into ``0``, which does nothing; what was
+    pasted with its indentation or with prompts loses these. It never gets longer. A cell
+    that is Python as it stands is left alone.
     """
-    lines = source.splitlines()
-    if len(source) > MAXIMUM_CELL or not any(map(_is_foreign, lines)):
+    if len(source) > MAXIMUM_CELL or not _may_be_more(source):
         return source
     if tree_of(source) is not None:
         return source
-    return "\n".join(
-        f"{line[: len(line) - len(line.lstrip())]}0" if _is_foreign(line) else line
-        for line in lines
-    )
+    lines = _without_margin(_lines(source))
+    return "\n".join(_without_foreign(lines))
+
+
+def _lines(source: str) -> list[str]:
+    """The lines as Python counts them; a form feed, say, may stand within one."""
+    return re.split("\r\n|\r|\n", source)
+
+
+def _may_be_more(source: str) -> bool:
+    lines = _lines(source)
+    first = next((line for line in lines if line.strip()), "")
+    margin = first[:1].isspace() or PROMPT.match(first) is not None
+    return margin or any(map(_is_foreign, lines))
+
+
+def _without_margin(lines: list[str]) -> list[str]:
+    """The lines without the prompts, or the indentation, of the first that is not empty."""
+    first = next((line for line in lines if line.strip()), "")
+    if PROMPT.match(first):
+        return [MORE_PROMPT.sub("", line, count=1) for line in lines]
+    margin = first[: len(first) - len(first.lstrip())]
+    return [line.removeprefix(margin) for line in lines]
+
+
+def _without_foreign(lines: list[str]) -> Iterator[str]:
+    """IPython's lines are those that begin a statement; what looks like one inside a text
+    or in brackets is none. A backslash carries them on, too.
+    """
+    inside = _Inside()
+    carried = False
+    for line in lines:
+        if carried or (not inside and _is_foreign(line)):
+            yield "" if carried else _instead(line)
+            carried = line.endswith("\\")
+        else:
+            inside.read(line)
+            yield line
 
 
 def _is_foreign(line: str) -> bool:
@@ -77,18 +120,58 @@ def _is_foreign(line: str) -> bool:
     if line.startswith(("%", "!", "?")):
         return True
     if line.endswith("?"):
-        return re.fullmatch(r"[\w.]+", line[:-1].removesuffix("?")) is not None
+        return ASKED.fullmatch(line[:-1].removesuffix("?")) is not None
     left, equals, right = line.partition("=")
     magic = equals and right.lstrip().startswith(("%", "!"))
-    return bool(magic) and re.fullmatch(r"[\w, ]+", left) is not None
+    return bool(magic) and TARGETS.fullmatch(left) is not None
+
+
+def _instead(line: str) -> str:
+    """What stands for a line of IPython's: ``%time name = value`` does bind the name."""
+    margin = line[: len(line) - len(line.lstrip())]
+    timed = line.strip().removeprefix("%time ").lstrip()
+    tree = None if timed[:1] in "%!?" else tree_of(timed)
+    return margin + (timed if tree is not None and _defined(tree) else "0")
+
+
+class _Inside:
+    """Whether the lines read so far end within a statement: a text, brackets, a line that
+    a backslash carries on. Each character is looked at once.
+    """
+
+    def __init__(self) -> None:
+        self._quotes, self._depth, self._carried = "", 0, False
+
+    def __bool__(self) -> bool:
+        return bool(self._quotes or self._depth or self._carried)
+
+    def read(self, line: str) -> None:
+        """Read one more line."""
+        self._carried = False
+        for part in TOKENS.findall(line):
+            if self._quotes:
+                self._quotes = "" if part == self._quotes else self._quotes
+            elif part[0] == "#":
+                return
+            elif part[0] in "'\"":
+                self._quotes = part
+            elif part[0] in "([{":
+                self._depth += 1
+            elif part[0] in ")]}":
+                self._depth = max(0, self._depth - 1)
+        self._carried = line.endswith("\\")
+        if len(self._quotes) == 1 and not self._carried:
+            self._quotes = ""  # a text in single quotes ends with its line
 
 
 @dataclass(frozen=True)
 class Facts:
     """What is told from a cell's source alone, IPython's own lines left out.
 
-    ``defines`` are the names that it defines at its top level, ``definitions`` the source of these alone; ``binds``
-    are the names it binds in the notebook's namespace ("*" for all of a module), ``uses`` those it takes from there.
+    ``defines`` are the names that it defines at its top level, functions in an ``if`` or
+    ``with`` there too, ``definitions`` the source of those alone that stand in none;
+    ``binds`` are the names it binds in the notebook's namespace ("*" for all of a
+    module), ``uses`` those it takes from there.
     """
 
     defines: tuple[str, ...] = ()
@@ -131,7 +214,9 @@ def definitions_only(source: str) -> str:
 def _defined(tree: ast.Module) -> tuple[str, ...]:
     names: list[str] = []
     for node in tree.body:
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+        if isinstance(node, BLOCKS):
+            names += [n.name for n in _statements([node]) if _is_function(n)]  # type: ignore[attr-defined]
+        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             names.append(node.name)
         elif isinstance(node, (ast.Assign, ast.AnnAssign)) and not _is_use(node.value):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]

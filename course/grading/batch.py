@@ -15,7 +15,7 @@ from course.exercises.notebook_file import UnusableNotebook
 from course.grading.feedback import write_page
 from course.grading.fingerprints import key_of
 from course.grading.judge import Judge, Row
-from course.grading.report import Submission, cells_of, safe_cell
+from course.grading.report import TRUSTED, Submission, cells_of, safe_cell
 from course.grading.stopping import Stopping
 from course.grading.submissions import Task, digest_of, read_content
 from course.grading.table import Table
@@ -153,18 +153,21 @@ def standing(
     rows: Sequence[Mapping[str, str]],
     keys: Mapping[str, Task],
     tasks: Iterable[Task],
+    *,
+    boxed: bool = False,
 ) -> tuple[list[dict[str, str]], list[dict[str, str]]]:
     """The rows of an old table that stand, and those whose submission is to be marked
     again.
 
     A row stands whose key is one of ``keys`` and whose page is there, and one whose
-    file is none of these ``tasks``.
+    file is none of these ``tasks``; with ``boxed`` none whose submission was trusted.
     """
     files = {safe_cell(task.file) for task in tasks}
     stand, stale = [], []
     for row in rows:
         task = keys.get(row["key"])
-        if task is not None and task.page.exists():
+        enough = not (boxed and row["isolation"].startswith(TRUSTED))
+        if task is not None and task.page.exists() and enough:
             # A spreadsheet may have made a date or a number of a name.
             stand.append(_named(row, task))
         elif task is not None or row["file"] in files:

@@ -33,6 +33,7 @@ from course.grading.submissions import (
 )
 from course.grading.table import Found, Table, read_table
 from course.grading.writing import CannotWrite
+from course.sandbox.box import Isolation
 from course.sandbox.limits import Limits
 from course.sandbox.running import Sandbox, SandboxFailure, find_isolation
 
@@ -174,7 +175,9 @@ def grade_folder(
         seed = _seed(found, tasks) if seed is None else seed
         version = grader_version(known)
         keys = {key_of(task.digest, version, seed, limits): task for task in tasks}
-        stand, stale = standing(found.rows, {} if force else keys, tasks)
+        stand, stale = standing(
+            found.rows, {} if force else keys, tasks, boxed=require_sandbox
+        )
         done = {row["key"] for row in stand}
         todo = [task for key, task in keys.items() if key not in done]
         with stopping.put_off():  # its process is ended and its folder taken away
@@ -201,9 +204,15 @@ def grade_folder(
     return Summary(
         out, feedback, seed, len(tasks), len(tasks) - len(todo), states.count("marked"),
         states.count("needs a person"), states.count("unusable"), time.monotonic() - started,
-        str(shut_in) if shut_in else rows[0]["isolation"],
+        _isolation(shut_in, rows),
         sum(row["key"].startswith(AGAIN) for row in rows), (*batch.unwritten, *missing),
     )  # fmt: skip
+
+
+def _isolation(shut_in: Isolation | None, rows: Sequence[Mapping[str, str]]) -> str:
+    """What shut submissions in: where some were trusted, in this call or before, theirs."""
+    told = [*([str(shut_in)] if shut_in else []), *(row["isolation"] for row in rows)]
+    return next((one for one in told if one.startswith(TRUSTED)), told[0])
 
 
 @contextlib.contextmanager

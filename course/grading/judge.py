@@ -307,6 +307,7 @@ def _ended(
         "time": f"did not finish within {limits.seconds:g} s: a loop without end?",
         "files": f"wrote more than {limits.file_mb} MB, or thousands of files",
         "memory": f"took more than {limits.memory_mb} MB of memory",
+        "threads": "started thousands of threads",
         "ended": f"ended the whole program ({detail}) instead of returning",
         "crashed": f"crashed Python ({detail})",
         "killed": f"was ended from outside ({detail})",

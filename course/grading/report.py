@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -20,6 +21,8 @@ AGAIN = "again-"
 #: A spreadsheet takes a cell that begins with one of these (full-width forms too) for a
 #: formula.
 FORMULA = tuple("=+-@\t\r\n\uff1d\uff0b\uff0d\uff20")
+#: Where a semicolon separates cells, one of these behind it would begin a formula, too.
+INNER_FORMULA = re.compile(r"(;[\s\"]*)(?=[=+\-@\uff1d\uff0b\uff0d\uff20])")
 CELL_LIMIT = 2_000
 #: How the isolation of a row begins whose submission could do whatever the grader can.
 TRUSTED = "trusted"
@@ -113,6 +116,7 @@ def safe_cell(value: Any) -> str:
     if isinstance(value, int):
         return str(value)
     text = clean(" ".join(str(value).split()), CELL_LIMIT)
+    text = INNER_FORMULA.sub(r"\1'", text)
     return "'" + text if text.startswith(FORMULA) else text
 
 

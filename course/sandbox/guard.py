@@ -14,6 +14,8 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
+from course.sandbox.seccomp import FCNTL_COMMANDS, IOCTL_COMMANDS
+
 REFUSED = frozenset(
     "os.fork os.forkpty os.exec os.posix_spawn os.spawn os.system os.startfile os.startfile/2 subprocess.Popen "
     "pty.spawn os.kill os.killpg signal.pthread_kill resource.setrlimit resource.prlimit socket.connect socket.bind "
@@ -37,6 +39,12 @@ CHANGES = frozenset(
 )
 TWO_PATHS = frozenset({"os.rename", "os.link", "os.symlink"})
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+#: Numbers of Linux.
+COMMANDS: dict[str, tuple[int, ...]] = (
+    {"fcntl.fcntl": FCNTL_COMMANDS, "fcntl.ioctl": IOCTL_COMMANDS}
+    if sys.platform.startswith("linux")
+    else {}
+)
 #: Where Python and its packages look for what need not be there: no attempt of a student's.
 HARMLESS = (
     "/dev",
@@ -100,6 +108,9 @@ class _Guard:
             self._refuse(event, f"{event} is not allowed while an answer is marked")
         elif event == "open":
             self._open(*details)
+        elif event in COMMANDS and details[1] in COMMANDS[event]:
+            words = f"{event}({details[1]}) is not allowed while an answer is marked"
+            self._refuse(event, words)
         elif event in CHANGES:
             for path in details[: 2 if event in TWO_PATHS else 1]:
                 if isinstance(path, (str, bytes, os.PathLike)):

@@ -134,7 +134,8 @@ else:
         # What Python needed to start is on this clock too, and with it what an answer's packages took to load.
         seconds = math.ceil(limits.seconds + time.process_time()) + 2
         wanted = [
-            ("", "RLIMIT_CORE", 0),
+            # Not 0: where dumps go to a program, Linux starts that one all the same.
+            ("", "RLIMIT_CORE", 1),
             ("processor time", "RLIMIT_CPU", seconds),
             ("memory", "RLIMIT_AS", limits.memory_mb * 1_000_000),
             ("file size", "RLIMIT_FSIZE", limits.file_mb * 1_000_000),

@@ -34,6 +34,14 @@ from course.sandbox.watching import START_SECONDS, watches_memory
 READ_SECONDS = 10.0
 #: Beyond the limits of a run, for its process to tell of it.
 GRACE_SECONDS = 15.0
+#: Messages that wait to be looked at; a process that sends more waits itself.
+MOST_WAITING = 4
+#: Numbers and text of a reply but its arrays [bytes]: for each case and each cell.
+REPLY_HEADER = 20_000
+#: Exit codes of a process that somebody else ended, of a box (128 and the signal) too.
+KILLED = frozenset(n for s in (1, 9, 15) for n in (-s, 128 + s))
+#: For a process to take what it is sent.
+SEND_SECONDS = 60.0
 #: Without forks a process answers one question.
 FORKS = sys.platform != "win32"
 
@@ -150,6 +158,7 @@ class Session:
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, close_fds=True, **own_group,
         )  # fmt: skip
         self._inbox: queue.SimpleQueue[tuple[bytes, bytes] | None] = queue.SimpleQueue()
+        self._room = threading.Semaphore(MOST_WAITING)
         self._listener = threading.Thread(target=self._listen, daemon=True)
         self._listener.start()
         self._ready = False
@@ -168,12 +177,21 @@ class Session:
         self._send(request)
         message = self._next(READ_SECONDS)
         if message is None:
-            why = "it takes too long" if self._process.poll() is None else "its reader ended"  # fmt: skip
-            raise UnusableNotebook(f"cannot be read within its limits: {why}")
+            raise self._unread()
         letter, payload = message
         if letter == messages.UNUSABLE:
             raise UnusableNotebook(clean(payload.decode("utf-8", "replace"), 300))
         self.reading = _reading(wire.unpack(payload), lessons)
+
+    def _unread(self) -> Exception:
+        """Why there is no answer to a notebook: its own fault, or somebody's who ended the process."""
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(1.0)
+        code = self._process.poll()
+        if code in KILLED:
+            return SandboxFailure("the process was ended from outside")
+        why = "it takes too long" if code is None else "its reader ended"
+        return UnusableNotebook(f"cannot be read within its limits: {why}")
 
     def answers(self, questions: Sequence[Question]) -> Iterator[Answers]:
         """Run the notebook and give what came of each exercise, in their order.
@@ -207,6 +225,7 @@ class Session:
                 os.killpg(self._process.pid, signal.SIGKILL)
         self._process.kill()
         self._process.wait()
+        self._room.release(1_000_000)  # what it still reads is nobody's any more
         self._listener.join(1.0)
         if not self._listener.is_alive():  # to close what it reads would wait for it
             for pipe in (self._process.stdout, self._process.stderr):
@@ -261,7 +280,9 @@ class Session:
             if self._sandbox.cancel is not None and self._sandbox.cancel.is_set():
                 raise Cancelled
             with contextlib.suppress(queue.Empty):
-                return self._inbox.get(timeout=min(left, 0.2))
+                message = self._inbox.get(timeout=min(left, 0.2))
+                self._room.release()
+                return message
         return None
 
     def _listen(self) -> None:
@@ -271,15 +292,22 @@ class Session:
         with contextlib.suppress(OSError, ValueError):
             while (message := messages.receive(pipe.read)) is not None:
                 self._inbox.put(message)
+                self._room.acquire()
         self._inbox.put(None)
 
     def _send(self, request: Mapping[str, Any]) -> None:
         pipe = self._process.stdin
         assert pipe is not None
-        with contextlib.suppress(
-            BrokenPipeError
-        ):  # that it is gone is found out when its answer is missed
-            messages.send(pipe.fileno(), messages.ASK, wire.pack(dict(request)))
+        packed = wire.pack(dict(request))
+        # One that takes nothing would be waited for without end.
+        late = threading.Timer(SEND_SECONDS, self._process.kill)
+        late.start()
+        try:
+            messages.send(pipe.fileno(), messages.ASK, packed)
+        except BrokenPipeError:
+            pass  # that it is gone is found out when its answer is missed
+        finally:
+            late.cancel()
 
     def _last_words(self) -> str:
         self._process.kill()
@@ -365,7 +393,7 @@ def _answers(seen: Mapping[str, Any] | None, question: Question) -> Answers:
 def _run(one: Mapping[str, Any], question: Question) -> Run:
     end = _end(one.get("end"))
     stage, _, number = str(one.get("stage", "")).partition(" ")
-    there = stage == "case" and number.isdigit() and len(number) < 9
+    there = stage == "case" and number.isdecimal() and len(number) < 9
     case = int(number) if there else -1
     run = Run(
         end,
@@ -376,7 +404,8 @@ def _run(one: Mapping[str, Any], question: Question) -> Run:
     if end != "replied":
         return run
     try:
-        told = wire.unpack(one["reply"].tobytes())
+        room = REPLY_HEADER * (1 + len(question.cases))
+        told = wire.unpack(one["reply"].tobytes(), header=room)
         return replace(run, reply=checked_reply(told, question.most, question.results))
     except Exception as error:
         return replace(run, end="unreadable", detail=clean(str(error), 200))

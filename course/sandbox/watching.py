@@ -32,6 +32,10 @@ GRACE_SECONDS = 1.0
 MOST_FILES = 2_000
 MOST_TOLD = 20
 MOST_ANSWERS = 200
+#: Started in one run, whether they still live or not.
+MOST_THREADS = 4_000
+#: Numbers of processes start anew there, on most machines.
+NUMBERS = 1 << 15
 
 
 class Abandoned(Exception):
@@ -124,7 +128,7 @@ class Watch:
     def _take(self, letter: bytes, payload: bytes) -> None:
         if letter == STAGE:
             what, _, number = payload[:32].decode("ascii", "replace").partition(" ")
-            if number.isdigit() and len(number) < 9:
+            if number.isdecimal() and len(number) < 9:
                 self._stage(what, int(number))
         elif letter == NOTE and self._cell >= 0:
             self.seen.notes[self._cell] = payload[:8000]
@@ -251,7 +255,24 @@ class Watch:
                 and _resident_mb(self._process) > self._limits.memory_mb
             ):
                 return "memory"
+            if self._boxed and self._too_many_threads():
+                return "threads"
         return None
+
+    def _too_many_threads(self) -> bool:
+        """Whether thousands were started: they would use up the machine's numbers.
+
+        In a box, processes and threads are numbered one after the other, so a process
+        made now tells how many there have been. No limit of the system's holds for root.
+        """
+        try:
+            latest = os.fork()
+        except OSError:
+            return True
+        if latest == 0:
+            os._exit(0)
+        os.waitpid(latest, 0)
+        return (latest - self._process) % NUMBERS > MOST_THREADS
 
     def _too_much_written(self) -> bool:
         if (

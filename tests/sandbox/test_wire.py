@@ -130,3 +130,10 @@ def test_text_of_a_stranger_is_made_plain():
         == "a\N{REPLACEMENT CHARACTER}[31mb\n?\N{REPLACEMENT CHARACTER}"
     )
     assert clean("x" * 50, 10) == "x" * 10 and clean(3, 10) == ""
+
+
+def test_no_two_arrays_share_bytes():
+    # Each is a copy: 40 of them would be 40 times the message in the reader's memory.
+    one = {"array": ["|u1", [1000], 0]}
+    with pytest.raises(wire.Unreadable, match="does not follow"):
+        wire.unpack(message([one] * 40, bytes(1000)))
