@@ -9,8 +9,8 @@ may be the one that came in.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
+T = TypeVar("T")
 
 #: How far a unit vector, quaternion or rotation matrix may be from exact.
 UNIT_TOLERANCE = 1e-9
@@ -188,11 +189,9 @@ def inertias(name: str, value: ArrayLike) -> Array:
 
 def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:
     """Whole numbers from 0, below count where that is given."""
-    expected = (
-        "whole numbers from 0"
-        if count is None
-        else f"whole numbers from 0 to {count - 1}"
-    )
+    expected = "whole numbers from 0"
+    if count is not None:
+        expected += f" to {count - 1}" if count else ", of which none exists here"
     array = np.asarray(value)
     if array.dtype.kind not in "iu" and array.size:
         raise failure(name, expected, written(value))
@@ -204,8 +203,52 @@ def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:
     return array
 
 
+def selection(name: str, which: ArrayLike | slice, count: int) -> IntArray:
+    """The indices that ``which`` selects from count items, in its order, (k,).
+
+    Args:
+        name: what is indexed, for the messages.
+        which: a slice, a mask (count,), an int or ints (k,); negative ints count
+            from the end.
+        count: how many items there are.
+    Raises:
+        ValueError: anything else, or a mask of another shape.
+        IndexError: an index out of range.
+    """
+    if isinstance(which, slice):
+        return np.arange(count)[which]
+    index = np.atleast_1d(np.asarray(which))
+    if index.dtype == bool:
+        shaped(f"{name}[mask]", index, (count,))
+        return np.flatnonzero(index)
+    expected = "a mask, whole numbers or a slice"
+    if index.size and index.dtype.kind not in "iu":
+        raise failure(f"{name}[...]", expected, written(which))
+    if index.ndim != 1:
+        raise failure(f"{name}[...]", f"{expected}, shape (k,)", f"shape {index.shape}")
+    index = index.astype(np.intp, copy=False)
+    outside = (index < -count) | (index >= count)
+    if np.any(outside):
+        message = failure(
+            f"{name}[...]", f"an index below {count}", str(index[outside][0])
+        )
+        raise IndexError(str(message))
+    return index % count if count else index
+
+
+def instances(name: str, value: Iterable[Any], kind: type[T]) -> list[T]:
+    """At least one instance of a class, as a list."""
+    parts = list(value)
+    if not parts:
+        raise failure(name, f"at least one {kind.__name__}", "none")
+    for i, part in enumerate(parts):
+        if not isinstance(part, kind):
+            raise failure(f"{name}[{i}]", kind.__name__, type(part).__name__)
+    return parts
+
+
 def shaped(name: str, array: NDArray[Any], shape: Sequence[int]) -> None:
-    """Refuse an array whose shape is not this one."""
+    """Refuse an array of any other shape."""
     if array.shape != tuple(shape):
         raise failure(name, f"shape {tuple(shape)}", f"shape {array.shape}")
 

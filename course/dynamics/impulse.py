@@ -9,7 +9,6 @@ approach, nothing happens: the impulse is zero.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Protocol
 
 import numpy as np
 
@@ -17,32 +16,18 @@ from course import formulas
 from course.arrays import (
     Array,
     ArrayLike,
-    IntArray,
     broadcast,
     in_range,
-    indices,
     positive,
     scalars,
     unit_vectors,
     vectors,
 )
 from course.dynamics.bodies import Bodies
+from course.dynamics.contact_points import ContactPoints, require_body_indices
 
 #: Masses above this are halved before they are added [kg].
 LARGE = 1e300
-
-
-class ContactPoints(Protocol):
-    """What an impulse needs to know of contacts; ``course.overlap.Contacts`` has it."""
-
-    @property
-    def body_a(self) -> IntArray: ...
-    @property
-    def body_b(self) -> IntArray: ...
-    @property
-    def point(self) -> Array: ...
-    @property
-    def normal(self) -> Array: ...
 
 
 def momentum_after(
@@ -229,13 +214,19 @@ def point_velocity(
 
 
 def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
-    """Normal velocity of each contact, u = (v_A + omega_A x r_A - v_B - omega_B x r_B).n, (c,) [m/s].
+    """Normal velocity of each contact; below 0 the bodies approach there.
 
-    Below 0 the bodies approach there (syllabus rows 20 and 22).
+    u = (v_A + omega_A x r_A - v_B - omega_B x r_B).n (syllabus rows 20 and 22).
+
+    Returns:
+        u, (c,) [m/s].
     """
-    a, b, arm_a, arm_b = _arms(bodies, contacts)
+    require_body_indices(contacts, bodies)
     v, omega = bodies.velocity, bodies.angular_velocity
-    relative = v[a] - v[b] + np.cross(omega[a], arm_a) - np.cross(omega[b], arm_b)
+    # The difference comes first: a velocity that both share leaves no rounding.
+    relative = v[contacts.body_a] - v[contacts.body_b]
+    for body, point, sign in contacts.sides:
+        relative += sign * np.cross(omega[body], point - bodies.position[body])
     return np.sum(relative * contacts.normal, axis=-1)
 
 
@@ -250,13 +241,14 @@ def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
     Returns:
         mu, (c,) [kg]; infinity between two fixed bodies.
     """
-    a, b, arm_a, arm_b = _arms(bodies, contacts)
-    inverse = bodies.inverse_mass[a] + bodies.inverse_mass[b]
-    for body, arm in ((a, arm_a), (b, arm_b)):
-        torque = np.cross(arm, contacts.normal)
-        inverse = inverse + np.einsum(
-            "ci,cij,cj->c", torque, bodies.world_inverse_inertia[body], torque
+    require_body_indices(contacts, bodies)
+    inverse = np.zeros(contacts.body_a.size)
+    for body, point, _ in contacts.sides:
+        lever = np.cross(point - bodies.position[body], contacts.normal)
+        turning = np.einsum(
+            "ci,cij,cj->c", lever, bodies.world_inverse_inertia[body], lever
         )
+        inverse += bodies.inverse_mass[body] + turning
     return np.divide(
         1.0, inverse, out=np.full(inverse.shape, np.inf), where=inverse > 0
     )
@@ -301,29 +293,17 @@ def apply_impulse(
     Args:
         impulse: p_hat of each contact, (c,) [N s].
     """
-    a, b, arm_a, arm_b = _arms(bodies, contacts)
+    require_body_indices(contacts, bodies)
     p_hat = scalars("impulse", impulse)
     broadcast(contacts=(contacts.normal, 1), impulse=(p_hat, 0))
-    push = np.broadcast_to(p_hat, a.shape)[:, None] * contacts.normal
+    push = p_hat[..., None] * contacts.normal
     momentum, angular = bodies.momentum.copy(), bodies.angular_momentum.copy()
-    for body, arm, sign in ((a, arm_a, 1.0), (b, arm_b, -1.0)):
+    for body, point, sign in contacts.sides:
         free = ~bodies.fixed[body]
+        lever = np.cross(point - bodies.position[body], push)
         np.add.at(momentum, body[free], sign * push[free])
-        np.add.at(angular, body[free], sign * np.cross(arm, push)[free])
+        np.add.at(angular, body[free], sign * lever[free])
     return replace(bodies, momentum=momentum, angular_momentum=angular)
-
-
-def _arms(
-    bodies: Bodies, contacts: ContactPoints
-) -> tuple[IntArray, IntArray, Array, Array]:
-    a = indices("contacts.body_a", contacts.body_a, len(bodies))
-    b = indices("contacts.body_b", contacts.body_b, len(bodies))
-    return (
-        a,
-        b,
-        contacts.point - bodies.position[a],
-        contacts.point - bodies.position[b],
-    )
 
 
 def _pair(
