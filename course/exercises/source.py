@@ -1,7 +1,8 @@
-"""Read what students wrote, without running it: is it blank, what does it define, which cells does it need.
+"""Read what students wrote, without running it.
 
-The one place where a student's source is parsed. The source may be anything: a
-parse that fails, whatever way, is "not Python" and never an error here.
+Is a cell blank, what does it define, which cells does it need? This is the one place
+where a student's source is parsed. The source may be anything: if it does not parse,
+for whatever reason, it is "not Python" and never an error here.
 """
 
 from __future__ import annotations
@@ -14,9 +15,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-#: Characters; longer cells are no answers and cost seconds to parse.
+#: Characters; longer cells are no answers and take seconds to parse.
 MAXIMUM_CELL = 200_000
-#: What Python's parser and its visitors raise for a source that they cannot take.
+#: What Python's parser and its visitors raise for source they cannot handle.
 UNREADABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 DYNAMIC = frozenset(
     {"globals", "locals", "vars", "eval", "exec", "__import__", "get_ipython"}
@@ -29,14 +30,15 @@ def tree_of(source: str) -> ast.Module | None:
         return None
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # "\d" in a text is the student's affair
+            # "\d" in a string is the student's business
+            warnings.simplefilter("ignore")
             return ast.parse(source)
     except UNREADABLE:
         return None
 
 
 def cell_tree(source: str) -> ast.Module | None:
-    """The syntax tree of a cell, IPython's own lines left out; None if it does not parse."""
+    """The syntax tree of a cell without IPython's own lines; None if it does not parse."""
     return tree_of(python_only(source))
 
 
@@ -54,11 +56,12 @@ def syntax_error(source: str) -> str:
 
 
 def python_only(source: str) -> str:
-    """The cell with IPython's own lines (%magic, !shell, name?) turned into ``0``, which does nothing and is never
-    longer; line numbers stay.
+    """The cell with IPython's own lines (%magic, !shell, name?) replaced by ``0``.
 
-    A cell that is Python as it stands is left alone: a line may begin with % inside an expression or a text.
-    Each line is looked at once from left to right, so that the time grows with its length and no faster.
+    That does nothing and is never longer; line numbers stay. A cell that is valid
+    Python as it stands is left alone: a line may begin with % inside an expression or a
+    string. Each line is scanned once from left to right, so that the time is linear in
+    its length.
     """
     lines = source.splitlines()
     if len(source) > MAXIMUM_CELL or not any(map(_is_foreign, lines)):
@@ -72,7 +75,9 @@ def python_only(source: str) -> str:
 
 
 def _is_foreign(line: str) -> bool:
-    """Whether a line is IPython's: %magic, !command, ?name, name?, name = %magic, name = !command."""
+    """Whether a line is IPython's: %magic, !command, ?name, name?, name = %magic or
+    !command.
+    """
     line = line.strip()
     if line.startswith(("%", "!", "?")):
         return True
@@ -85,10 +90,11 @@ def _is_foreign(line: str) -> bool:
 
 @dataclass(frozen=True)
 class Facts:
-    """What is told from a cell's source alone, IPython's own lines left out.
+    """What a cell's source alone shows, without IPython's own lines.
 
-    ``defines`` are the names that it defines at its top level, ``definitions`` the source of these alone; ``binds``
-    are the names it binds in the notebook's namespace ("*" for all of a module), ``uses`` those it takes from there.
+    ``defines`` are the names that it defines at its top level, ``definitions`` the
+    source of these alone; ``binds`` are the names it binds in the notebook's namespace
+    ("*" for all of a module), ``uses`` those it takes from there.
     """
 
     defines: tuple[str, ...] = ()
@@ -99,7 +105,9 @@ class Facts:
 
 @lru_cache(maxsize=4096)
 def facts_of(source: str) -> Facts:
-    """What a cell says; nothing if it does not parse. To parse is what takes time: it is done once."""
+    """The facts of a cell, empty if it does not parse. Cached, because parsing takes
+    time.
+    """
     source = python_only(source)
     tree = tree_of(source)
     if tree is None:
@@ -108,21 +116,24 @@ def facts_of(source: str) -> Facts:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             table = symtable.symtable(source, "<cell>", "exec")
-    except UNREADABLE:  # it parses, and could not be compiled
+    except UNREADABLE:  # it parses but does not compile
         return Facts(_defined(tree), _definitions(source, tree))
     return Facts(_defined(tree), _definitions(source, tree), *_names(tree, table))
 
 
 def defined_names(source: str) -> tuple[str, ...]:
-    """The names of functions and variables that a cell defines at its top level; none if it does not parse.
+    """The names of functions and variables that a cell defines at its top level.
 
-    ``f = use(f)`` defines nothing: it is how a lesson's own cells call what a student wrote.
+    None if it does not parse. ``f = use(f)`` defines nothing: it is how a lesson's own
+    cells call what a student wrote.
     """
     return facts_of(source).defines
 
 
 def definitions_only(source: str) -> str:
-    """What a cell defines (functions, classes, imports, names), without what else it does."""
+    """What a cell defines (functions, classes, imports, names), without its other
+    statements.
+    """
     return facts_of(source).definitions
 
 
@@ -156,11 +167,12 @@ def _definitions(source: str, tree: ast.Module) -> str:
 
 
 def is_blank(source: str, name: str) -> bool:
-    """Whether a cell's source leaves ``name`` blank, without running it: the last binding counts.
+    """Whether a cell's source leaves ``name`` blank, without running it.
 
-    A blank is ``name = ...``, or a function that sets a name of its own to ``...``, or one with a bare ``...`` that
-    returns nothing else: a ``...`` left standing beside an answer that does return is no blank, nor is one in an index,
-    a hint of a type, a text, or a function inside.
+    The last binding counts. A blank is ``name = ...``, or a function that sets a name
+    of its own to ``...``, or one with a bare ``...`` that returns nothing else. A
+    ``...`` left beside an answer that does return is not a blank, nor is one in an
+    index, a type annotation, a string or an inner function.
     """
     tree = tree_of(source)
     if tree is None:
@@ -182,7 +194,10 @@ def is_blank(source: str, name: str) -> bool:
 
 
 def is_left_blank(source: str) -> bool:
-    """Whether a cell without the name it should have is the lesson's blank: nothing but ..., or under another name."""
+    """Whether a cell without the required name is the lesson's blank.
+
+    It is nothing but ``...``, or a blank under another name.
+    """
     tree = tree_of(source)
     if tree is None:
         return False
@@ -196,10 +211,11 @@ def is_left_blank(source: str) -> bool:
 
 
 def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
-    """The indices of the cells that ``wanted`` needs, straight or by way of others.
+    """The indices of the cells that ``wanted`` needs, directly or through others.
 
-    Names are all that is looked at. Where they cannot tell (``eval``, ``from x import *``) a cell is kept. A cell
-    that no name leads to is left out: its loop without end then costs its own exercise alone.
+    Only names are considered. Where they cannot decide (``eval``, ``from x import *``)
+    a cell is kept. A cell that no name leads to is left out, so that its endless loop
+    affects its own exercise alone.
     """
     names = [names_of(source) for source in sources]
     bound_here, used = names_of(wanted)
@@ -218,7 +234,11 @@ def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
 
 
 def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
-    """The names a cell binds in the notebook's namespace, and those it takes from there; none if it is not Python."""
+    """The names a cell binds in the notebook's namespace, and those it takes from
+    there.
+
+    Both empty if it is not Python.
+    """
     told = facts_of(source)
     return told.binds, told.uses
 
@@ -246,9 +266,10 @@ def _names(
 def modules_used(
     preamble: Sequence[str], answers: Sequence[str], among: frozenset[str]
 ) -> tuple[str, ...]:
-    """Which of these packages the answers' cells use: they import one, or take a name that an import cell bound.
+    """Which of these packages the answers' cells use.
 
-    What merely stands in an import cell does not count.
+    They import one, or use a name that an import cell bound. An import that no answer
+    uses does not count.
     """
     bound = {
         name: package
@@ -262,7 +283,7 @@ def modules_used(
 
 
 def _packages(source: str) -> list[tuple[str, str]]:
-    """(name bound, package it is from) of all imports in a cell."""
+    """(name bound, its package) for all imports in a cell."""
     tree = tree_of(source)
     pairs = []
     for node in ast.walk(tree) if tree else ():
@@ -278,9 +299,10 @@ def _packages(source: str) -> list[tuple[str, str]]:
 
 
 def _statements(body: Sequence[ast.AST]) -> Iterator[ast.AST]:
-    """Every statement in the order of the source, those in blocks too, those of functions and classes inside not.
+    """Every statement in source order, those in blocks too, those of inner functions
+    not.
 
-    A stack of its own: a thousand ``elif`` are a thousand blocks in each other.
+    It keeps its own stack: a thousand ``elif`` nest a thousand blocks.
     """
     waiting = list(reversed(body))
     while waiting:

@@ -1,7 +1,8 @@
 """From a submission to its rows: points, state and reason of every exercise.
 
-The judge draws the inputs, runs the reference and compares; the submission's code runs in ``course.sandbox`` and gives
-arrays. Nothing that code prints, patches or exits with is looked at as a verdict.
+The judge draws the inputs, runs the reference and compares; the submission's code runs
+in ``course.sandbox`` and returns arrays. Nothing that code prints, patches or exits
+with counts as a verdict.
 """
 
 from __future__ import annotations
@@ -19,15 +20,18 @@ from course.sandbox.ending import WITHOUT_REPLY
 from course.sandbox.running import FORKS, Found, Question, Run, Sandbox, Session
 
 REASON_LIMIT = 500
-#: An answer may give so many numbers where few are expected: a wrong shape is told as that.
+#: An answer may give this many numbers where few are expected: a wrong shape is then
+#: reported as such.
 FEW = 10_000
-# The reference's own call redirects what is printed, which is one for all threads.
+# The reference's call redirects what is printed, which is shared by all threads.
 _judging = threading.Lock()
 
 
 @dataclass(frozen=True)
 class Row:
-    """One exercise of one submission. ``points`` is None where a person has to give them."""
+    """One exercise of one submission. ``points`` is None where a person has to give
+    them.
+    """
 
     exercise: Exercise
     points: int | None
@@ -40,17 +44,22 @@ class Row:
 
 @dataclass(frozen=True)
 class Judge:
-    """How a submission is judged: by which inputs (``seed`` None: those of every notebook's own check), run in which
-    ``sandbox``, of which lessons (default: all there are)."""
+    """How a submission is judged.
+
+    ``seed`` draws the inputs (None: those of every notebook's own check), ``sandbox``
+    runs the code, ``lessons`` are the ones it may be of (default: all).
+    """
 
     seed: int | None = None
     sandbox: Sandbox = field(default_factory=Sandbox)
     lessons: tuple[Lesson, ...] | None = None
 
     def rows(self, content: bytes, file: str) -> tuple[Lesson, Iterator[Row]]:
-        """The lesson of a submission, and its rows in the lesson's order, each as it is found out.
+        """The lesson of a submission, and its rows in the lesson's order, as they are
+        made.
 
-        Raises ``UnusableNotebook``, ``SandboxFailure`` where this machine cannot run it, ``Cancelled`` when stopped.
+        Raises ``UnusableNotebook``, ``SandboxFailure`` where this machine cannot run
+        it, ``Cancelled`` when stopped.
         """
         rows = self._rows(content, file)
         lesson = next(rows)
@@ -100,7 +109,10 @@ class Judge:
     def _row(
         self, exercise: Exercise, found: Found, run: Run | None, done: dict[int, Row]
     ) -> Row:
-        """``done`` are the rows before it, by place: a cell that ended one of their runs is not run again."""
+        """The row of an exercise. ``done`` are the earlier rows, by place.
+
+        A cell that ended one of their runs is not run again.
+        """
         if run is None:
             verdict = _unrun(exercise, found)
         elif run.end == "blocked":
@@ -132,7 +144,10 @@ class Judge:
         )
 
     def _drawn(self, exercise: Exercise) -> tuple[tuple[Case, ...], tuple[int, ...]]:
-        """The inputs, and how many numbers an answer may give for each: drawn once, as all submissions get the same."""
+        """The inputs, and how many numbers an answer may give for each.
+
+        Drawn once, because all submissions get the same.
+        """
         if exercise.name not in self._kept:
             cases = tuple(exercise.draw(self.seed))
             with _judging:
@@ -177,7 +192,7 @@ def reason_of(exercise: Exercise, verdict: Verdict) -> str:
 
 
 def _unrun(exercise: Exercise, found: Found) -> Verdict:
-    """The verdict on an exercise that is blank, or where reading found why it cannot be run."""
+    """The verdict on an exercise that is blank, or that reading found cannot be run."""
     if found.state == "blank":
         return Verdict(exercise.name, "not attempted")
     state: State = "needs a person" if found.needs_person else "error"
@@ -185,7 +200,7 @@ def _unrun(exercise: Exercise, found: Found) -> Verdict:
 
 
 def _blocked(by: Row | None) -> Verdict:
-    """The verdict where a cell that an exercise needs ended the run of one before it."""
+    """The verdict where a cell that an exercise needs ended the run of an earlier one."""
     told = by.verdict.reason[:1] if by is not None else ()
     before = "a cell before it, which it uses,"
     reason = tuple(r.replace("its cell, outside the function,", before) for r in told)
@@ -196,13 +211,13 @@ def _blocked(by: Row | None) -> Verdict:
 def _safely(
     exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
 ) -> Verdict:
-    """The verdict on a run; where judging itself fails over what came back, a person has to look."""
+    """The verdict on a run; where judging its reply fails, a person has to look."""
     try:
         with _judging:
             verdict = _judged(exercise, cases, run, sandbox, own)
             verdict_message(
                 exercise, verdict
-            )  # what cannot be told cannot be a verdict either
+            )  # what cannot be put into words cannot be a verdict either
             return verdict
     except Exception as error:
         return Verdict(
@@ -247,7 +262,7 @@ def _judged(
 def _unfinished(
     exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
 ) -> Verdict:
-    """The verdict on a run that sent nothing back: what became of it, and where."""
+    """The verdict on a run that sent no reply: how it ended, and where."""
     limits = sandbox.limits
     words = {
         "time": f"did not finish within {limits.seconds:g} s: a loop without end?",
@@ -278,7 +293,7 @@ def _unfinished(
 
 
 def _renamed(name: str, found: Found, verdict: Verdict) -> Verdict:
-    """A renamed answer is a person's to decide; it has been tried under the name it has."""
+    """A person decides on a renamed answer; it has been tried under the name it has."""
     if verdict.state == "not attempted":
         return verdict
     tried = "right" if verdict.passed else "not right"

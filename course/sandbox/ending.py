@@ -1,12 +1,13 @@
-"""How a run can end, and what an exit code says of it."""
+"""How a run can end, and what its exit code says about that."""
 
 from __future__ import annotations
 
 import signal
 from typing import Literal
 
-#: "replied": results came. "time", "files", "memory": a limit was passed. "blocked": a cell it needs ended an earlier
-#: run. The rest came without a reply: "ended" by the program itself, "crashed", "killed" from outside, "unreadable".
+#: "replied": results came. "time", "files", "memory": a limit was exceeded. "blocked":
+#: a cell it needs ended an earlier run. The rest ended without a reply: "ended" by the
+#: program itself, "crashed", "killed" from outside, "unreadable".
 End = Literal[
     "replied",
     "time",
@@ -29,12 +30,15 @@ ENDS: tuple[End, ...] = (
     "killed",
     "unreadable",
 )
-#: Ends that say nothing of the answer: another run may end otherwise, and a person has to look.
+#: Ends that say nothing about the answer: another run may end differently, and a person
+#: has to look.
 WITHOUT_REPLY = ("ended", "crashed", "killed", "unreadable")
 
 
 def end_of(code: int) -> tuple[End, str]:
-    """The end that an exit code (negative: a signal) tells of, and in words what happened."""
+    """The end that an exit code (negative: a signal) implies, and what happened in
+    words.
+    """
     if code >= 0:
         return "ended", f"exit code {code}"
     number = -code

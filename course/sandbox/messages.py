@@ -1,6 +1,7 @@
-"""How the processes of a submission talk: a letter, a length, and so many bytes, through a pipe.
+"""How the processes of a submission talk: a letter, a length and that many bytes.
 
-Both ends may be a stranger's: a reader takes nothing longer than it was told to expect.
+The other end of the pipe may be untrusted: a reader accepts nothing longer than the
+limit it was given.
 """
 
 from __future__ import annotations
@@ -12,20 +13,21 @@ from collections.abc import Callable
 from course.sandbox.wire import BODY_LIMIT, HEADER_LIMIT
 
 _HEAD = struct.Struct("<cI")
-#: Bytes; the longest message there is (a notebook on its way in, results on their way out).
+#: Bytes; the longest message of all (a notebook on its way in, results on their way
+#: out).
 LONGEST = HEADER_LIMIT + BODY_LIMIT + 8
 
 READY, ASK, TOLD, UNUSABLE = b"A", b"Q", b"N", b"U"  # serving and the grader
 STAGE, TRIED, REPLY, END = b"S", b"T", b"R", b"E"  # an exercise's run
-FAULT = b"F"  # of ours, in its process
+FAULT = b"F"  # our own error, in the run's process
 
 
 class Garbled(ValueError):
-    """What came is no message."""
+    """What arrived is not a message."""
 
 
 def send(pipe: int, letter: bytes, payload: bytes = b"") -> None:
-    """Write a message whole."""
+    """Write a whole message."""
     rest = memoryview(_HEAD.pack(letter, len(payload)) + payload)
     while rest:
         rest = rest[os.write(pipe, rest) :]
@@ -55,7 +57,8 @@ def _exactly(read: Callable[[int], bytes], count: int) -> bytes | None:
 
 
 class Incoming:
-    """Messages out of bytes that come in pieces, for a reader that must not block.
+    """Assemble messages from bytes that arrive in pieces, for a reader that must not
+    block.
 
     ``most`` bounds the bytes of all messages together.
     """
@@ -65,7 +68,7 @@ class Incoming:
         self._left = most
 
     def feed(self, data: bytes) -> list[tuple[bytes, bytes]]:
-        """The messages that are whole now; raises ``Garbled``."""
+        """The messages that are complete now; raises ``Garbled``."""
         self._left -= len(data)
         if self._left < 0:
             raise Garbled("more was sent than there is room for")

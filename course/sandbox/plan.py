@@ -1,4 +1,4 @@
-"""From a notebook to what is run for each of its exercises. It happens in the box, before anything is run."""
+"""From a notebook to what is run for each of its exercises; in the box, before any run."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ State = Literal["blank", "fault", "run"]
 
 @dataclass(frozen=True)
 class Planned:
-    """An exercise: blank, at fault (``cell`` says why), or the cells to run, in order, with its own as the last.
+    """An exercise: blank, faulty (``cell`` says why), or the cells to run in order.
 
-    A cell is its source, and whether to go on after a statement that fails.
+    The last one is the exercise's own. A cell is its source, and whether to continue
+    after a statement that fails.
     """
 
     cell: ExerciseCell
@@ -48,7 +49,9 @@ def _planned(notebook: NotebookFile, plain: Sequence[str], index: int) -> Planne
 def _earlier(
     notebook: NotebookFile, before: Sequence[str], source: str
 ) -> tuple[tuple[str, bool], ...]:
-    """The cells to run before the answer's own: of the preamble and of exercises before it, those it needs."""
+    """The earlier cells that the answer needs, from the preamble and previous
+    exercises.
+    """
     cells = [(python_only(s), True) for s in notebook.preamble]
     for text in before:
         if text and text != source and (text, True) not in cells:

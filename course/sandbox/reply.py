@@ -1,4 +1,4 @@
-"""Read what a student's process sent back. It is data from a stranger: everything is checked, nothing is run."""
+"""Read the reply of a student's process: untrusted data, all checked, none executed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ KINDS = ("value", "none", "raised", "unreadable", "unattempted")
 
 @dataclass(frozen=True)
 class Reply:
-    """What came back, checked: the outcomes, or why there are none; ``notes`` are (cell, what it raised)."""
+    """The checked reply: the outcomes, or why there are none.
+
+    ``notes`` are pairs (cell, the exception it raised).
+    """
 
     outcomes: tuple[Outcome, ...] = ()
     missing: bool = False
@@ -35,7 +38,9 @@ class Reply:
 
 
 def checked_reply(told: Any, cells: int, most: Sequence[int], results: int) -> Reply:
-    """The reply as a ``Reply``; raises ``Unreadable`` where a part is not what it should be."""
+    """The reply as a ``Reply``; raises ``Unreadable`` where a part is not as it should
+    be.
+    """
     if not isinstance(told, dict):
         raise wire.Unreadable("no table of results")
     notes = tuple(
@@ -93,7 +98,9 @@ def _list(value: Any) -> Sequence[Any]:
 
 
 def clean(text: Any, limit: int) -> str:
-    """A stranger's text, cut, and without characters that terminals, tables or encoders stumble over."""
+    """Untrusted text, cut to ``limit``, without characters that break terminals or
+    tables.
+    """
     if not isinstance(text, str):
         return ""
     plain = text[:limit].encode("utf-8", "replace").decode("utf-8")

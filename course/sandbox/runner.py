@@ -1,7 +1,7 @@
-"""What runs what a student wrote: the cells of one exercise, then the answer on every case.
+"""Runs what a student wrote: the cells of one exercise, then the answer on every case.
 
-It runs in a process of its own, a fork of ``serving``, and can do there what it likes: the worst it can send is a
-wrong answer.
+It has a process of its own, a fork of ``serving``, and the code may do anything there:
+the worst it can send is a wrong answer.
 """
 
 from __future__ import annotations
@@ -24,15 +24,19 @@ from course.sandbox import guard, limits, stand_ins, wire
 from course.sandbox.messages import REPLY, STAGE, TRIED, send
 
 MISSING = object()
-#: Attempts told, each once; more of them say nothing new.
+#: Attempts reported, each once; more of them would say nothing new.
 MOST_ATTEMPTS = 20
 DEEP = 5_000
 
 
 @dataclass(frozen=True)
 class Task:
-    """An exercise to run: its cells (source, and whether to go on after a statement that fails), the answer's name and
-    kind, the declared arguments, how many results, the inputs of each case, and how many numbers each may give."""
+    """An exercise to run.
+
+    Its cells (source, and whether to continue after a statement that fails), the
+    answer's name and kind, the declared arguments, how many results, the inputs of each
+    case, and how many numbers each result may have.
+    """
 
     cells: tuple[tuple[str, bool], ...]
     name: str
@@ -45,7 +49,9 @@ class Task:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """Where a run may write, what it may not read, its limits, and how system calls are closed to it."""
+    """Where a run may write, what it may not read, its limits, and its system-call
+    filter.
+    """
 
     work: str
     closed: tuple[str, ...]
@@ -55,7 +61,9 @@ class Surroundings:
 
 
 def run(task: Task, around: Surroundings, pipe: int) -> None:
-    """Do the task and send what came of it through ``pipe``. Does not return: nothing that was left running matters."""
+    """Do the task and send the result through ``pipe``. Does not return: the process
+    ends here, whatever threads are still running.
+    """
     stage = _Stage(pipe)
     os.chdir(around.work)
     held = limits.apply_limits(around.limits)
@@ -75,7 +83,7 @@ def run(task: Task, around: Surroundings, pipe: int) -> None:
 
 
 class _Stage:
-    """Tells where the run stands: it is known when the process was ended."""
+    """Reports how far the run has got, for the case that the process is killed."""
 
     def __init__(self, pipe: int) -> None:
         self._pipe = pipe
@@ -85,7 +93,7 @@ class _Stage:
 
 
 class _Attempts:
-    """Tells of what was tried and refused, at once: what was told cannot be taken back."""
+    """Reports a refused attempt at once: once sent, it cannot be taken back."""
 
     def __init__(self, pipe: int) -> None:
         self._pipe, self._told = pipe, set[str]()
@@ -101,7 +109,7 @@ class _Attempts:
 def _answers(
     task: Task, stage: Callable[..., None], attempts: _Attempts
 ) -> dict[str, Any]:
-    """Run the cells, call the answer, and tell what came of both."""
+    """Run the cells, call the answer, and return what both gave."""
     cells, notes = _Cells(attempts), []
     for index, (source, tolerant) in enumerate(task.cells):
         stage("cell", index)
@@ -114,7 +122,9 @@ def _answers(
 
 @contextlib.contextmanager
 def _deeper() -> Iterator[None]:
-    """Compiling from a tree counts its depth: a thousand elif are a thousand blocks in each other."""
+    """Compiling a tree recurses with its depth: a thousand ``elif`` nest a thousand
+    deep.
+    """
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, DEEP))
     try:
@@ -124,7 +134,9 @@ def _deeper() -> Iterator[None]:
 
 
 class _Cells:
-    """The notebook's namespace, and how cells run in it: as in a kernel, where await and __future__ work too."""
+    """The notebook's namespace; cells run in it as in a kernel, with await and
+    __future__.
+    """
 
     def __init__(self, attempts: _Attempts) -> None:
         nothing = stand_ins.StandInForCourse()
@@ -140,10 +152,10 @@ class _Cells:
         self._flags = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 
     def execute(self, source: str, index: int, tolerant: bool) -> BaseException | None:
-        """Run one cell and give back what it raised first.
+        """Run one cell and return the first exception it raised.
 
-        A tolerant cell goes on after a statement that fails, and every cell after one that was refused something: in
-        the kernel it would have worked.
+        A tolerant cell continues after a statement that fails, and so does every cell
+        after a refused attempt: in the kernel it would have worked.
         """
         name, printed = f"<cell {index}>", answer.Printed
         lines = [line + "\n" for line in source.splitlines()]
@@ -165,7 +177,7 @@ class _Cells:
                     self._run(code)
                 except (
                     BaseException
-                ) as error:  # SystemExit too: a notebook goes on with its next cell
+                ) as error:  # SystemExit too: a notebook continues with its next cell
                     first = first or error
                     tolerant = tolerant or self._attempts.count > before
                     if not tolerant:
@@ -203,7 +215,7 @@ def _call(task: Task, stage: Callable[..., None], value: Any) -> dict[str, Any]:
         outcomes = answer.call_all(function, _told(stage, task.cases), task.results)
     except (
         BaseException
-    ) as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
+    ) as error:  # KeyboardInterrupt passes through call_all: a student can raise it too
         return {"fault": "it stopped with " + answer.describe(error)}
     return {
         "outcomes": [_plain(o, m) for o, m in zip(outcomes, task.most, strict=True)]
@@ -219,7 +231,7 @@ def _told(
 
 
 def _plain(outcome: answer.Outcome, most: int) -> dict[str, Any]:
-    """An outcome as plain values; more numbers than there is room for are told, not sent."""
+    """An outcome as plain values; of too many numbers only the count is sent."""
     count = sum(array.size for array in outcome.values)
     if count > most:
         text = f"expected at most {most:,} numbers; got {count:,}"
@@ -234,7 +246,7 @@ def _plain(outcome: answer.Outcome, most: int) -> dict[str, Any]:
 
 
 def _silence() -> None:
-    """Send what is printed past Python's own streams nowhere, and read nothing."""
+    """Discard what is printed below Python's own streams; reading gives nothing."""
     nowhere = os.open(os.devnull, os.O_RDWR)
     for stream in (0, 1, 2):
         os.dup2(nowhere, stream)

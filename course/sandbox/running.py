@@ -1,6 +1,6 @@
-"""A submission's process as the grader sees it: start it, have the notebook read, ask for exercises, end it.
+"""A submission's process as the grader sees it: start, read, ask for exercises, end.
 
-What comes back is data from a stranger: it is checked here, nothing of it is run.
+What comes back is untrusted data: it is checked here, and nothing of it is executed.
 """
 
 from __future__ import annotations
@@ -30,26 +30,32 @@ from course.sandbox.limits import Limits
 from course.sandbox.reply import Reply, checked_reply, clean
 from course.sandbox.watching import START_SECONDS, Seen, watches_memory
 
-#: For a notebook to be read, once its process has started; a lesson of fifty cells takes a hundredth of that.
+#: Seconds for reading a notebook, once its process has started; a lesson of fifty cells
+#: takes a hundredth of that.
 READ_SECONDS = 10.0
-#: Beyond the limits of a run, for its process to tell of it.
+#: Seconds beyond the limits of a run, for its process to report.
 GRACE_SECONDS = 15.0
 #: Without forks a process answers one question.
 FORKS = sys.platform != "win32"
 
 
 class SandboxFailure(RuntimeError):
-    """The process of a submission did not even start: a fault of this machine, not of the submission."""
+    """A submission's process could not be started: this machine's fault, not the
+    author's.
+    """
 
 
 class Cancelled(Exception):
-    """The batch was stopped while a submission ran."""
+    """The batch was stopped while a submission was running."""
 
 
 @dataclass(frozen=True)
 class Question:
-    """An exercise to be answered: its place in the lesson, the answer's name and kind, the declared arguments, how
-    many results, the inputs of every case, and how many numbers each may give at most."""
+    """An exercise to be answered.
+
+    Its place in the lesson, the answer's name and kind, the declared arguments, how
+    many results, the inputs of every case, and how many numbers each may give at most.
+    """
 
     index: int
     name: str
@@ -62,7 +68,10 @@ class Question:
 
 @dataclass(frozen=True)
 class Found:
-    """What reading found of an exercise: "blank", "fault" (with why), or "run", with how many cells."""
+    """What reading found for an exercise: "blank", "fault" (and why), or "run".
+
+    ``cells`` is how many cells are run.
+    """
 
     state: str
     fault: str = ""
@@ -73,7 +82,7 @@ class Found:
 
 @dataclass(frozen=True)
 class Reading:
-    """What a notebook is: its lesson's number, and what was found of each exercise, in the lesson's order."""
+    """What a notebook is: its lesson's number, and what was found for each exercise."""
 
     lesson: str
     exercises: tuple[Found, ...]
@@ -81,8 +90,12 @@ class Reading:
 
 @dataclass(frozen=True)
 class Run:
-    """How the run of an exercise ended, where it stood then (``stage`` "cell" or "case", and its index), the reply if
-    one came, what it tried and was refused, and for a run that was "blocked", ``by`` which exercise's."""
+    """How the run of an exercise ended.
+
+    ``stage`` ("cell" or "case") and ``index`` say where; ``reply`` is set if one came;
+    ``refused`` is what it attempted in vain; ``by`` is the exercise that blocked a
+    "blocked" run.
+    """
 
     end: End
     stage: str = ""
@@ -96,7 +109,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Sandbox:
-    """How submissions are run on this machine: in a box or, where ``boxed`` is false, in a plain process."""
+    """How submissions are run on this machine: boxed, or in a plain process."""
 
     limits: Limits = field(default_factory=Limits)
     boxed: bool = False
@@ -106,7 +119,8 @@ class Sandbox:
     def submission(
         self, content: bytes, file: str, lessons: Sequence[Outline]
     ) -> Iterator[Session]:
-        """A session with the process of one submission; nothing of it is left afterwards, neither process nor file.
+        """A session with the process of one submission; leaves neither process nor file
+        behind.
 
         Raises ``UnusableNotebook`` with the reason, ``SandboxFailure``, ``Cancelled``.
         """
@@ -163,7 +177,7 @@ class Session:
         self.reading = _reading(wire.unpack(payload), lessons)
 
     def answers(self, questions: Sequence[Question]) -> Iterator[Run]:
-        """Run the exercises and give how each ended, in their order.
+        """Run the exercises and yield how each ended, in their order.
 
         Those after one that took the whole process with it are "killed".
         """
@@ -179,10 +193,11 @@ class Session:
             yield _run(seen, question, cells)
 
     def close(self) -> None:
-        """End the process and all that it started.
+        """End the process and everything it started.
 
-        It ends by itself when it sees that nobody asks it any more. It is killed only where it does not, and not
-        while it starts: a box that loses its maker half built would wait for it for ever.
+        It ends by itself when its input closes. It is killed only if it does not, and
+        never while it starts: a half-built box that loses its parent would wait for it
+        forever.
         """
         with contextlib.suppress(OSError):
             if self._process.stdin:
@@ -195,13 +210,13 @@ class Session:
         self._process.kill()
         self._process.wait()
         self._listener.join(1.0)
-        if not self._listener.is_alive():  # to close what it reads would wait for it
+        if not self._listener.is_alive():  # closing what it reads would wait for it
             for pipe in (self._process.stdout, self._process.stderr):
                 if pipe:
                     pipe.close()
 
     def _seen(self, patience: float) -> dict[str, Any] | None:
-        """What the process tells of a run; None where it is gone."""
+        """What the process reports of a run; None where it is gone."""
         seen, deadline = Seen(), time.monotonic() + patience
         while True:
             message = self._next(deadline - time.monotonic())
@@ -222,7 +237,7 @@ class Session:
             return {**vars(seen), "reply": np.frombuffer(seen.reply, np.uint8)}
 
     def _next(self, patience: float) -> tuple[bytes, bytes] | None:
-        """The next message; None where none comes in time or the process is gone."""
+        """The next message; None where none arrives in time or the process is gone."""
         deadline = time.monotonic() + patience
         while (left := deadline - time.monotonic()) > 0:
             if self._sandbox.cancel is not None and self._sandbox.cancel.is_set():
@@ -245,7 +260,7 @@ class Session:
         assert pipe is not None
         with contextlib.suppress(
             BrokenPipeError
-        ):  # that it is gone is found out when its answer is missed
+        ):  # that it is gone shows when its answer does not come
             messages.send(pipe.fileno(), messages.ASK, wire.pack(dict(request)))
 
     def _last_words(self) -> str:
@@ -258,7 +273,10 @@ class Session:
 
 
 def find_isolation(limits: Limits) -> Isolation:
-    """What shuts submissions in on this machine, found out by a run; raises ``SandboxFailure`` if none is possible."""
+    """How submissions are isolated on this machine, found by a trial run.
+
+    Raises ``SandboxFailure`` if they cannot be run at all.
+    """
     linux = sys.platform.startswith("linux")
     reason = "bubblewrap is not installed" if linux else "this system has no bubblewrap"
     if bubblewrap() is not None:
@@ -274,7 +292,7 @@ def find_isolation(limits: Limits) -> Isolation:
 
 
 def _probe(sandbox: Sandbox) -> tuple[str, ...]:
-    """The limits that took hold on a plain answer."""
+    """The limits that took effect on a plain answer."""
     cell = {"cell_type": "code", "source": "def probe(): return 1.0", "metadata": {}}
     notebook = json.dumps({"nbformat": 4, "cells": [cell]})
     outline, question = Outline("00", ("probe",)), Question(0, "probe", "function", (), 1, ({},), (1,))  # fmt: skip
@@ -295,7 +313,7 @@ def _told(question: Question) -> dict[str, Any]:
 
 
 def _reading(told: Any, lessons: Sequence[Outline]) -> Reading:
-    """What the process said of a notebook it had only parsed."""
+    """What the process said of a notebook that it had only parsed."""
     lesson = next((o for o in lessons if o.number == told["lesson"]), None)
     if lesson is None or len(told["exercises"]) != len(lesson.exercises):
         raise SandboxFailure("what came of reading is not of this lesson")
@@ -308,7 +326,9 @@ def _reading(told: Any, lessons: Sequence[Outline]) -> Reading:
 
 
 def _run(seen: Mapping[str, Any] | None, question: Question, cells: int) -> Run:
-    """A run out of what was told of it; whatever a stranger's data may bring about, it is their reply that is wrong."""
+    """A run from what was reported of it; whatever untrusted data causes here, the
+    reply is at fault.
+    """
     if seen is None:
         return Run("killed", detail="its process was ended from outside")
     end: End = next((e for e in ENDS if e == seen.get("end")), "unreadable")
@@ -330,7 +350,7 @@ def _run(seen: Mapping[str, Any] | None, question: Question, cells: int) -> Run:
 
 
 def _stage(told: str, cells: int, cases: int) -> tuple[str, int]:
-    """Where the run stood; a student's code can say so too, so nothing in it is taken unseen."""
+    """How far the run had got. A student's code can send this too, so it is checked."""
     words = told.split()
     if len(words) == 2 and words[0] in ("cell", "case") and words[1].isdigit():
         index = int(words[1]) if len(words[1]) < 9 else cells + cases
@@ -341,7 +361,7 @@ def _stage(told: str, cells: int, cases: int) -> tuple[str, int]:
 
 @contextlib.contextmanager
 def _as_failures() -> Iterator[None]:
-    """Errors of this machine, told as such."""
+    """Errors of this machine, raised as ``SandboxFailure``."""
     try:
         yield
     except OSError as error:
@@ -351,5 +371,5 @@ def _as_failures() -> Iterator[None]:
 def _remove(folder: tempfile.TemporaryDirectory[str]) -> None:
     with contextlib.suppress(
         RecursionError
-    ):  # folders in folders, deeper than Python can follow
+    ):  # folders nested more deeply than Python can follow
         folder.cleanup()

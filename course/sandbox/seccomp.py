@@ -1,9 +1,10 @@
-"""Refuse system calls for good, by a filter in the Linux kernel (seccomp with classic BPF).
+"""Refuse system calls for good, by a filter in the Linux kernel (seccomp, classic BPF).
 
-Namespaces leave what this closes: new processes (whose memory no limit of one process counts), files that live in
-memory alone, tracing, keys, other schedulers. A call is refused by its number, so the numbers stand here, from the
-kernel's tables for x86-64 and the generic one that 64-bit ARM uses. Source: seccomp(2), bpf(4) of the Linux manual
-pages; linux/filter.h, linux/seccomp.h.
+It closes what namespaces leave open: new processes (whose memory no limit of one
+process counts), files that live in memory alone, tracing, keys, other schedulers. A
+call is refused by its number, so the numbers are listed here, from the kernel's tables
+for x86-64 and the generic one that 64-bit ARM uses. Source: seccomp(2), bpf(4) of the
+Linux manual pages; linux/filter.h, linux/seccomp.h.
 """
 
 from __future__ import annotations
@@ -59,9 +60,9 @@ _NUMBER, _ARCH, _FIRST, _THIRD = 0, 4, 16, 32  # offsets in struct seccomp_data
 
 
 def filter_installer() -> Callable[[], bool] | None:
-    """A function that installs the filter in the process that calls it; None where there is none for this machine.
+    """A function that installs the filter in its process; None on unsupported machines.
 
-    What it needs is loaded here, because a process that is already guarded may not load it.
+    What it needs is loaded here, because a guarded process may not load it.
     """
     if not sys.platform.startswith("linux") or struct.calcsize("P") != 8:
         return None
@@ -89,10 +90,12 @@ def filter_installer() -> Callable[[], bool] | None:
 
 
 def program(column: int, architecture: int, own: int) -> bytes:
-    """The filter: what stands in ``CALLS`` is refused with EPERM, everything else but these is allowed.
+    """The filter: the calls in ``CALLS`` fail with EPERM, all others are allowed,
+    except:
 
-    clone makes threads, no processes; clone3 is not there (the C library then takes clone); signals reach the
-    process itself, whose number is ``own``, and no other; limits can be read.
+    clone makes threads but no processes; clone3 does not exist (the C library then uses
+    clone); signals reach only the process itself, whose number is ``own``; limits can
+    be read but not set.
     """
     lines: list[tuple[int, int, int, int]] = []
     refuse = (_RETURN, 0, 0, _ERROR | errno.EPERM)
@@ -105,7 +108,7 @@ def program(column: int, architecture: int, own: int) -> bytes:
             lines += [(_EQUAL, 0, 1, number), refuse]
     absent = (_RETURN, 0, 0, _ERROR | errno.ENOSYS)
     lines += [(_EQUAL, 0, 1, CLONE3[column]), absent]
-    # Where the number is not theirs, each of these jumps over its own four lines.
+    # Where the number does not match, each of these skips its own four lines.
     for numbers in (KILL, TGKILL):
         lines += [(_EQUAL, 0, 4, numbers[column]), (_LOAD, 0, 0, _FIRST),
                   (_EQUAL, 1, 0, own), refuse, allow]  # fmt: skip

@@ -1,7 +1,8 @@
-"""The process of a submission: reads the notebook, then forks once an exercise and tells the grader what came of it.
+"""The process of a submission: reads the notebook, forks once per exercise, reports.
 
-It runs nothing that a student wrote. It talks through its standard input and output; when the first closes, the grader
-is gone, and it ends with all that it started.
+It runs none of the student's code itself. It talks through its standard input and
+output; when the input closes, the grader is gone, and it ends with everything it
+started.
 """
 
 from __future__ import annotations
@@ -24,12 +25,15 @@ from course.sandbox.plan import Planned, plan_of
 from course.sandbox.seccomp import filter_installer
 from course.sandbox.watching import Abandoned, watch
 
-#: Seconds are lost on these: an answer that uses one finds it loaded when its clock starts.
+#: Packages that take seconds to import: loaded before an answer's clock starts.
 SLOW = stand_ins.SLOW
 
 
 def serve(where: Mapping[str, Any]) -> NoReturn:
-    """Serve one submission to its end. ``where``: the folder to write in, packages, closed folders, whether boxed."""
+    """Serve one submission to its end.
+
+    ``where``: the folder to write in, packages, closed folders, whether boxed.
+    """
     asked, told = _own_pipes()
     try:
         messages.send(told, messages.READY)
@@ -37,7 +41,7 @@ def serve(where: Mapping[str, Any]) -> NoReturn:
     except (Abandoned, BrokenPipeError):
         pass
     finally:
-        if not where["boxed"]:  # in a box it is memory, and ends with it
+        if not where["boxed"]:  # in a box it is in memory and vanishes with the box
             os.chdir(os.path.dirname(where["work"]))
             shutil.rmtree(where["work"], ignore_errors=True)
     os._exit(0)
@@ -48,7 +52,8 @@ class _Server:
 
     def __init__(self, where: Mapping[str, Any], asked: int, told: int) -> None:
         self._where, self._asked, self._told = where, asked, told
-        # Cells that ended a run before, and whose run it was: none is waited for twice.
+        # Cells that ended an earlier run, and whose run it was: none is waited for
+        # twice.
         self._culprits: dict[str, int] = {}
 
     def submission(self) -> None:
@@ -87,7 +92,7 @@ class _Server:
     def _ask(
         self, task: runner.Task, index: int, around: runner.Surroundings
     ) -> dict[str, Any]:
-        """Run one exercise in a fork, and what became of it."""
+        """Run one exercise in a fork, and return how it ended."""
         earlier = (self._culprits.get(source) for source, _ in task.cells[:-1])
         blocked = next((by for by in earlier if by is not None), None)
         if blocked is not None:
@@ -121,7 +126,10 @@ class _Server:
 
 
 def _read(request: Mapping[str, Any]) -> tuple[tuple[Planned, ...], dict[str, Any]]:
-    """The plan of a notebook, and what the grader is told: the lesson, and of each exercise whether it is run."""
+    """The plan of a notebook, and its report for the grader.
+
+    The report: the lesson, and for each exercise whether it is run.
+    """
     lessons = [Outline(number, tuple(names)) for number, names in request["lessons"]]
     content = request["notebook"].tobytes()
     notebook = parse_notebook(content, request["file"], lessons)
@@ -167,19 +175,19 @@ def _become_runner(
 def _load_slow_packages(
     plan: Sequence[Planned], questions: Sequence[Mapping[str, Any]]
 ) -> None:
-    """Their seconds of loading are not the student's, and are spent once for all exercises."""
+    """Loading them takes seconds that are not the student's; once for all exercises."""
     preamble = [s for p in plan for s, tolerant in p.cells if tolerant]
     answers = [s for p in plan for s, tolerant in p.cells if not tolerant]
     wanted = set(modules_used(preamble, answers, SLOW))
     if any(q["kind"] == "expression" for q in questions):
         wanted.add("sympy")
     for name in sorted(wanted):
-        with contextlib.suppress(Exception):  # the run will find out for itself
+        with contextlib.suppress(Exception):  # the run will notice by itself
             importlib.import_module(name)
 
 
 def _clear(folder: str) -> None:
-    """Empty the folder: what one exercise left there is not in the next one's way."""
+    """Empty the folder, so that one exercise's files do not affect the next."""
     for name in os.listdir(folder):
         place = os.path.join(folder, name)
         with contextlib.suppress(OSError, RecursionError):
@@ -198,7 +206,9 @@ def _asked(pipe: int) -> Any:
 
 
 def _own_pipes() -> tuple[int, int]:
-    """Standard input and output under other numbers, which no run inherits; in their place is nothing."""
+    """Standard input and output under other numbers that no run inherits; theirs lead
+    to nothing.
+    """
     asked, told = os.dup(0), os.dup(1)
     nowhere = os.open(os.devnull, os.O_RDWR)
     os.dup2(nowhere, 0)

@@ -1,4 +1,4 @@
-"""Watch over the run of an exercise: its clock, its files, its memory; and take down what it says of itself."""
+"""Watch the run of an exercise: its clock, files and memory; record what it reports."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from course.sandbox.ending import End, end_of
 from course.sandbox.limits import Limits
 from course.sandbox.messages import FAULT, REPLY, STAGE, TRIED, Garbled, Incoming
 
-START_SECONDS = 60.0  # for a run to begin: a slow disk is not the student's
+# Seconds for a run to begin: a slow disk is not the student's fault.
+START_SECONDS = 60.0
 LOOK_SECONDS = 0.25
 MOST_FILES = 2_000
 
@@ -25,7 +26,7 @@ class Abandoned(Exception):
 
 @dataclass
 class Seen:
-    """What is known of a run: where it stood last, what it tried, and how it ended."""
+    """What is known of a run: how far it got, what it attempted, and how it ended."""
 
     stage: str = ""
     refused: list[str] = field(default_factory=list)
@@ -35,7 +36,7 @@ class Seen:
     seconds: float = 0.0
 
     def take(self, letter: bytes, payload: bytes) -> bool:
-        """Take down a message; True once the reply is there."""
+        """Record a message; True once the reply is there."""
         if letter == STAGE:
             self.stage = payload[:32].decode("ascii", "replace")
         elif letter == TRIED and len(self.refused) < 20:
@@ -57,7 +58,8 @@ def watch(
 ) -> Seen:
     """Wait for the run's reply or its end, and end it; nothing of it runs afterwards.
 
-    ``pipe`` is read from the run, ``grader`` from whom the work came: when it closes, ``Abandoned`` is raised.
+    ``pipe`` is read from the run, ``grader`` from the process that asked for it: when
+    that one closes, ``Abandoned`` is raised.
     """
     seen, started = Seen(), time.monotonic()
     try:
@@ -94,7 +96,9 @@ def _follow(seen: Seen, pipe: int, grader: int, limits: _Limits) -> None:
 
 
 class _Limits:
-    """The limits that are watched, not set: the clock, the files, and memory where nothing else holds it."""
+    """The limits watched from outside: the clock, files, and memory if nothing else
+    limits it.
+    """
 
     def __init__(self, process: int, work: str, limits: Limits, boxed: bool) -> None:
         self._process, self._work, self._limits, self._boxed = (
@@ -115,7 +119,7 @@ class _Limits:
         )
 
     def passed(self) -> End | None:
-        """The limit that was passed, if one was."""
+        """The limit that was exceeded, if any."""
         now = time.monotonic()
         if now > (
             self.begun + self._limits.seconds
@@ -137,7 +141,7 @@ class _Limits:
     def _too_much_written(self) -> bool:
         if (
             self._boxed
-        ):  # a file system of its own: its size is set, its number of files is not
+        ):  # a file system of its own: its size is limited, its number of files is not
             told = os.statvfs(self._work)
             return told.f_files - told.f_ffree > MOST_FILES
         total = count = 0
@@ -154,23 +158,25 @@ class _Limits:
 
 
 def watches_memory() -> bool:
-    """Whether memory is watched, for want of a limit on it (macOS)."""
+    """Whether memory is watched, for lack of a limit on it (macOS)."""
     return sys.platform == "darwin"
 
 
 def _resident_mb(process: int) -> float:
-    """Memory of a process as ps tells it; 0 where it tells nothing."""
+    """Memory of a process according to ps; 0 where ps reports nothing."""
     command = ["ps", "-o", "rss=", "-p", str(process)]
     told = subprocess.run(command, capture_output=True, text=True, check=False)
     return int(told.stdout) / 1000 if told.stdout.strip().isdigit() else 0.0
 
 
 def _take_down(process: int, seen: Seen, boxed: bool) -> int:
-    """End the run and all that it started; the exit code it had, if it had one already."""
+    """End the run and everything it started; returns the exit code it already had, if
+    any.
+    """
     code = None
     if (
         seen.end == "ended"
-    ):  # its pipe is closed: it is about to end, or has closed it and goes on
+    ):  # its pipe is closed: it is about to end, or has closed the pipe and goes on
         code = _code_of(process, patience=0.5)
     for target in [-1] if boxed else [-process, process]:
         try:
@@ -188,7 +194,9 @@ def _take_down(process: int, seen: Seen, boxed: bool) -> int:
 
 
 def _code_of(process: int, *, patience: float | None) -> int | None:
-    """The exit code, waited for this long [s] (None: to the end); None where there is none yet."""
+    """The exit code, waited for this long [s] (None: without limit); None if there is
+    none yet.
+    """
     deadline = None if patience is None else time.monotonic() + patience
     while True:
         done, status = os.waitpid(process, 0 if deadline is None else os.WNOHANG)
@@ -200,7 +208,7 @@ def _code_of(process: int, *, patience: float | None) -> int | None:
 
 
 def _reap_others() -> None:
-    """Children of children, where this process inherits them."""
+    """Descendants further down, where this process inherits them."""
     try:
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass

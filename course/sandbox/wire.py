@@ -1,8 +1,8 @@
-"""What travels between the grader and the process that runs student code: a tree of plain values and raw arrays.
+"""What travels between grader and student process: a tree of plain values and arrays.
 
-One message is the length of its header, the header in JSON, then the bytes of all arrays behind each other. There
-is no pickle and no compression, so what a message can do to its reader is bounded by its length. Reading checks
-everything: a reply is data from a stranger.
+A message is the length of its header, the header in JSON, then the bytes of all arrays
+in a row. There is no pickle and no compression, so what a message can do to its reader
+is bounded by its length. Reading checks everything: a reply is untrusted data.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _DTYPE = re.compile(
 
 
 class Unreadable(ValueError):
-    """A message that does not say what it should; the text tells what is wrong with it."""
+    """A malformed message; the text says what is wrong with it."""
 
 
 def pack(value: Any) -> bytes:
