@@ -1,10 +1,9 @@
-"""Array types and the checks of arguments, in one place.
+"""Array types and argument checks, in one place.
 
-Every check takes the argument's name and value, gives back a float64 array
-(or ints, where said) and raises ``ValueError`` in one form: ``name: expected
-...; got ...``, with ``in entry 3`` where one entry of an array is at fault.
-Nothing is repaired, and what came in is never written to; the array given back
-may be the one that came in.
+Every check takes the argument's name and value, returns a float64 array (or ints, where
+stated) and raises ``ValueError`` in one form: ``name: expected ...; got ...``, with
+``in entry 3`` where one entry of an array is at fault. Nothing is repaired, and the
+input is never written to; the returned array may be the input itself.
 """
 
 from __future__ import annotations
@@ -27,7 +26,9 @@ UNIT_TOLERANCE = 1e-9
 def failure(
     name: str, expected: str, got: str, index: tuple[Any, ...] = ()
 ) -> ValueError:
-    """The one form of a complaint about an argument; with an index it says in which entry."""
+    """The common form of a complaint about an argument; an index names the entry at
+    fault.
+    """
     where = [int(i) for i in index]
     entry = str(where[0]) if len(where) == 1 else str(tuple(where))
     place = f" in entry {entry}" if where else ""
@@ -35,7 +36,7 @@ def failure(
 
 
 def written(value: Any) -> str:
-    """What came as an argument, as one would write it: no NumPy types, no more than 60 characters."""
+    """An argument as one would type it: no NumPy types, at most 60 characters."""
     return _written(value)[:60]
 
 
@@ -56,7 +57,10 @@ def _written(value: Any) -> str:
 def _require(
     name: str, good: Any, expected: str, value: NDArray[Any], what: str = ""
 ) -> None:
-    """Raise for the first entry that is not good; value shows what came there, and ``what`` that is."""
+    """Raise for the first entry that is not good.
+
+    The message shows that entry of ``value``; ``what`` says what it is.
+    """
     if not np.all(good):
         index = tuple(np.argwhere(~np.asarray(good))[0])
         got = written(np.asarray(value)[index])
@@ -101,21 +105,25 @@ def whole_number(name: str, value: Any, *, minimum: int = 0) -> int:
 
 
 def positive(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
-    """Numbers above zero; infinite=True where infinity has a meaning (the mass of a fixed body)."""
+    """Positive numbers; infinite=True where infinity has a meaning (a fixed body's
+    mass).
+    """
     array = _real(name, value, "positive numbers", infinite)
     _require(name, array > 0, "positive numbers", array)
     return array
 
 
 def non_negative(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
-    """Numbers at or above zero."""
+    """Numbers of at least zero."""
     array = _real(name, value, "numbers at or above 0", infinite)
     _require(name, array >= 0, "numbers at or above 0", array)
     return array
 
 
 def in_range(name: str, value: ArrayLike, lower: float, upper: float) -> Array:
-    """Numbers between lower and upper, both included (a coefficient of restitution: 0 to 1)."""
+    """Numbers between lower and upper, both included (a coefficient of restitution: 0
+    to 1).
+    """
     expected = f"numbers from {lower:g} to {upper:g}"
     array = _real(name, value, expected, False)
     _require(name, (array >= lower) & (array <= upper), expected, array)
@@ -163,7 +171,7 @@ def matrices(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
 
 
 def rotations(name: str, value: ArrayLike) -> Array:
-    """Rotation matrices, columns the turned axes: R'R = 1 and det R = +1, shape (..., 3, 3)."""
+    """Rotation matrices, shape (..., 3, 3): R'R = 1 and det R = +1."""
     expected = "rotation matrices of shape (..., 3, 3)"
     array = matrices(name, value)
     error = np.abs(np.swapaxes(array, -1, -2) @ array - np.eye(3)).max(axis=(-2, -1))
@@ -254,7 +262,7 @@ def shaped(name: str, array: NDArray[Any], shape: Sequence[int]) -> None:
 
 
 def choice(name: str, value: Any, options: Sequence[str]) -> str:
-    """One word of a closed list."""
+    """One word from a fixed list."""
     if not isinstance(value, str) or value not in options:
         raise failure(name, "one of " + ", ".join(map(repr, options)), written(value))
     return value
@@ -291,7 +299,7 @@ def _fit(first: tuple[int, ...], second: tuple[int, ...]) -> bool:
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """The array itself if nobody can write to it, else a copy that cannot be written to."""
+    """The array itself if nobody can write to it, else a read-only copy."""
     if array.flags.owndata and not array.flags.writeable:
         return array
     copy = np.array(array)

@@ -70,15 +70,16 @@ def pendulum(
 def symmetric_top(
     moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLike
 ) -> tuple[Array, Array]:
-    """The torque-free top with I1 = I2: the axis goes round L at |L|/I1, the body round the axis at
-    l3 (1/I3 - 1/I1) (Landau and Lifshitz, *Mechanics*, sections 33 and 36).
+    """The torque-free top with I1 = I2: the axis goes round L at |L|/I1, the body round
+    the axis at l3 (1/I3 - 1/I1) (Landau and Lifshitz, *Mechanics*, sections 33 and 36).
 
     Args:
         moments: I1, I2, I3 with I1 = I2, (..., 3) [kg m^2].
         angular_momentum: l at time 0, in the principal axes, (..., 3) [kg m^2/s].
         time: t, (...) [s].
     Returns:
-        l at that time, (..., 3), and the turn since time 0, (..., 4), as ``torque_free_rotation`` gives them.
+        l at that time, (..., 3), and the turn since time 0, (..., 4), as
+        ``torque_free_rotation`` gives them.
     Raises:
         ValueError: I1 and I2 differ, a moment that is not positive.
     """

@@ -10,7 +10,10 @@ from course.dynamics.bodies import Bodies
 
 
 class ContactPoints(Protocol):
-    """The part of contacts that an impulse needs; ``course.overlap.Contacts`` has it."""
+    """The part of contacts that an impulse needs.
+
+    ``course.overlap.Contacts`` has it.
+    """
 
     @property
     def body_a(self) -> IntArray: ...

@@ -1,9 +1,8 @@
-"""Impulses between two bodies: an instant, no friction, one coefficient of restitution.
+"""Impulses between two bodies: instantaneous, frictionless, one restitution.
 
-Body 1 of the lecture's slides is A: n points out of body 2 toward body 1, and
-an impulse p_hat >= 0 pushes body 1 along +n and body 2 along -n. Two bodies
-approach while (v1 - v2).n < 0. To bodies that part, or touch and do not
-approach, nothing happens: the impulse is zero.
+Body 1 of the lecture's slides is A: n points out of body 2 toward body 1, and an
+impulse p_hat >= 0 pushes body 1 along +n and body 2 along -n. Two bodies approach while
+(v1 - v2).n < 0. Bodies that part, or touch without approaching, exchange no impulse.
 """
 
 from __future__ import annotations
@@ -112,7 +111,8 @@ def separation_speed(
     Returns:
         The separation speed, never below 0, (...) [m/s].
     Raises:
-        ValueError: a wrong shape, restitution outside 0..1, a normal that is not of unit length.
+        ValueError: a wrong shape, restitution outside 0..1, a normal that is not of
+            unit length.
     """
     v_1, v_2 = vectors("velocity_1", velocity_1), vectors("velocity_2", velocity_2)
     n, e = unit_vectors("normal", normal), in_range("restitution", restitution, 0, 1)
@@ -130,7 +130,8 @@ def impulse_central(
     normal: ArrayLike,
     restitution: ArrayLike,
 ) -> Array:
-    """Impulse of two bodies whose centres lie on the line of impact, or that do not turn.
+    """Impulse of two bodies whose centres lie on the line of impact, or that do not
+    turn.
 
     p_hat = (1 + e) (v2.n - v1.n) / (1/m1 + 1/m2) while (v1 - v2).n < 0, else
     0 (syllabus row 17). The slide's formula is right for a central impact,
@@ -146,9 +147,11 @@ def impulse_central(
     Returns:
         p_hat >= 0, (...) [N s].
     Raises:
-        ValueError: a wrong shape, mass <= 0, restitution outside 0..1, a normal that is not of unit length.
+        ValueError: a wrong shape, mass <= 0, restitution outside 0..1, a normal that is
+            not of unit length.
     Example:
-        A ball of 2 kg meets one of 1 kg at 4 m/s, nothing lost; and the same pair already parting.
+        A ball of 2 kg meets one of 1 kg at 4 m/s, nothing lost; and the same pair
+        already parting.
 
         >>> v = np.array([[-3.0, 0, 0], [3.0, 0, 0]])
         >>> impulse_central(2.0, 1.0, v, [1.0, 0, 0], [1.0, 0, 0], 1.0).round(4)
@@ -190,7 +193,7 @@ def kinetic_energy_lost(
     reduced_mass, closing, e = _impact(
         mass_1, mass_2, velocity_1, velocity_2, normal, restitution
     )
-    # closing times the momentum it carries: its square alone may be too small or too large a number.
+    # closing times the momentum it carries: its square alone may underflow or overflow.
     return 0.5 * (1 - e) * (1 + e) * (reduced_mass * closing) * closing
 
 
@@ -223,7 +226,7 @@ def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
     """
     require_body_indices(contacts, bodies)
     v, omega = bodies.velocity, bodies.angular_velocity
-    # The difference comes first: a velocity that both share leaves no rounding.
+    # The difference comes first: a common velocity then adds no rounding.
     relative = v[contacts.body_a] - v[contacts.body_b]
     for body, point, sign in contacts.sides:
         relative += sign * np.cross(omega[body], point - bodies.position[body])
@@ -287,8 +290,8 @@ def apply_impulse(
 ) -> Bodies:
     """The bodies after all these impulses at once.
 
-    p_A' = p_A + p_hat n, L_A' = L_A + r_A x p_hat n, and the opposite for B
-    (syllabus rows 16 and 22). Fixed bodies stay as they are.
+    p_A' = p_A + p_hat n, L_A' = L_A + r_A x p_hat n, and the opposite for B (syllabus
+    rows 16 and 22). Fixed bodies do not change.
 
     Args:
         impulse: p_hat of each contact, (c,) [N s].
@@ -337,13 +340,14 @@ def _impact(
     normal: ArrayLike,
     restitution: ArrayLike,
 ) -> tuple[Array, Array, Array]:
-    """Reduced mass (0 between fixed bodies, which no impulse moves), closing speed (0 if parting), e."""
+    """Reduced mass (0 between fixed bodies), closing speed (0 if parting) and e."""
     m_1, m_2, v_1, v_2, n = _pair(mass_1, mass_2, velocity_1, velocity_2, normal)
     e = in_range("restitution", restitution, 0, 1)
     batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
                       normal=(n, 1), restitution=(e, 0))  # fmt: skip
     light, heavy = np.minimum(m_1, m_2), np.maximum(m_1, m_2)
-    # m1 m2/(m1 + m2) for any masses: their product is never formed, nor the sum of two that would overflow.
+    # m1 m2/(m1 + m2) for any masses: neither their product nor a sum that would
+    # overflow is formed.
     half = np.where(heavy > LARGE, 0.5, 1.0)
     share = np.divide(
         half * heavy,

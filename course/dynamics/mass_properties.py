@@ -74,7 +74,10 @@ class MassProperties:
 
     @QUIET
     def with_mass(self, mass: ArrayLike) -> MassProperties:
-        """The same solid with another mass, (...) [kg]; inertia scales with the mass."""
+        """The same solid with another mass, (...) [kg].
+
+        Inertia scales with the mass.
+        """
         m = positive("mass", mass)
         broadcast(solid=(self.mass, 0), mass=(m, 0))
         return _solid("mass", self.mass, self.centre, self.inertia, ("mass", m))
@@ -236,9 +239,10 @@ def hull_mass_properties(
 ) -> MassProperties:
     """A solid convex hull, by exact integrals over tetrahedra.
 
-    Each face and a point inside span one. A tetrahedron with corners 0, a, b, c has volume V = a.(b x c)/6, centre
-    (a + b + c)/4 and second moment V/20 (aa' + bb' + cc' + ss'), s = a + b + c
-    (F. Tonon, J. Math. Stat. 1, 2005; B. Mirtich, J. Graphics Tools 1, 1996).
+    Each face and a point inside span one. A tetrahedron with corners 0, a, b, c has
+    volume V = a.(b x c)/6, centre (a + b + c)/4 and second moment V/20 (aa' + bb' + cc'
+    + ss'), s = a + b + c (F. Tonon, J. Math. Stat. 1, 2005; B. Mirtich, J. Graphics
+    Tools 1, 1996).
 
     Args:
         vertices: (k, 3) [m]; (..., k, 3) where triangles are given.

@@ -41,7 +41,10 @@ def compare(
     expected: tuple[np.ndarray, ...],
     got: tuple[np.ndarray, ...],
 ) -> Difference:
-    """The worst difference over all results; the first one that cannot be compared, if any."""
+    """The worst difference over all results.
+
+    The first one that cannot be compared, if any.
+    """
     differences = [
         compare_one(r, e, g) for r, e, g in zip(results, expected, got, strict=True)
     ]

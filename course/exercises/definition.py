@@ -99,7 +99,8 @@ class Property:
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise: a function of arrays that the student writes, or an expression in SymPy.
+    """An exercise: a function of arrays that the student writes, or an expression in
+    SymPy.
 
     ``reference`` is the function of ``course.formulas`` that bears the exercise's name.
     For ``kind="expression"`` the arguments are the expression's symbols, ``reference``
@@ -150,7 +151,10 @@ class Exercise:
         return f"{self.name}({', '.join(a.name for a in self.arguments)})"
 
     def draw(self, seed: int | None = None) -> tuple[Case, ...]:
-        """The cases for a seed; without one, for the seed every notebook's check uses."""
+        """The cases for a seed.
+
+        Without one, for the seed every notebook's check uses.
+        """
         if seed is None:
             seed = zlib.crc32(self.name.encode())
         return tuple(self.cases(np.random.default_rng(seed)))
@@ -234,7 +238,10 @@ def find_lesson(number: str) -> Lesson:
 
 
 def find_exercise(name: str) -> tuple[Lesson, Exercise]:
-    """The exercise of this name and its lesson; a ``ValueError`` names the nearest one."""
+    """The exercise of this name and its lesson.
+
+    A ``ValueError`` names the nearest one.
+    """
     for lesson in all_lessons():
         for exercise in lesson.exercises:
             if exercise.name == name:

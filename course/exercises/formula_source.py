@@ -33,7 +33,8 @@ def body(formula: Callable[..., Any], skipped: int = 0) -> str:
         formula: a function of ``course.formulas``.
         skipped: how many statements at the start to leave out as well.
     Returns:
-        Lines indented as in the function, with comments, without blank lines at the ends.
+        Lines indented as in the function, with comments, without blank lines at the
+        ends.
     """
     source = source_of(formula)
     node = _function(source)

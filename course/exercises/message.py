@@ -55,7 +55,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Message:
-    """A headline and its parts; displays itself in a notebook as HTML, elsewhere as text."""
+    """A headline and its parts.
+
+    Displays itself in a notebook as HTML, elsewhere as text.
+    """
 
     state: State
     headline: str

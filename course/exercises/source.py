@@ -38,7 +38,10 @@ def tree_of(source: str) -> ast.Module | None:
 
 
 def cell_tree(source: str) -> ast.Module | None:
-    """The syntax tree of a cell without IPython's own lines; None if it does not parse."""
+    """The syntax tree of a cell without IPython's own lines.
+
+    None if it does not parse.
+    """
     return tree_of(python_only(source))
 
 

@@ -24,7 +24,10 @@ INDEX = "index.html"
 def write_page(
     path: Path, submission: Submission, *, seed: int, isolation: str = ""
 ) -> None:
-    """Write the page of a submission, with a link to the grader's; raises ``CannotWrite``."""
+    """Write the page of a submission, with a link to the grader's.
+
+    Raises ``CannotWrite``.
+    """
     write_whole(path, page(submission, seed=seed, index=INDEX, isolation=isolation))
 
 

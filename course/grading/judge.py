@@ -88,7 +88,10 @@ class Judge:
     def _runs(
         self, session: Session, asked: Sequence[Question], content: bytes, file: str
     ) -> Iterator[Run]:
-        """The runs asked for; one that ended without a reply is run once more, alone."""
+        """The runs asked for.
+
+        One that ended without a reply is run once more, alone.
+        """
         runs = session.answers(asked) if FORKS else self._each(asked, content, file)
         for question, run in zip(asked, runs, strict=True):
             if run.end not in WITHOUT_REPLY:

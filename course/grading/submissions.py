@@ -89,7 +89,10 @@ def find_tasks(
 
 
 def read_content(task: Task) -> bytes:
-    """A submission's content; raises ``OSError`` if it cannot be read or has changed."""
+    """A submission's content.
+
+    Raises ``OSError`` if it cannot be read or has changed.
+    """
     with _opened(task.path) as file:
         content = file.read(MAXIMUM_BYTES + 1)
     if len(content) > MAXIMUM_BYTES:

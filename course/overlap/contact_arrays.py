@@ -204,7 +204,7 @@ def _features(value: ArrayLike | None, count: int) -> NDArray[Any]:
 def _needed(
     name: str, value: Any, rows: NDArray[np.bool_], core: tuple[int, ...]
 ) -> NDArray[Any] | None:
-    """The array with zeros in the rows nobody reads, ready to be checked."""
+    """The array with zeros in the rows that are not read, ready to be checked."""
     if value is None:
         if np.any(rows):
             word = "edges" if name.startswith("edge") else "curved"

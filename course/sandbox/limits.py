@@ -64,7 +64,8 @@ def memory_limited(limits: Limits) -> Iterator[None]:
 
 
 if sys.platform == "win32":
-    # Written from the documentation of the job object API (learn.microsoft.com, "Job Objects").
+    # Written from the documentation of the job object API (learn.microsoft.com, "Job
+    # Objects").
     import ctypes
     from ctypes import wintypes
 

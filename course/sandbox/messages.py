@@ -34,7 +34,10 @@ def send(pipe: int, letter: bytes, payload: bytes = b"") -> None:
 
 
 def receive(read: Callable[[int], bytes]) -> tuple[bytes, bytes] | None:
-    """The next message, from ``read(count)``, which blocks; None where the other end is closed."""
+    """The next message, from ``read(count)``, which blocks.
+
+    None where the other end is closed.
+    """
     head = _exactly(read, _HEAD.size)
     if head is None:
         return None

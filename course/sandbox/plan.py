@@ -1,4 +1,7 @@
-"""From a notebook to what is run for each of its exercises; in the box, before any run."""
+"""From a notebook to what is run for each of its exercises.
+
+In the box, before any run.
+"""
 
 from __future__ import annotations
 

@@ -27,7 +27,10 @@ SLOW = frozenset({"cvxpy"})
 
 
 class StandInForCourse:
-    """Anything of the course: calls and attributes return it again; it is not a number."""
+    """Anything of the course: calls and attributes return it again.
+
+    It is not a number.
+    """
 
     def __call__(self, *_: Any, **__: Any) -> Any:
         return self

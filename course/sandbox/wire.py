@@ -28,7 +28,9 @@ class Unreadable(ValueError):
 
 
 def pack(value: Any) -> bytes:
-    """A tree of None, bool, int, float, str, arrays, tuples, lists and dicts (keys are str) as one message."""
+    """A tree of None, bool, int, float, str, arrays, tuples, lists and dicts (keys are
+    str) as one message.
+    """
     body = bytearray()
     header = json.dumps(
         _encoded(value, body), ensure_ascii=False, separators=(",", ":")
@@ -38,7 +40,10 @@ def pack(value: Any) -> bytes:
 
 
 def unpack(message: bytes) -> Any:
-    """The tree of a message; raises ``Unreadable`` for anything that ``pack`` does not write."""
+    """The tree of a message.
+
+    Raises ``Unreadable`` for anything that ``pack`` does not write.
+    """
     if len(message) < _LENGTH.size:
         raise Unreadable("too short")
     (length,) = _LENGTH.unpack_from(message)

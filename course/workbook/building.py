@@ -22,7 +22,10 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class BrokenSource(ValueError):
-    """A solution notebook that no lesson can be made from; names the file and the cell."""
+    """A solution notebook that no lesson can be made from.
+
+    Names the file and the cell.
+    """
 
 
 def build(*, check: bool = False, root: Path = ROOT) -> list[str]:

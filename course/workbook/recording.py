@@ -43,7 +43,10 @@ def recording_folder(start: Path | None = None) -> Path | None:
 
 
 def record(kind: str, name: str, **details: Any) -> None:
-    """Append one event; a folder that cannot be written is no reason to stop a student."""
+    """Append one event.
+
+    A folder that cannot be written is no reason to stop a student.
+    """
     event = {
         "time": time.strftime("%Y-%m-%dT%H:%M:%S"),
         "kind": kind,
@@ -92,7 +95,10 @@ def state(folder: Path | None = None) -> State:
 
 
 def predicted(name: str, folder: Path | None = None) -> Any:
-    """The last answer given to a prediction, here or in this session; None if none was."""
+    """The last answer given to a prediction, here or in this session.
+
+    None if none was.
+    """
     folder = folder or recording_folder()
     events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
     return next(
@@ -128,7 +134,10 @@ def minutes_left(lesson: Lesson, passed: frozenset[str]) -> int:
 
 
 def first_unfinished(folder: Path | None = None) -> Lesson | None:
-    """The first lesson with a core exercise that has not passed; None when all is done."""
+    """The first lesson with a core exercise that has not passed.
+
+    None when all is done.
+    """
     passed = state(folder).passed
     return next(
         (le for le in all_lessons() if any(e.name not in passed for e in le.core)), None
@@ -154,7 +163,9 @@ class Table:
 
 
 def progress(folder: Path | None = None) -> Table:
-    """How far you are: core exercises done by lesson, minutes left, and what comes next."""
+    """How far you are: core exercises done by lesson, minutes left, and what comes
+    next.
+    """
     passed = state(folder).passed
     rows = []
     for lesson in all_lessons():

@@ -42,7 +42,10 @@ class Topic:
 
 @dataclass(frozen=True)
 class Row:
-    """A row of the syllabus and its slide; row 0 is the loop that uses all the others."""
+    """A row of the syllabus and its slide.
+
+    Row 0 is the loop that uses all the others.
+    """
 
     number: int
     slide: int
@@ -115,7 +118,9 @@ def faults(row: Row, topic: Topic, root: Path = ROOT) -> Iterator[str]:
 
 
 def headings(notebook: Path) -> set[str]:
-    """The headings of a notebook's text cells, without marks of emphasis, in lower case."""
+    """The headings of a notebook's text cells, without marks of emphasis, in lower
+    case.
+    """
     found = set()
     for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]:
         if cell["cell_type"] != "markdown":

@@ -119,7 +119,10 @@ def _offer(work: Path, target: Path, content: bytes, *, known_start: bool) -> Op
 
 
 def create_exclusively(path: Path, content: bytes) -> bool:
-    """Create a file whole or not at all; False, changing nothing, if the name is taken."""
+    """Create a file whole or not at all.
+
+    False, changing nothing, if the name is taken.
+    """
     beside = path.with_name(f".{secrets.token_hex(8)}.part")
     try:
         with open(beside, "xb") as file:

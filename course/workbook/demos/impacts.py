@@ -7,7 +7,9 @@ from course.workbook.plots import bounces, impacts
 
 
 def impulse() -> Panel:
-    """Two balls on one line: masses, speeds and restitution, and what the impulse makes of them."""
+    """Two balls on one line: masses, speeds and restitution, and what the impulse makes
+    of them.
+    """
     return Panel(
         impacts.impact,
         {

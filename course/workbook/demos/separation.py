@@ -22,7 +22,9 @@ def gap_rate() -> Panel:
 
 
 def dome() -> Panel:
-    """A particle let go on a dome, a moment ahead: its gap, and the gap from the point that it touched."""
+    """A particle let go on a dome, a moment ahead: its gap, and the gap from the point
+    that it touched.
+    """
     return Panel(
         separation_acceleration.old_point,
         {

@@ -1,4 +1,4 @@
-"""The exercise ``world_inertia``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``world_inertia``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

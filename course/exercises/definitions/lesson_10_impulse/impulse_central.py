@@ -1,4 +1,4 @@
-"""The exercise ``impulse_central``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``impulse_central``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``p_hat``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``p_hat``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``bounce_times``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``bounce_times``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

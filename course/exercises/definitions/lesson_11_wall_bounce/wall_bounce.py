@@ -1,4 +1,4 @@
-"""The exercise ``wall_bounce``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``wall_bounce``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ def _hits(
     speed: Any = None,
     **fixed: Any,
 ) -> dict[str, Any]:
-    """Velocities that come in at ``speed`` along the normal and slide across it as well."""
+    """Velocities that come in at ``speed`` along the normal and slide across it as
+    well.
+    """
     normal = unit_vector(rng, shape)
     speed = rng.uniform(0.5, 3.0, shape) if speed is None else np.asarray(speed)
     velocity = np.round(

@@ -1,4 +1,4 @@
-"""The exercise ``impulse_at_point``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``impulse_at_point``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``edge_normal_rate``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``edge_normal_rate``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``separation``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``separation``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

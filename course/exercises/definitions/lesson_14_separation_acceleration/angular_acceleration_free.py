@@ -1,4 +1,4 @@
-"""The exercise ``angular_acceleration_free``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``angular_acceleration_free``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ from course.exercises.slips import slip
 def _spins(rng: np.random.Generator) -> Sequence[Case]:
     def spin(shape: tuple[int, ...] = ()) -> dict[str, Any]:
         axes = np.linalg.qr(rng.normal(size=(*shape, 3, 3)))[0]
-        # The largest stays below the sum of the others, as for any real body: I_x + I_y - I_z = 2 sum m z^2.
+        # The largest stays below the sum of the others, as for any real body: I_x + I_y
+        # - I_z = 2 sum m z^2.
         moments = np.round(
             rng.uniform([1.0, 1.6, 2.1], [1.4, 2.0, 2.5], (*shape, 3)), 2
         )

@@ -1,4 +1,4 @@
-"""The exercise ``contact_bias``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``contact_bias``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

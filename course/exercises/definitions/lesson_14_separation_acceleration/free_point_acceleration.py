@@ -1,4 +1,4 @@
-"""The exercise ``free_point_acceleration``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``free_point_acceleration``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

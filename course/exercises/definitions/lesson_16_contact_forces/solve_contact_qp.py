@@ -20,13 +20,15 @@ from course.exercises.definitions.lesson_16_contact_forces.shared import (
 )
 from course.exercises.slips import slip
 
-#: Singular but for its last digits: they leave an eigenvalue of -1e-9, which cvxpy takes for a real one.
+#: Singular but for its last digits: they leave an eigenvalue of -1e-9, which cvxpy
+#: takes for a real one.
 ROUNDED = np.array([[1e4, 1e4], [1e4, 1e4 - 2e-9]])
 DOWN = np.array([-9.81, -9.81])
 
 
-# A mistake that changes what the programme asks is written by what then comes out. An edit of the formula would say it
-# as well, but the judge would wait for cvxpy eight times for each. Those that cvxpy refuses are edits.
+# A mistake that changes what the programme asks is written by what then comes out. An
+# edit of the formula would say it as well, but the judge would wait for cvxpy eight
+# times for each. Those that cvxpy refuses are edits.
 
 
 def _solution(a: Any, b: Any) -> np.ndarray:
@@ -41,7 +43,9 @@ def _unlimited(a: Any, b: Any) -> np.ndarray:
 
 
 def _forced(a: Any, b: Any) -> Any:
-    """What cvxpy leaves where d_ddot = 0 is a limit as well: None where no f >= 0 meets it."""
+    """What cvxpy leaves where d_ddot = 0 is a limit as well: None where no f >= 0 meets
+    it.
+    """
     f = _solution(a, b)
     return (
         f
@@ -55,7 +59,9 @@ def _least_squares(a: Any, b: Any) -> np.ndarray:
 
 
 def _limited_by_contacts(a: Any, b: Any) -> np.ndarray:
-    """The least q with A f <= b: f = f_unlimited - y, where y solves the three conditions for A and 2 b."""
+    """The least q with A f <= b: f = f_unlimited - y, where y solves the three
+    conditions for A and 2 b.
+    """
     return _unlimited(a, b) - _solution(a, 2.0 * np.asarray(b))
 
 
@@ -91,8 +97,9 @@ def _rows(given: Mapping[str, Any], f: Any) -> tuple[Any, Any]:
     return np.diagonal(a) * f / np.abs(b).max(), (a @ f + b) / np.abs(b).max()
 
 
-#: Clarabel comes within 2e-7 of max |b| with f >= 0 alone, and within 7e-5 where a student also writes d_ddot >= 0 as
-#: a limit, which is right but repeats what comes out anyway. Every planted mistake is off by a hundredth or more.
+#: Clarabel comes within 2e-7 of max |b| with f >= 0 alone, and within 7e-5 where a
+#: student also writes d_ddot >= 0 as a limit, which is right but repeats what comes out
+#: anyway. Every planted mistake is off by a hundredth or more.
 NEAR = 2e-4
 
 CONDITIONS = (
