@@ -90,9 +90,9 @@ def symmetric_top(
     if not np.array_equal(moment[..., 0], moment[..., 1]):
         raise failure("moments", "the first two alike", written(moment.tolist()))
     about_L = rotations.from_rotation_vector(momentum * (t / moment[..., 0])[..., None])
-    spin = momentum[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
+    angle = momentum[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
     about_axis = rotations.from_rotation_vector(
-        spin[..., None] * np.array([0.0, 0.0, 1.0])
+        angle[..., None] * np.array([0.0, 0.0, 1.0])
     )
     turn = rotations.from_matrix(
         rotations.to_matrix(about_L) @ rotations.to_matrix(about_axis)

@@ -239,7 +239,7 @@ def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
     1/mu = 1/m_A + 1/m_B + (r_A x n).I_A^-1 (r_A x n) + (r_B x n).I_B^-1 (r_B x n)
     (D. Baraff, "An introduction to physically based modeling: rigid body
     simulation II", SIGGRAPH 1997 course notes, the impulse of colliding
-    contact; without spin it is the denominator of syllabus row 17).
+    contact; without rotation it is the denominator of syllabus row 17).
 
     Returns:
         mu, (c,) [kg]; infinity between two fixed bodies.

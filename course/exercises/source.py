@@ -26,15 +26,7 @@ DYNAMIC = frozenset(
 
 def tree_of(source: str) -> ast.Module | None:
     """The syntax tree of Python source; None if it does not parse or is too long."""
-    if len(source) > MAXIMUM_CELL:
-        return None
-    try:
-        with warnings.catch_warnings():
-            # "\d" in a string is the student's business
-            warnings.simplefilter("ignore")
-            return ast.parse(source)
-    except UNREADABLE:
-        return None
+    return _parsed(source)[0]
 
 
 def cell_tree(source: str) -> ast.Module | None:
@@ -46,16 +38,23 @@ def cell_tree(source: str) -> ast.Module | None:
 
 
 def syntax_error(source: str) -> str:
-    """Why a cell does not parse, in Python's words."""
+    """Why a cell does not parse, in Python's words; "" if it does."""
+    return _parsed(python_only(source))[1]
+
+
+def _parsed(source: str) -> tuple[ast.Module | None, str]:
+    """The syntax tree, or None and why there is none."""
     if len(source) > MAXIMUM_CELL:
-        return f"{len(source)} characters are too many (limit {MAXIMUM_CELL})"
+        return None, f"{len(source)} characters are too many (limit {MAXIMUM_CELL})"
     try:
-        ast.parse(python_only(source))
+        with warnings.catch_warnings():
+            # "\d" in a string is the student's business
+            warnings.simplefilter("ignore")
+            return ast.parse(source), ""
     except SyntaxError as error:
-        return f"{error.msg} (line {error.lineno})"
+        return None, f"{error.msg} (line {error.lineno})"
     except UNREADABLE as error:
-        return str(error)
-    return "it does not parse"
+        return None, str(error) or type(error).__name__
 
 
 def python_only(source: str) -> str:

@@ -74,7 +74,7 @@ def judge(
     reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
     if mistake and not whole:
         reason = (
-            "This does not explain every case that fails: look for a second slip once it is mended.",
+            "This does not explain every case that fails: fix it, then look for a second slip.",
         )
     reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(

@@ -62,16 +62,16 @@ class Summary:
 
     def __str__(self) -> str:
         lines = [
-            f"{self.submissions} submissions in {self.seconds:.1f} s, {self.kept} of them as they were: "
+            f"{self.submissions} submissions in {self.seconds:.1f} s, {self.kept} of them unchanged: "
             f"{self.marked} marked, {self.needs_person} need a person, {self.unusable} cannot be used",
             f"table {self.out}, pages in {self.feedback}, all of them in {self.feedback / INDEX}",
-            f"seed {self.seed} (repeat with --seed {self.seed}); shut in by: {self.isolation}",
+            f"seed {self.seed} (repeat with --seed {self.seed}); isolated by: {self.isolation}",
         ]
         if self.isolation.startswith(TRUSTED):
             lines.append(TRUSTED_MEANS)
         if self.again:
             lines.append(
-                f"{self.again} could not be marked, by no fault of their authors; the same command tries them again"
+                f"{self.again} could not be marked, through no fault of their authors; the same command retries them"
             )
         if self.unwritten:
             lines.append(

@@ -17,12 +17,16 @@ from course.exercises.message import verdict_message
 from course.exercises.notebook_file import Outline
 from course.exercises.verdict import State, Verdict, answers_of, judge
 from course.sandbox.ending import WITHOUT_REPLY
-from course.sandbox.running import FORKS, Found, Question, Run, Sandbox, Session
+from course.sandbox.running import Found, Question, Run, Sandbox
 
 REASON_LIMIT = 500
 #: An answer may give this many numbers where few are expected: a wrong shape is then
 #: reported as such.
 FEW = 10_000
+#: Where a run ended that reached no case: said of the exercise whose cell it is, and of
+#: one that uses that cell.
+OWN_CELL = "its cell, outside the function,"
+EARLIER_CELL = "a cell before it, which it uses,"
 # The reference's call redirects what is printed, which is shared by all threads.
 _judging = threading.Lock()
 
@@ -77,37 +81,13 @@ class Judge:
                 )
                 if found.state == "run"
             ]
-            runs = self._runs(session, asked, content, file)
+            runs = session.runs(asked)
             done: dict[int, Row] = {}
             for i, exercise in enumerate(lesson.exercises):
                 found = session.reading.exercises[i]
                 run = next(runs) if found.state == "run" else None
                 done[i] = self._row(exercise, found, run, done)
                 yield done[i]
-
-    def _runs(
-        self, session: Session, asked: Sequence[Question], content: bytes, file: str
-    ) -> Iterator[Run]:
-        """The runs asked for.
-
-        One that ended without a reply is run once more, alone.
-        """
-        runs = session.answers(asked) if FORKS else self._each(asked, content, file)
-        for question, run in zip(asked, runs, strict=True):
-            if run.end not in WITHOUT_REPLY:
-                yield run
-                continue
-            (again,) = self._each([question], content, file)
-            refused = dict.fromkeys((*run.refused, *again.refused))
-            yield replace(again, refused=tuple(refused))
-
-    def _each(
-        self, asked: Sequence[Question], content: bytes, file: str
-    ) -> Iterator[Run]:
-        """The runs asked for, each in a process of its own."""
-        for question in asked:
-            with self.sandbox.submission(content, file, self._outlines) as alone:
-                yield from alone.answers([question])
 
     def _row(
         self, exercise: Exercise, found: Found, run: Run | None, done: dict[int, Row]
@@ -205,8 +185,7 @@ def _unrun(exercise: Exercise, found: Found) -> Verdict:
 def _blocked(by: Row | None) -> Verdict:
     """The verdict where a cell that an exercise needs ended the run of an earlier one."""
     told = by.verdict.reason[:1] if by is not None else ()
-    before = "a cell before it, which it uses,"
-    reason = tuple(r.replace("its cell, outside the function,", before) for r in told)
+    reason = tuple(r.replace(OWN_CELL, EARLIER_CELL) for r in told)
     state: State = "needs a person" if by is not None and by.points is None else "error"
     return Verdict("", state, reason=reason)
 
@@ -238,7 +217,7 @@ def _judged(
         return _unfinished(exercise, cases, run, sandbox, own)
     notes = dict(reply.notes)
     stopped = tuple(
-        f"{'its cell' if i == own else 'a cell before it, which it uses,'} stopped with {text}"
+        f"{'its cell' if i == own else EARLIER_CELL} stopped with {text}"
         for i, text in sorted(notes.items(), reverse=True)
     )
     if reply.blank:
@@ -279,11 +258,7 @@ def _unfinished(
     where = "it"
     case = cases[run.index] if run.stage == "case" else None
     if case is None:
-        where = (
-            "its cell, outside the function,"
-            if run.index >= own
-            else "a cell before it, which it uses,"
-        )
+        where = OWN_CELL if run.index >= own else EARLIER_CELL
     reason = (f"{where} {words[run.end]}",)
     if run.end in WITHOUT_REPLY:
         twice = "It was run twice, the second time alone: somebody should look at it."

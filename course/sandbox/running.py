@@ -25,7 +25,7 @@ import numpy as np
 from course.exercises.notebook_file import Outline, UnusableNotebook
 from course.sandbox import messages, wire
 from course.sandbox.box import Isolation, Start, bubblewrap, start_in_box, start_plain
-from course.sandbox.ending import ENDS, End, end_of
+from course.sandbox.ending import ENDS, WITHOUT_REPLY, End, end_of
 from course.sandbox.limits import Limits
 from course.sandbox.reply import Reply, checked_reply, clean
 from course.sandbox.watching import START_SECONDS, Seen, watches_memory
@@ -156,13 +156,14 @@ class Session:
         self._listener = threading.Thread(target=self._listen, daemon=True)
         self._listener.start()
         self._ready = False
+        self._submission: tuple[bytes, str, Sequence[Outline]] = b"", "", ()
         self.reading = Reading("", ())
 
     def read(self, content: bytes, file: str, lessons: Sequence[Outline]) -> None:
         """Have the notebook read; afterwards ``reading`` says what it is."""
         if self._next(START_SECONDS) != (messages.READY, b""):
             raise SandboxFailure(f"the process did not start: {self._last_words()}")
-        self._ready = True
+        self._ready, self._submission = True, (content, file, lessons)
         outlines = [[lesson.number, list(lesson.exercises)] for lesson in lessons]
         request = {"notebook": np.frombuffer(content, np.uint8), "file": file,
                    "lessons": outlines, "limits": list(asdict(self._sandbox.limits).values())}  # fmt: skip
@@ -176,8 +177,29 @@ class Session:
             raise UnusableNotebook(clean(payload.decode("utf-8", "replace"), 300))
         self.reading = _reading(wire.unpack(payload), lessons)
 
-    def answers(self, questions: Sequence[Question]) -> Iterator[Run]:
+    def runs(self, questions: Sequence[Question]) -> Iterator[Run]:
         """Run the exercises and yield how each ended, in their order.
+
+        One that ended without a reply is run once more, alone: another exercise may
+        have taken its process with it. Without forks every one has a process of its own.
+        """
+        runs = self.answers(questions) if FORKS else self._each(questions)
+        for question, run in zip(questions, runs, strict=True):
+            if run.end not in WITHOUT_REPLY:
+                yield run
+                continue
+            (again,) = self._each([question])
+            refused = dict.fromkeys((*run.refused, *again.refused))
+            yield replace(again, refused=tuple(refused))
+
+    def _each(self, questions: Sequence[Question]) -> Iterator[Run]:
+        """The runs of the exercises, each in a process of its own."""
+        for question in questions:
+            with self._sandbox.submission(*self._submission) as alone:
+                yield from alone.answers([question])
+
+    def answers(self, questions: Sequence[Question]) -> Iterator[Run]:
+        """The runs of the exercises in this process, in their order.
 
         Those after one that took the whole process with it are "killed".
         """
@@ -316,7 +338,7 @@ def _reading(told: Any, lessons: Sequence[Outline]) -> Reading:
     """What the process said of a notebook that it had only parsed."""
     lesson = next((o for o in lessons if o.number == told["lesson"]), None)
     if lesson is None or len(told["exercises"]) != len(lesson.exercises):
-        raise SandboxFailure("what came of reading is not of this lesson")
+        raise SandboxFailure("the reading does not fit this lesson")
     found = tuple(
         Found(one["state"], clean(one["fault"], 300), clean(one["nearest"], 100),
               bool(one["person"]), int(one["cells"]))
@@ -330,7 +352,7 @@ def _run(seen: Mapping[str, Any] | None, question: Question, cells: int) -> Run:
     reply is at fault.
     """
     if seen is None:
-        return Run("killed", detail="its process was ended from outside")
+        return Run("killed", detail="its process was killed from outside")
     end: End = next((e for e in ENDS if e == seen.get("end")), "unreadable")
     if end == "blocked":
         return Run("blocked", by=int(seen["by"]))

@@ -45,11 +45,11 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
         drift.append(f"lessons/{source.name}: {what}")
         if not check:
             _write(target, wanted)
-    strangers = {p.name for p in (root / "lessons").glob("*.ipynb")} - {
+    orphans = {p.name for p in (root / "lessons").glob("*.ipynb")} - {
         p.name for p in sources
     }
     return drift + [
-        f"lessons/{name}: has no solution to be made from" for name in sorted(strangers)
+        f"lessons/{name}: has no solution to be made from" for name in sorted(orphans)
     ]
 
 

@@ -102,7 +102,7 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
                 function, [c.arguments for c in cases], len(exercise.results)
             )
     except KeyboardInterrupt:
-        told = "Stopped by hand: it ran on. Look for a loop whose end is never reached."
+        told = "Stopped by hand: it was still running. Look for a loop that never ends."
         display_message(Message("error", f"{exercise.name}: {told}", ()))
         raise
     return judge(exercise, cases, outcomes)
@@ -116,7 +116,7 @@ def _told_if_it_runs_on(name: str) -> Iterator[None]:
     way = Part(
         "stop it", "with the square button in the toolbar (interrupt the kernel)"
     )
-    look = Part("look for", "a loop whose end is never reached")
+    look = Part("look for", "a loop that never ends")
     message = Message(
         "error", f"{name}: still running after {RUNS_ON} seconds", (way, look)
     )
@@ -148,7 +148,7 @@ def _unfinished_before(
         if e.name in called and e.name in answer.__globals__
     ]
     return tuple(
-        f"It calls your {e.name}, which does not pass its own check yet: mend that first."
+        f"It calls your {e.name}, which does not pass its own check yet: fix that first."
         for e, function in own
         if not _is_lent(function) and not judge_here(e, function).passed
     )

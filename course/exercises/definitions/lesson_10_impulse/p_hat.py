@@ -50,7 +50,7 @@ P_HAT = Exercise(
         Mistake(
             "sign",
             slip(formulas.p_hat, "(v_2 - v_1)", "(v_1 - v_2)"),
-            "The sign is turned round. While they approach, v_1 < v_2 along n, and an impulse that pushes them apart "
+            "The sign is reversed. While they approach, v_1 < v_2 along n, and an impulse that pushes them apart "
             "is positive: it must contain v_2 - v_1.",
         ),
         Mistake(

@@ -146,7 +146,7 @@ WALL_BOUNCE = Exercise(
         Mistake(
             "plus",
             slip(formulas.wall_bounce, "velocity - (1", "velocity + (1"),
-            "The sign is turned round: v.n is negative for a ball that comes in, so subtract (1 + e) (v.n) n.",
+            "The sign is reversed: v.n is negative for a ball that comes in, so subtract (1 + e) (v.n) n.",
         ),
         Mistake(
             "no guard",
@@ -166,7 +166,7 @@ WALL_BOUNCE = Exercise(
                 "velocity - (1 + np.asarray(restitution)[..., None]) * along * normal",
                 "-np.asarray(restitution)[..., None] * velocity",
             ),
-            "You turn the whole velocity round. Only the part along n meets the wall; the part along the wall stays.",
+            "You reverse the whole velocity. Only the part along n meets the wall; the part along the wall stays.",
         ),
         Mistake(
             "friction by the way",

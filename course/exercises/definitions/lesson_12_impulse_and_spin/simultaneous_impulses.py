@@ -187,7 +187,7 @@ SIMULTANEOUS_IMPULSES = Exercise(
             "clipped at the end",
             lambda *given: np.maximum(_solved(*given), 0.0),
             "You solved the equations and then set negative impulses to 0. The others were computed with them: they "
-            "must be found anew. Clip inside the loop, not after it.",
+            "must be found again. Clip inside the loop, not after it.",
         ),
         Mistake(
             "one after the other",
@@ -212,7 +212,7 @@ SIMULTANEOUS_IMPULSES = Exercise(
                 "(1 + restitution)",
                 "-(1 + restitution)",
             ),
-            "The sign of u is turned round: u < 0 approaches, and w = A p + (1 + e) u must be lifted up to 0.",
+            "The sign of u is reversed: u < 0 approaches, and w = A p + (1 + e) u must be lifted up to 0.",
         ),
     ),
     hints=(

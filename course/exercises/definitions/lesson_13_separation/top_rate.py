@@ -47,7 +47,7 @@ TOP_RATE = Exercise(
         Mistake(
             "turned round",
             slip(formulas.top_rate, "-v_y + ell", "v_y - ell"),
-            "Both signs are turned round: you give the rate of +y + (ell/2) cos(theta), which is the speed of the top "
+            "Both signs are reversed: you give the rate of +y + (ell/2) cos(theta), which is the speed of the top "
             "toward the wall. The gap shrinks when the top comes nearer.",
         ),
         Mistake(

@@ -88,7 +88,8 @@ ANGULAR_ACCELERATION_FREE = Exercise(
                 "angular_momentum, angular_velocity",
                 "angular_velocity, angular_momentum",
             ),
-            "The cross product is turned round: it is L x omega, as it comes to the side of the torque with a minus.",
+            "The cross product is the wrong way round: it is L x omega, as it comes to the side of the torque "
+            "with a minus.",
         ),
         Mistake(
             "as printed",
@@ -159,6 +160,6 @@ ANGULAR_ACCELERATION_FREE = Exercise(
         "See Derive, step 3. The torque and L x omega are added first and go through I^-1 together.",
         "Add tau and L x omega, then multiply the matrix I^-1 by the sum. For a batch np.einsum names the axes: "
         '"...ij,...j->...i" is matrix times vector.',
-        'twist = torque + np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, twist)',
+        'total = torque + np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, total)',
     ),
 )

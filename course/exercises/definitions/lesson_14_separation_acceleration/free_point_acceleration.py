@@ -100,7 +100,7 @@ FREE_POINT_ACCELERATION = Exercise(
                 "angular_acceleration, arm",
                 "arm, angular_acceleration",
             ),
-            "omega_dot x r is turned round: a cross product changes its sign with the order.",
+            "omega_dot x r is the wrong way round: a cross product changes its sign with the order.",
         ),
         Mistake(
             "omega x r once",

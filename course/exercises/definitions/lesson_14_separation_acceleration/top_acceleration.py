@@ -148,7 +148,7 @@ TOP_ACCELERATION = Exercise(
         Mistake(
             "turned round",
             slip(formulas.top_acceleration, "-a_y + ell", "a_y - ell"),
-            "All signs are turned round: this is the acceleration of the top toward the wall.",
+            "All signs are reversed: this is the acceleration of the top toward the wall.",
         ),
     ),
     hints=(

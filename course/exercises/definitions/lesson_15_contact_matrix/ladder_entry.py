@@ -43,7 +43,7 @@ LADDER_ENTRY = Exercise(
     cases=_ladders,
     mistakes=(
         Mistake("sign", slip(formulas.ladder_entry, "-3", "3"),
-                "The sign is turned round. The top is pushed to the left: which way does "
+                "The sign is reversed. The top is pushed to the left: which way does "
                 "the ladder begin to turn, and where does that take the foot?"),
         Mistake("zero", slip(formulas.ladder_entry, "-3", "0"),
                 "You say that the foot feels nothing. N_1.N_2 = 0 is true of the pushes "

@@ -129,7 +129,7 @@ SOLVE_CONTACT_QP = Exercise(
                 "f is not limited to f >= 0: this is the force that makes every d_ddot = 0, and some contacts pull."),
         Mistake("clamped after solving", lambda a, b: np.maximum(_unlimited(a, b), 0.0),
                 "Solved without the limit, and what pulled set to 0 afterwards. The other forces were found for "
-                "a contact that pulls, and do not fit once it is gone. The limit belongs into the programme."),
+                "a contact that pulls, and do not fit once it is gone. The limit belongs in the programme."),
         Mistake("the lowest q", lambda a, b: 0.5 * np.dot(b, _solution(a, b)),
                 "One number came: solve() returns the lowest q. The forces are in the variable, f.value."),
         Mistake("d_ddot = 0 as a limit", _forced,
@@ -138,9 +138,9 @@ SOLVE_CONTACT_QP = Exercise(
         Mistake("half forgotten", lambda a, b: 0.5 * _solution(a, b),
                 "All forces are half of what they should be: the 1/2 before f'A f is missing, so its slope is 2 A f."),
         Mistake("sign of b", lambda a, b: _solution(a, -np.asarray(b)),
-                "The sign of b is turned round: the objective has + b'f."),
+                "The sign of b is reversed: the objective has + b'f."),
         Mistake("f <= 0", lambda a, b: -_solution(a, -np.asarray(b)),
-                "The limit is turned round: f <= 0. On the slide's form A x <= b it is -f <= 0."),
+                "The limit is reversed: f <= 0. On the slide's form A x <= b it is -f <= 0."),
         Mistake("A and b of the contacts in the limit", _limited_by_contacts,
                 "The limit is A f <= b with the A and b of the contacts. The slide's letters mean two things: the "
                 "limit on the forces is -f <= 0."),
