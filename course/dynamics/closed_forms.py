@@ -1,4 +1,4 @@
-"""Motions with a closed form, to test steps against: parabola, pendulum, symmetric top."""
+"""Motions with a closed form, to test steps: parabola, pendulum, symmetric top."""
 
 from __future__ import annotations
 

@@ -219,7 +219,8 @@ def point_velocity(
 def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
     """Normal velocity of each contact; below 0 the bodies approach there.
 
-    u = (v_A + omega_A x r_A - v_B - omega_B x r_B).n (syllabus rows 20 and 22).
+    u = (v_A + omega_A x r_A - v_B - omega_B x r_B).n (syllabus rows 20 and 22). It is
+    the rate of the separation, d_dot: ``course.contact.separation_rate``.
 
     Returns:
         u, (c,) [m/s].

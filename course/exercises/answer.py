@@ -73,7 +73,7 @@ class Printed(io.TextIOBase):
 def call(
     function: Callable[..., Any], arguments: Mapping[str, Any], result_count: int
 ) -> Outcome:
-    """Call ``function`` on copies of the arguments, by position, and record the result."""
+    """Call ``function`` on copies of the arguments, by position; record the result."""
     given = {name: _copy(value) for name, value in arguments.items()}
     printed = Printed()
     try:
@@ -235,7 +235,7 @@ def is_stub(answer: Any, source: str | None = None) -> bool:
 
 
 def describe(error: BaseException) -> str:
-    """An exception in one or two lines: type, message, and the student's last own line."""
+    """An exception in one or two lines: type, message, the student's last own line."""
     words = type(error).__name__
     try:
         said = str(error)[:TEXT_LIMIT]

@@ -52,7 +52,7 @@ class ExerciseCell:
 
 @dataclass(frozen=True)
 class Outline:
-    """What reading needs to know about a lesson: its number and its exercises' names."""
+    """What reading needs to know about a lesson: its number and exercise names."""
 
     number: str
     exercises: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""From outcomes to a verdict: state, first counterexample, why the answer may be wrong."""
+"""From outcomes to a verdict: state, first counterexample, a likely cause."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def judge(
 def answers_of(
     function: Any, exercise: Exercise, cases: Sequence[Case]
 ) -> list[Outcome]:
-    """What a trusted function (the reference, a planted mistake) returns for the cases."""
+    """What a trusted function (reference or planted mistake) returns for the cases."""
     if exercise.kind == "expression":
         function = _evaluated(function, tuple(a.name for a in exercise.arguments))
     arguments = [c.arguments for c in cases]
@@ -177,7 +177,7 @@ def general_advice(
     outcomes: Sequence[Outcome],
     wrongs: Sequence[Difference | None],
 ) -> tuple[str, ...]:
-    """Slips that no exercise needs to plant: only in batches, constant, only at edges."""
+    """Slips that need no planting: only in batches, constant, only at edges."""
     wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
     advice = []
     if (

@@ -70,7 +70,7 @@ def write_overview(
     *,
     seed: int,
 ) -> None:
-    """Write a student's own page: every submission with its points, from its table row."""
+    """Write a student's own page: each submission's points, from its table row."""
     rows = [
         {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
          "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
@@ -85,7 +85,7 @@ def write_overview(
 
 
 def trusted(isolations: Iterable[str]) -> str:
-    """The warning for a batch in which a submission could do whatever the grader can."""
+    """The warning for a batch whose submissions could do whatever the grader can."""
     return TRUSTED_MEANS if any(i.startswith(TRUSTED) for i in isolations) else ""
 
 

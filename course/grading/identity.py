@@ -43,7 +43,7 @@ class Student:
 
 
 def student_of(file: PurePath, lessons: Sequence[Lesson]) -> Student:
-    """Whose a file is: by Moodle's name and number, else by folder, else by file name."""
+    """Whose a file is: by Moodle's name and number, else by folder, else by name."""
     for depth, part in enumerate(file.parts):
         moodle = MOODLE.fullmatch(part)
         if moodle:

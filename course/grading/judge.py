@@ -183,7 +183,7 @@ def _unrun(exercise: Exercise, found: Found) -> Verdict:
 
 
 def _blocked(by: Row | None) -> Verdict:
-    """The verdict where a cell that an exercise needs ended the run of an earlier one."""
+    """The verdict where a cell that an exercise needs ended an earlier run."""
     told = by.verdict.reason[:1] if by is not None else ()
     reason = tuple(r.replace(OWN_CELL, EARLIER_CELL) for r in told)
     state: State = "needs a person" if by is not None and by.points is None else "error"

@@ -32,7 +32,7 @@ FEATURES = ("face_b", "face_a", "edges", "curved")
 
 
 class Side(NamedTuple):
-    """One side of c contacts: its bodies (c,), its points (c, 3) [m], +1 (A) or -1 (B)."""
+    """One side of c contacts: bodies (c,), points (c, 3) [m], +1 for A or -1 for B."""
 
     body: IntArray
     point: Array

@@ -74,7 +74,7 @@ def install_guard(
 
 
 class _Guard:
-    """The hook: called with every event, raises ``PermissionError`` for those refused."""
+    """The hook: called with every event, raises ``PermissionError`` to refuse it."""
 
     def __init__(
         self, own: str, closed: Sequence[str], packages: tuple[str, ...], tell: Tell

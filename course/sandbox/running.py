@@ -181,7 +181,7 @@ class Session:
         """Run the exercises and yield how each ended, in their order.
 
         One that ended without a reply is run once more, alone: another exercise may
-        have taken its process with it. Without forks every one has a process of its own.
+        have taken its process with it. Without forks each has a process of its own.
         """
         runs = self.answers(questions) if FORKS else self._each(questions)
         for question, run in zip(questions, runs, strict=True):

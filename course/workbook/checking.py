@@ -133,7 +133,7 @@ def _told_if_it_runs_on(name: str) -> Iterator[None]:
 def _unfinished_before(
     lesson: Lesson, exercise: Exercise, answer: Any
 ) -> tuple[str, ...]:
-    """A line for each earlier exercise that the answer calls and that is not right yet."""
+    """A line for each earlier exercise that the answer calls and that is not right."""
     if not inspect.isfunction(answer):
         return ()
     called = {

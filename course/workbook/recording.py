@@ -34,7 +34,7 @@ class State:
 
 
 def recording_folder(start: Path | None = None) -> Path | None:
-    """The work/ folder that contains ``start`` (default: the current folder), or None."""
+    """The work/ folder that contains ``start`` (default: the current one), or None."""
     here = (start or Path.cwd()).resolve()
     for folder in (here, *here.parents):
         if folder.name == "work" and (folder.parent / "lessons").is_dir():

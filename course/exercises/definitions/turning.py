@@ -44,7 +44,7 @@ def inertias(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
 
 
 def inverse_moments(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
-    """1/I about three principal axes, two decimals, from about 0.5 to 2 and all unlike."""
+    """1/I about three principal axes, two decimals, from about 0.5 to 2, all unlike."""
     return np.asarray(
         np.round(
             1 / _moments(rng.uniform([0.1, 0.4, 0.8], [0.2, 0.6, 1.2], (*shape, 3))), 2

@@ -24,7 +24,7 @@ def impulse() -> Panel:
 
 
 def wall() -> Panel:
-    """A ball meets a wall: turn the wall and the ball, and choose how much comes back."""
+    """A ball meets a wall: turn both, and choose how much of the speed comes back."""
     return Panel(
         bounces.reflection,
         {

@@ -73,8 +73,8 @@ def tumbling_scene(
 
 
 def _scale(vectors: Any, length: float) -> float:
-    """Metres for one unit, to two digits, that draw a vector about so long [m]: longer
-    than the handle is wide.
+    """Metres for one unit, to two digits, that draw a vector about this long [m]:
+    longer than the handle is wide.
     """
     return float(f"{length / np.linalg.norm(vectors):.1e}")
 

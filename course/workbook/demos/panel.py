@@ -22,9 +22,9 @@ class Panel(ipywidgets.VBox):
 
     ``values`` are the controls' by name.
 
-    The figure is one HTML image, so that it keeps its alternative text, and is drawn
-    anew at each change. A saved notebook holds it as a still picture of the controls'
-    first values.
+    The figure is one HTML image, so that it keeps its alternative text, and is redrawn
+    at each change. A saved notebook holds it as a still picture of the controls' first
+    values.
     """
 
     def __init__(

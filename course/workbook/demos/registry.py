@@ -113,7 +113,7 @@ def find_demo(name: str) -> Demo:
 
 
 def table() -> str:
-    """The demos, a line each, with the slides they go with and the minutes they take."""
+    """The demos, a line each, with their slides and the minutes they take."""
     slides = {row.number: row.slide for row in read_syllabus()}
     lines = [f"{'name':12} {'slides':10} {'minutes':8} what it shows"]
     for demo in DEMOS:

@@ -7,7 +7,7 @@ from course.workbook.plots import separation, separation_acceleration
 
 
 def gap_rate() -> Panel:
-    """A bar over a plank: let each rise and turn, and see which motion closes the gap."""
+    """A bar over a plank: let each rise and turn, and see what closes the gap."""
     return Panel(
         separation.contact_velocities,
         {

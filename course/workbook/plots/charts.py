@@ -231,7 +231,7 @@ def _beside(x: np.ndarray, threshold: float) -> tuple[list[int], str]:
 
 def _with_extremes(y: np.ndarray, places: list[int]) -> list[int]:
     """The places, and those of the least and the largest value where they lie clearly
-    outside what is told already.
+    outside what has been said already.
     """
     finite = np.flatnonzero(np.isfinite(y))
     told = y[[i for i in places if np.isfinite(y[i])]]

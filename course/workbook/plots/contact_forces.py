@@ -282,7 +282,7 @@ def _level_sets(
     through: np.ndarray,
     ends: tuple[float, float],
 ) -> None:
-    """Ellipses of f'A f/2 + b.f around its least value, the one through a point darker."""
+    """Ellipses of f'A f/2 + b.f around its minimum, the one through a point darker."""
     grid = np.linspace(*ends, 160)
     f_1, f_2 = np.meshgrid(grid, grid)
     off = np.stack([f_1, f_2], axis=-1) - least
@@ -310,8 +310,8 @@ def _sweep_path(matrix: np.ndarray, bias: np.ndarray, sweeps: int) -> np.ndarray
 def _zero_line(
     row: np.ndarray, bias: float, ends: tuple[float, float]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where row.f + bias = 0 crosses the picture: solved for the force that the row
-    weighs more.
+    """Where row.f + bias = 0 crosses the picture: solved for the force with the larger
+    coefficient.
     """
     along = np.array(ends)
     if abs(row[1]) > abs(row[0]):
@@ -320,7 +320,7 @@ def _zero_line(
 
 
 def _foot(ax: Axes, y: float, force: float, colour: str) -> None:
-    """A foot of the plank, and the force that pushes it up as an arrow with its number."""
+    """A foot of the plank, and the force on it as an arrow with its number."""
     ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
     if force > 1e-9:
         look = {

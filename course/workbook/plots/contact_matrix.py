@@ -114,7 +114,7 @@ def matrix_costs(
     """Seconds and counted multiplications over the number of contacts.
 
     The counts come with the exponent fitted to their end; that of seconds differs from
-    machine to machine, so they are told as they were measured.
+    machine to machine, so they are given as measured.
     """
     with style():
         _, panels = side_by_side(2, size=(10.4, 4.0))

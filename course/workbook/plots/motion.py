@@ -52,7 +52,7 @@ def energies(
             ax.axvline(now, color="0.25", lw=1, ls=":", label=f"the film: {now:.2f} s")
         ax.set(xlabel="time [s]", ylabel="energy [J]", title=title)
         ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    # What is nothing beside the largest is told as 0.
+    # What is negligible beside the largest is given as 0.
     least = 1e-6 * max(float(np.max(np.abs(v))) for v in parts.values())
     runs = {
         n: [0.0 if abs(e) < least else e for e in (np.min(v), np.max(v))]

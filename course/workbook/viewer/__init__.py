@@ -49,11 +49,11 @@ def show(
         orientation: unit quaternions, scalar last, (n, 4) or (t, n, 4); none: not
             turned.
         times: (t,) [s], ascending; needed where anything moves.
-        arrows: ``viewer.Arrows``; their scale is told below the picture.
-        ground: height z of a ground plane [m]; none where nothing is said.
+        arrows: ``viewer.Arrows``; their scale is given below the picture.
+        ground: height z of a ground plane [m]; default: none.
         camera: "corner", "front", "side" or "top".
         caption: a sentence on what there is to see; it begins the alternative text.
-        still: the time of the picture [s]; the first where nothing is said.
+        still: the time of the picture [s]; default: the first.
         speed: seconds of motion shown in a second.
         height: of the widget [pixels].
     Raises:

@@ -45,11 +45,10 @@ class Arrows:
         name: as the legend has it, "L".
         vector: (m, 3), or (t, m, 3) where they change, in ``unit``.
         unit: of the vector, "kg m²/s"; empty for a unit vector.
-        at: where they start, (m, 3) or (t, m, 3) [m]; the bodies' centres where nothing
-            is said.
-        scale: how many metres are drawn for one unit; chosen so that the longest arrow
-            fits the scene where nothing is said. The legend tells it.
-        color: a name of the palette; the next of a list where nothing is said.
+        at: where they start, (m, 3) or (t, m, 3) [m]; default: the bodies' centres.
+        scale: how many metres are drawn for one unit; default: such that the longest
+            arrow fits the scene. The legend shows it.
+        color: a name of the palette; default: the next of a list.
     """
 
     name: str

@@ -21,7 +21,7 @@ _FINE = 1000  # triangles, at least
 
 
 def draw(scene: Scene, *, time: float | None = None, ax: Any = None) -> Any:
-    """The scene at a time [s] (its first where none is said) on matplotlib's 3D axes;
+    """The scene at a time [s] (default: its first) on matplotlib's 3D axes;
     returns them.
 
     ``ax`` needs ``projection="3d"``; a new figure, with the legend and the caption,

@@ -16,7 +16,7 @@ from course.workbook.viewer.scene import CAMERAS, Scene
 from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
 from course.workbook.viewer.still import draw, ground_lines
 
-#: A film has at most so many pictures: each body's place is sent once for each of them.
+#: The most pictures of a film: each body's place is sent once per picture.
 MOST_FRAMES = 300
 _FRAMES_A_SECOND = 30
 _VIEW_ANGLE = 32.0  # degrees from foot to top of the picture

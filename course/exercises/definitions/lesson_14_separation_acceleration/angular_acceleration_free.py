@@ -1,4 +1,4 @@
-"""The exercise ``angular_acceleration_free``: inputs, comparison and planted mistakes."""
+"""The exercise ``angular_acceleration_free``: inputs, comparison, planted mistakes."""
 
 from __future__ import annotations
 
