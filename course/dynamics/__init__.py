@@ -1,4 +1,4 @@
-"""Bodies that move, from plain arrays: state, impulses, bounces (syllabus rows 14-18)."""
+"""Bodies that move, from plain arrays: state, impulses, bounces (rows 14-18)."""
 
 from course.dynamics.bodies import Bodies
 from course.dynamics.bounces import (

@@ -1,8 +1,10 @@
-"""Refuse, and tell of, what an answer has no business with: processes, signals, the network, files outside its folder.
+"""Refuse and report what no answer needs: processes, signals, the network, other files.
 
-An audit hook (PEP 578) costs little and works on every platform. It raises the price and no more: code that sets out
-to break it can. In a box it is the witness, so that an attack does not look like a crash; without one it is all there
-is, and the report says that submissions were trusted. No mark hangs on it: verdicts are not made in this process.
+An audit hook (PEP 578) is cheap and works on every platform. It raises the cost of an
+attack, no more: code written to break it can. In a box it is the witness, so that an
+attack is not mistaken for a crash; without a box it is the only protection, and the
+report says that submissions were trusted. No mark depends on it: verdicts are not made
+in this process.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ REFUSED = frozenset(
     "webbrowser.open _winapi.CreateProcess _winapi.TerminateProcess winreg.CreateKey winreg.SetValue "
     "ftplib.connect http.client.connect smtplib.connect poplib.connect imaplib.open telnetlib.Telnet.open".split()
 )
-#: What no audit event tells of, module by module.
+#: What raises no audit event, module by module.
 UNTOLD = {
     "os": "mknod mkfifo pidfd_open memfd_create sched_setscheduler sched_setaffinity sched_setparam setpriority nice "
     "chroot unshare setns",
@@ -57,7 +59,7 @@ HARMLESS = (
     "/proc/meminfo",
     "/proc/stat",
 )
-#: An attempt is told in at most so many characters.
+#: Characters of a reported attempt; the rest is cut off.
 TOLD = 200
 
 Tell = Callable[[str], None]
@@ -68,8 +70,8 @@ def install_guard(
 ) -> _Guard:
     """From now on writing works in the folder ``own`` alone, and the folders ``closed`` cannot be read.
 
-    ``tell`` is called with each attempt that is refused, in words. What is looked for in vain among the ``packages``
-    is Python's own affair and not told.
+    ``tell`` is called with a description of each refused attempt. Failed look-ups among
+    the ``packages`` are Python's own and are not reported.
     """
     guard = _Guard(own, closed, tuple(packages), tell)
     for module, names in UNTOLD.items():
@@ -81,7 +83,7 @@ def install_guard(
 
 
 class _Guard:
-    """The hook: called with every event, it raises ``PermissionError`` for those that are refused."""
+    """The hook: called with every event, raises ``PermissionError`` to refuse it."""
 
     def __init__(
         self, own: str, closed: Sequence[str], packages: tuple[str, ...], tell: Tell
@@ -122,7 +124,7 @@ class _Guard:
 
     def _open(self, path: Any, mode: Any, flags: Any) -> None:
         if not isinstance(path, (str, bytes, os.PathLike)):
-            return  # an open file's number
+            return  # the descriptor of an open file
         if isinstance(flags, int) and flags & WRITING:
             self._require_inside(path)
             return
@@ -144,7 +146,7 @@ class _Guard:
             self._refuse(f"writing to {place}", f"{words}: {place}")
 
     def replace(self, module: str, name: str) -> None:
-        """Put a function that refuses in the place of one."""
+        """Replace a function by one that refuses."""
         try:
             home = importlib.import_module(module)
         except ImportError:
@@ -161,7 +163,9 @@ class _Guard:
         return refused
 
     def refuse_folders_by_number(self) -> None:
-        """Close ``dir_fd``, a folder told by an open number: the events do not carry it."""
+        """Refuse ``dir_fd``, a folder given by its descriptor: the events do not show
+        it.
+        """
         import shutil
 
         shutil._use_fd_functions = False  # type: ignore[attr-defined]

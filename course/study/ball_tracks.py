@@ -144,12 +144,7 @@ def _collide(
         len(state),
     )
     frame = Bodies.balls(np.inf, 1.0, np.zeros((1, 3)))
-    both = Bodies(
-        *(
-            np.concatenate([getattr(state, f), getattr(frame, f)])
-            for f in Bodies.__dataclass_fields__
-        )
-    )
+    both = Bodies.concatenate([state, frame])
     parts = [touching]
     for limit, sign in ((low, 1.0), (high, -1.0)):
         ball, axis = np.nonzero(sign * (state.position - limit) <= 1e-7 * radius)
@@ -160,6 +155,4 @@ def _collide(
             Contacts(ids, np.full(ids.size, n), point, normal, np.zeros(ids.size))
         )
     after = resolve_collisions(both, Contacts.concatenate(parts), restitution, law=law)
-    return replace(
-        state, momentum=after.momentum[:n], angular_momentum=after.angular_momentum[:n]
-    )
+    return after[:n]

@@ -250,14 +250,8 @@ def side_by_side(scenes: Sequence[RestingScene]) -> RestingScene:
         replace(s.contacts, body_a=s.contacts.body_a + n, body_b=s.contacts.body_b + n)
         for s, n in zip(scenes, start, strict=False)
     ]
-    joined = Bodies(
-        *(
-            np.concatenate([getattr(b, name) for b in bodies])
-            for name in Bodies.__dataclass_fields__
-        )
-    )
     return RestingScene(
-        f"{len(scenes)} scenes", joined, Contacts.concatenate(contacts),
+        f"{len(scenes)} scenes", Bodies.concatenate(bodies), Contacts.concatenate(contacts),
         np.concatenate([s.force for s in scenes]), np.concatenate([s.torque for s in scenes]),
         all(s.solvable for s in scenes),
     )  # fmt: skip

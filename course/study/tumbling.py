@@ -225,17 +225,7 @@ def tilt_growth(
     if moment.ndim != 2:
         raise failure("moments", "shape (n, 3)", f"shape {moment.shape}")
     several = [spinning_body(one, tilt=tilt, spin=spin, axis=axis) for one in moment]
-    names = (
-        "mass",
-        "inertia",
-        "position",
-        "orientation",
-        "momentum",
-        "angular_momentum",
-    )
-    bodies = Bodies(
-        *(np.concatenate([getattr(b, name) for b in several]) for name in names)
-    )
+    bodies = Bodies.concatenate(several)
     step = 2 * np.pi / abs(scalar("spin", spin)) / 60
     times: Array = step * np.arange(round(60 * turns) + 1, dtype=float)
     across = []

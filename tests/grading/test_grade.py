@@ -367,7 +367,7 @@ def test_a_fault_of_ours_in_one_submission_stops_no_other(
     assert (told.marked, told.needs_person, told.again) == (4, 1, 1)
     reason = rows_in(told.out)["ben.ipynb"]["reason"]
     assert "not its author's fault: RuntimeError: a bug" in reason
-    assert "the same command tries them again" in str(told)
+    assert "the same command retries them" in str(told)
     monkeypatch.undo()
     told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
     assert (told.kept, told.marked, told.again) == (4, 5, 0)

@@ -7,7 +7,7 @@ from course.workbook.plots import separation, separation_acceleration
 
 
 def gap_rate() -> Panel:
-    """A bar over a plank: let each rise and turn, and see which motion closes the gap."""
+    """A bar over a plank: let each rise and turn, and see what closes the gap."""
     return Panel(
         separation.contact_velocities,
         {
@@ -22,7 +22,9 @@ def gap_rate() -> Panel:
 
 
 def dome() -> Panel:
-    """A particle let go on a dome, a moment ahead: its gap, and the gap from the point that it touched."""
+    """A particle let go on a dome, a moment ahead: its gap, and the gap from the point
+    that it touched.
+    """
     return Panel(
         separation_acceleration.old_point,
         {

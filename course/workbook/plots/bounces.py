@@ -1,4 +1,6 @@
-"""Pictures of a ball and a wall: the reflection, the bounces in time, the published energy errors."""
+"""Pictures of a ball and a wall: the reflection, the bounces in time, the published
+energy errors.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +21,11 @@ def reflection(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """A ball meeting a wall in the plane: velocity before and after, each split along and across the normal.
+    """A ball meeting a wall in the plane: velocity before and after, each split along
+    and across the normal.
 
-    Angles in degrees from the horizontal: of the wall's surface, and of the velocity the ball comes with (1 m/s).
+    Angles in degrees from the horizontal: of the wall's surface, and of the velocity
+    the ball comes with (1 m/s).
     """
     wall, going = np.radians(wall_angle), np.radians(incoming_angle)
     normal = np.array([-np.sin(wall), np.cos(wall), 0.0])
@@ -114,7 +118,10 @@ def heights(
     rest: float | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Height over time of one ball computed in several ways; ``rest`` marks the time it comes to rest."""
+    """Height over time of one ball computed in several ways.
+
+    ``rest`` marks the time it comes to rest.
+    """
     with style():
         ax = axes(ax)
         for i, (name, motion) in enumerate(motions.items()):
@@ -141,7 +148,9 @@ def heights(
 
 
 def bouncing_errors(errors: BouncingErrors, *, ax: Axes | None = None) -> Axes:
-    """The 49 balls' energy error over the step size: ours, the published figures, and the event-driven ball's."""
+    """The 49 balls' energy error over the step size: ours, the published figures, and
+    the event-driven ball's.
+    """
     with style():
         ax = axes(ax, size=(7.6, 4.6))
         published = PUBLISHED_BOUNCING

@@ -1,4 +1,6 @@
-"""Pictures of the contact matrix: a table that is pushed, the pattern of A, and what A costs."""
+"""Pictures of the contact matrix: a table that is pushed, the pattern of A, and what A
+costs.
+"""
 
 from __future__ import annotations
 
@@ -30,10 +32,12 @@ def pushed_table(
     answer: bool = True,
     ax: Axes | None = None,
 ) -> Axes:
-    """The table of 1 kg from above, pushed up from below with 1 N at (x, y): how its four feet begin to move.
+    """The table of 1 kg from above, pushed up from below with 1 N at (x, y): how its
+    four feet begin to move.
 
-    The dashed line is where nothing moves at first. The offsets are those of the centre of mass from the middle, all
-    lengths in m. Without ``answer`` only the push is shown; with ``ax`` only the picture from above.
+    The dashed line is where nothing moves at first. The offsets are those of the centre
+    of mass from the middle, all lengths in m. Without ``answer`` only the push is
+    shown; with ``ax`` only the picture from above.
     """
     scene = table(offset=(offset_x, offset_y), half_widths=HALF_WIDTHS)
     response, (bodies, feet) = (
@@ -109,8 +113,8 @@ def matrix_costs(
 ) -> Axes:
     """Seconds and counted multiplications over the number of contacts.
 
-    The counts come with the exponent fitted to their end; that of seconds differs from machine
-    to machine, so they are told as they were measured.
+    The counts come with the exponent fitted to their end; that of seconds differs from
+    machine to machine, so they are given as measured.
     """
     with style():
         _, panels = side_by_side(2, size=(10.4, 4.0))
@@ -178,7 +182,9 @@ def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
 
 
 def _still_line(ax: Axes, scene: RestingScene, place: Array) -> None:
-    """1/m + r_y p_y/I_x + r_x p_x/I_y = 0, where the principal axes are x and y: what it begins to turn about."""
+    """1/m + r_y p_y/I_x + r_x p_x/I_y = 0, where the principal axes are x and y: what
+    it begins to turn about.
+    """
     bodies = scene.bodies
     centre, inverse = bodies.position[0, :2], bodies.world_inverse_inertia[0]
     slope = (place - centre) * np.array([inverse[1, 1], inverse[0, 0]])
@@ -196,7 +202,10 @@ def _still_line(ax: Axes, scene: RestingScene, place: Array) -> None:
 
 
 def _moving_feet(ax: Axes, feet: Array, response: Array) -> None:
-    """The feet that begin to rise and those that are driven down; one that feels nothing keeps its plain mark."""
+    """The feet that begin to rise and those that are driven down.
+
+    One that feels nothing keeps its plain mark.
+    """
     for chosen, mark, colour, word in (
         (response > 1e-9, "^", "blue", "begins to rise"),
         (response < -1e-9, "v", "vermillion", "is driven down"),

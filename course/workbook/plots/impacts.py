@@ -1,4 +1,6 @@
-"""Pictures of impacts: one pair, a row of balls, a rack of balls, two blocks and a wall."""
+"""Pictures of impacts: one pair, a row of balls, a rack of balls, two blocks and a
+wall.
+"""
 
 from __future__ import annotations
 
@@ -24,9 +26,11 @@ def impact(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """Two balls on one line before and after a central impact, and where their kinetic energy goes.
+    """Two balls on one line before and after a central impact, and where their kinetic
+    energy goes.
 
-    Speeds in m/s along n (body 2 on the left, body 1 on the right, n to the right), masses in kg.
+    Speeds in m/s along n (body 2 on the left, body 1 on the right, n to the right),
+    masses in kg.
     """
     x = np.array([1.0, 0.0, 0.0])
     given = (mass_1, mass_2, velocity_1 * x, velocity_2 * x, x, restitution)
@@ -69,7 +73,9 @@ def impact(
 def _two_balls(
     ax: Axes, height: float, masses: np.ndarray, speeds: np.ndarray, scale: float
 ) -> None:
-    """Body 2 left of the contact, body 1 right of it, radius growing with the cube root of the mass."""
+    """Body 2 left of the contact, body 1 right of it, radius growing with the cube root
+    of the mass.
+    """
     radii = np.clip(0.32 * np.cbrt(masses), 0.14, 0.62)
     for side, index, colour in ((1, 0, "blue"), (-1, 1, "vermillion")):
         centre = side * radii[index]
@@ -131,7 +137,9 @@ def ball_row(
     radius: float = 0.5,
     ax: Axes | None = None,
 ) -> Axes:
-    """Balls in a row under several laws: one row a law, each ball with its velocity [m/s] as an arrow and a number."""
+    """Balls in a row under several laws: one row a law, each ball with its velocity
+    [m/s] as an arrow and a number.
+    """
     with style():
         ax = axes(ax, size=(7.6, 0.85 * len(outcomes) + 0.5))
         for row, (name, velocities) in enumerate(outcomes.items()):
@@ -219,7 +227,9 @@ def _arrow(
     colour: str,
     width: float,
 ) -> None:
-    """An arrow as long as it says: its head shrinks with it, or all short ones would look alike."""
+    """An arrow as long as it says: its head shrinks with it, or all short ones would
+    look alike.
+    """
     length = float(np.hypot(tip[0] - start[0], tip[1] - start[1]))
     look = {"arrowstyle": "-|>", "lw": width, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0,
             "mutation_scale": float(np.clip(24 * length, 3, 12))}  # fmt: skip
@@ -242,7 +252,9 @@ def _bare(ax: Axes) -> None:
 
 
 def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
-    """Two blocks and a wall in space and time: where each block is, and every collision."""
+    """Two blocks and a wall in space and time: where each block is, and every
+    collision.
+    """
     with style():
         ax = axes(ax, size=(7.2, 4.2))
         last = motion.time[-1]
@@ -295,7 +307,8 @@ def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
 
 
 def velocity_circle(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
-    """The same collisions in the plane of sqrt(m) v: equal energy is a circle, each collision a chord.
+    """The same collisions in the plane of sqrt(m) v: equal energy is a circle, each
+    collision a chord.
 
     The grey wedge holds the states after which nothing meets any more: 0 <= v1 <= v2.
     """

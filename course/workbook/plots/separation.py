@@ -22,7 +22,10 @@ LINES = ("-", "--", "-.", ":", "-", "--")
 def turning_pair(
     pair: TurningPair, times: Sequence[float] = (0.0,), *, ax: Axes | None = None
 ) -> Axes:
-    """Bar and plank at the first time, and in outline at later ones; crosses mark the axles, which never move."""
+    """Bar and plank at the first time, and in outline at later ones.
+
+    Crosses mark the axles, which never move.
+    """
     with style():
         ax = axes(ax, size=(7.4, 3.4))
         for i, time in enumerate(times):
@@ -78,7 +81,8 @@ def turning_pair(
 def marked_point(
     pair: TurningPair, place: float = -0.4, *, ax: Axes | None = None
 ) -> Axes:
-    """Bar over plank, level: the plank's point opposite the corner, and another point marked on the same face.
+    """Bar over plank, level: the plank's point opposite the corner, and another point
+    marked on the same face.
 
     Args:
         pair: bar and plank.
@@ -135,7 +139,9 @@ def marked_point(
 def ladder_picture(
     y: float, z: float, angle: float, *, length: float = 4.0, ax: Axes | None = None
 ) -> Axes:
-    """A ladder before a wall, wherever it is: its gaps to floor and wall, and the two normals."""
+    """A ladder before a wall, wherever it is: its gaps to floor and wall, and the two
+    normals.
+    """
     foot_gap, top_gap = ladder_gaps(y, z, angle, length=length)
     half = 0.5 * length * np.array([np.cos(angle), np.sin(angle)])
     centre = np.array([y, z])
@@ -207,10 +213,11 @@ def contact_velocities(
     reach: float = 1.8,
     ax: Axes | None = None,
 ) -> Axes:
-    """Bar over plank, level: how fast the two points of the contact move, and what each motion adds to d_dot.
+    """Bar over plank, level: how fast the two points of the contact move, and what each
+    motion adds to d_dot.
 
-    Rates in rad/s against the clock, velocities in m/s upward, reach the y of the bar's centre in m. With ``ax`` only
-    the picture is drawn.
+    Rates in rad/s against the clock, velocities in m/s upward, reach the y of the bar's
+    centre in m. With ``ax`` only the picture is drawn.
     """
     pair = TurningPair(rate_a=rate_a, rate_b=rate_b, reach=reach, clear=0.7)
     contact, bodies = pair.contacts(), pair.bodies()
@@ -277,7 +284,9 @@ def passing_a_corner(
     step: float = 0.1,
     ax: Axes | None = None,
 ) -> Axes:
-    """A point passes over the corner of a box at two heights: the nearest-point normal at equal times."""
+    """A point passes over the corner of a box at two heights: the nearest-point normal
+    at equal times.
+    """
     with style():
         ax = axes(ax, size=(7.2, 3.4))
         ax.add_patch(Rectangle((-1.0, -0.5), 1.0, 0.5, fc="0.85", ec="0.3"))
@@ -325,7 +334,10 @@ def passing_a_corner(
 
 
 def _written_gaps(ax: Axes, pair: TurningPair, times: Sequence[float]) -> None:
-    """One gap as a double arrow with its length; several as a list that points at the last one."""
+    """One gap as a double arrow with its length.
+
+    Several as a list that points at the last one.
+    """
     contact = pair.contacts(times[-1])
     (_, y, z_a), (_, _, z_b) = contact.point_a[0], contact.point_b[0]
     if len(times) == 1:
@@ -345,7 +357,10 @@ def _written_gaps(ax: Axes, pair: TurningPair, times: Sequence[float]) -> None:
 
 
 def _point_velocities(ax: Axes, points: Array, speeds: Array) -> None:
-    """The points of A and B that meet, (2, 3), each with the arrow of its velocity; the longest has 0.75 m at most."""
+    """The points of A and B that meet, (2, 3), each with the arrow of its velocity.
+
+    The longest has 0.75 m at most.
+    """
     scale = 0.75 / max(2.0, *np.linalg.norm(speeds, axis=-1).tolist())
     for point, speed, colour, mark, name in zip(
         points, speeds, ("blue", "vermillion"), "os", "AB", strict=True

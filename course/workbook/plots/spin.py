@@ -1,4 +1,6 @@
-"""Pictures of impacts that make bodies turn: a rod on a peg or on the floor, a box on its four corners."""
+"""Pictures of impacts that make bodies turn: a rod on a peg or on the floor, a box on
+its four corners.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +30,9 @@ PIN = 0.45  # how far the lower end stands above the floor
 
 
 def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
-    """The scene of the question: a rod that falls flat on a peg under its middle, and on one under its end."""
+    """The scene of the question: a rod that falls flat on a peg under its middle, and
+    on one under its end.
+    """
     with style():
         ax = axes(ax, size=(8.4, 2.9))
         for middle, peg, impulse, words in (
@@ -65,12 +69,14 @@ def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
 def rod_impact(
     angle: float, restitution: float, place: float, *, ax: Axes | None = None
 ) -> Axes:
-    """A rod of 1 kg and 1 m that falls at 1 m/s, before and after the floor hits it at one point.
+    """A rod of 1 kg and 1 m that falls at 1 m/s, before and after the floor hits it at
+    one point.
 
     Args:
         angle: of the rod, from the horizontal [degrees]; the lower end is on the right.
         restitution: e.
-        place: 1 the lower end, 0 the middle, -1 the upper end; there a light pin stands down to the floor.
+        place: 1 the lower end, 0 the middle, -1 the upper end; there a light pin stands
+            down to the floor.
     """
     before, contact = falling_rods(np.radians(angle), place=place)
     after = resolve_collisions(before, contact, restitution)
@@ -119,7 +125,9 @@ def rod_impact(
 def _rod(
     ax: Axes, middle: float, axis: np.ndarray, place: float, floor: float, state: Bodies
 ) -> None:
-    """The rod in the x-z plane with the velocities of its ends and its middle, and the pin that meets the floor."""
+    """The rod in the x-z plane with the velocities of its ends and its middle, and the
+    pin that meets the floor.
+    """
     x, z = middle + 0.5 * axis[0] * np.array([-1, 1]), 0.5 * axis[2] * np.array([-1, 1])
     ax.plot(x, z, color=PALETTE["sky"], lw=7, ls="-", marker="", solid_capstyle="butt")
     hit = 0.5 * place * axis
@@ -158,7 +166,8 @@ def rod_impulses(
     without_spin: float,
     ax: Axes | None = None,
 ) -> Axes:
-    """The impulse on a rod dropped on its end over its angle: the closed form as a line, measurements as marks.
+    """The impulse on a rod dropped on its end over its angle: the closed form as a
+    line, measurements as marks.
 
     Args:
         angle: of the line, from the horizontal [degrees].
@@ -217,12 +226,13 @@ def rod_impulses(
 def box_outcomes(
     box: Bodies, corners: np.ndarray, outcomes: Mapping[str, Bodies]
 ) -> Axes:
-    """A box on its four corners before an impact, and how fast they rise after it by several laws.
+    """A box on its four corners before an impact, and how fast they rise after it by
+    several laws.
 
     Args:
         box: before; body 0 is the box, standing with its axes along x, y, z.
-        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-), (+,+),
-            which the picture numbers 1 to 4 [m].
+        corners: (4, 3) where it touches the floor, in the order (-,-), (-,+), (+,-),
+            (+,+), which the picture numbers 1 to 4 [m].
         outcomes: name -> bodies after, up to five.
     """
     with style():
@@ -321,7 +331,8 @@ def spins_by_order(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """The spin that each order of the same contacts gives the same box, as one point an outcome.
+    """The spin that each order of the same contacts gives the same box, as one point an
+    outcome.
 
     Args:
         outcomes: of ``study.outcomes_by_order``.
@@ -383,7 +394,8 @@ def spin_by_pegs(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """The spin of a level rod after it fell on two pegs, over where they stand: by the order of the pegs, and at once.
+    """The spin of a level rod after it fell on two pegs, over where they stand: by the
+    order of the pegs, and at once.
 
     Args:
         place: of the pegs, left and right of the middle [m].
@@ -431,7 +443,8 @@ def spin_by_pegs(
 def mass_over_face(
     x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes | None = None
 ) -> Axes:
-    """Effective mass over mass where a box is hit on its upper face, and where leaving out spin errs by how much.
+    """Effective mass over mass where a box is hit on its upper face, and where leaving
+    out spin errs by how much.
 
     Args:
         x, y: of the face, from its middle, (k,) and (l,) [m].
