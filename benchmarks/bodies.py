@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields
 from functools import partial
 
 import numpy as np
@@ -58,7 +57,7 @@ def _free(bodies: Bodies) -> Row:
 
 
 def _driven(bodies: Bodies) -> Row:
-    sample = Bodies(*(getattr(bodies, field.name)[:SAMPLE] for field in fields(Bodies)))
+    sample = bodies[:SAMPLE]
     exact = _loop(bodies, FIELD, 1e-13)
     steps = _fewest_steps(
         lambda n: _angle(_batched(sample, _needles(sample), n).orientation, exact)

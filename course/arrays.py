@@ -1,16 +1,15 @@
-"""Array types and the checks of arguments, in one place.
+"""Array types and argument checks, in one place.
 
-Every check takes the argument's name and value, gives back a float64 array
-(or ints, where said) and raises ``ValueError`` in one form: ``name: expected
-...; got ...``, with ``in entry 3`` where one entry of an array is at fault.
-Nothing is repaired, and what came in is never written to; the array given back
-may be the one that came in.
+Every check takes the argument's name and value, returns a float64 array (or ints, where
+stated) and raises ``ValueError`` in one form: ``name: expected ...; got ...``, with
+``in entry 3`` where one entry of an array is at fault. Nothing is repaired, and the
+input is never written to; the returned array may be the input itself.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike as ArrayLike
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
+T = TypeVar("T")
 
 #: How far a unit vector, quaternion or rotation matrix may be from exact.
 UNIT_TOLERANCE = 1e-9
@@ -27,7 +27,9 @@ UNIT_TOLERANCE = 1e-9
 def failure(
     name: str, expected: str, got: str, index: tuple[Any, ...] = ()
 ) -> ValueError:
-    """The one form of a complaint about an argument; with an index it says in which entry."""
+    """The common form of a complaint about an argument; an index names the entry at
+    fault.
+    """
     where = [int(i) for i in index]
     entry = str(where[0]) if len(where) == 1 else str(tuple(where))
     place = f" in entry {entry}" if where else ""
@@ -35,7 +37,7 @@ def failure(
 
 
 def written(value: Any) -> str:
-    """What came as an argument, as one would write it: no NumPy types, no more than 60 characters."""
+    """An argument as one would type it: no NumPy types, at most 60 characters."""
     return _written(value)[:60]
 
 
@@ -56,7 +58,10 @@ def _written(value: Any) -> str:
 def _require(
     name: str, good: Any, expected: str, value: NDArray[Any], what: str = ""
 ) -> None:
-    """Raise for the first entry that is not good; value shows what came there, and ``what`` that is."""
+    """Raise for the first entry that is not good.
+
+    The message shows that entry of ``value``; ``what`` says what it is.
+    """
     if not np.all(good):
         index = tuple(np.argwhere(~np.asarray(good))[0])
         got = written(np.asarray(value)[index])
@@ -101,21 +106,25 @@ def whole_number(name: str, value: Any, *, minimum: int = 0) -> int:
 
 
 def positive(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
-    """Numbers above zero; infinite=True where infinity has a meaning (the mass of a fixed body)."""
+    """Positive numbers; infinite=True where infinity has a meaning (a fixed body's
+    mass).
+    """
     array = _real(name, value, "positive numbers", infinite)
     _require(name, array > 0, "positive numbers", array)
     return array
 
 
 def non_negative(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
-    """Numbers at or above zero."""
+    """Numbers of at least zero."""
     array = _real(name, value, "numbers at or above 0", infinite)
     _require(name, array >= 0, "numbers at or above 0", array)
     return array
 
 
 def in_range(name: str, value: ArrayLike, lower: float, upper: float) -> Array:
-    """Numbers between lower and upper, both included (a coefficient of restitution: 0 to 1)."""
+    """Numbers between lower and upper, both included (a coefficient of restitution: 0
+    to 1).
+    """
     expected = f"numbers from {lower:g} to {upper:g}"
     array = _real(name, value, expected, False)
     _require(name, (array >= lower) & (array <= upper), expected, array)
@@ -163,7 +172,7 @@ def matrices(name: str, value: ArrayLike, *, infinite: bool = False) -> Array:
 
 
 def rotations(name: str, value: ArrayLike) -> Array:
-    """Rotation matrices, columns the turned axes: R'R = 1 and det R = +1, shape (..., 3, 3)."""
+    """Rotation matrices, shape (..., 3, 3): R'R = 1 and det R = +1."""
     expected = "rotation matrices of shape (..., 3, 3)"
     array = matrices(name, value)
     error = np.abs(np.swapaxes(array, -1, -2) @ array - np.eye(3)).max(axis=(-2, -1))
@@ -202,11 +211,9 @@ def graded_eigh(matrix: Array) -> tuple[Array, Array]:
 
 def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:
     """Whole numbers from 0, below count where that is given."""
-    expected = (
-        "whole numbers from 0"
-        if count is None
-        else f"whole numbers from 0 to {count - 1}"
-    )
+    expected = "whole numbers from 0"
+    if count is not None:
+        expected += f" to {count - 1}" if count else ", of which none exists here"
     array = np.asarray(value)
     if array.dtype.kind not in "iu" and array.size:
         raise failure(name, expected, written(value))
@@ -218,14 +225,58 @@ def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:
     return array
 
 
+def selection(name: str, which: ArrayLike | slice, count: int) -> IntArray:
+    """The indices that ``which`` selects from count items, in its order, (k,).
+
+    Args:
+        name: what is indexed, for the messages.
+        which: a slice, a mask (count,), an int or ints (k,); negative ints count
+            from the end.
+        count: how many items there are.
+    Raises:
+        ValueError: anything else, or a mask of another shape.
+        IndexError: an index out of range.
+    """
+    if isinstance(which, slice):
+        return np.arange(count)[which]
+    index = np.atleast_1d(np.asarray(which))
+    if index.dtype == bool:
+        shaped(f"{name}[mask]", index, (count,))
+        return np.flatnonzero(index)
+    expected = "a mask, whole numbers or a slice"
+    if index.size and index.dtype.kind not in "iu":
+        raise failure(f"{name}[...]", expected, written(which))
+    if index.ndim != 1:
+        raise failure(f"{name}[...]", f"{expected}, shape (k,)", f"shape {index.shape}")
+    index = index.astype(np.intp, copy=False)
+    outside = (index < -count) | (index >= count)
+    if np.any(outside):
+        message = failure(
+            f"{name}[...]", f"an index below {count}", str(index[outside][0])
+        )
+        raise IndexError(str(message))
+    return index % count if count else index
+
+
+def instances(name: str, value: Iterable[Any], kind: type[T]) -> list[T]:
+    """At least one instance of a class, as a list."""
+    parts = list(value)
+    if not parts:
+        raise failure(name, f"at least one {kind.__name__}", "none")
+    for i, part in enumerate(parts):
+        if not isinstance(part, kind):
+            raise failure(f"{name}[{i}]", kind.__name__, type(part).__name__)
+    return parts
+
+
 def shaped(name: str, array: NDArray[Any], shape: Sequence[int]) -> None:
-    """Refuse an array whose shape is not this one."""
+    """Refuse an array of any other shape."""
     if array.shape != tuple(shape):
         raise failure(name, f"shape {tuple(shape)}", f"shape {array.shape}")
 
 
 def choice(name: str, value: Any, options: Sequence[str]) -> str:
-    """One word of a closed list."""
+    """One word from a fixed list."""
     if not isinstance(value, str) or value not in options:
         raise failure(name, "one of " + ", ".join(map(repr, options)), written(value))
     return value
@@ -262,7 +313,7 @@ def _fit(first: tuple[int, ...], second: tuple[int, ...]) -> bool:
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """The array itself if nobody can write to it, else a copy that cannot be written to."""
+    """The array itself if nobody can write to it, else a read-only copy."""
     if array.flags.owndata and not array.flags.writeable:
         return array
     copy = np.array(array)

@@ -28,12 +28,13 @@ __all__ = [
 
 
 def identity(*batch: int) -> Array:
-    """The quaternion that turns nothing, shape (*batch, 4)."""
+    """The identity quaternion, shape (*batch, 4)."""
     return np.broadcast_to(np.array([0.0, 0.0, 0.0, 1.0]), (*batch, 4)).copy()
 
 
 def to_matrix(orientation: ArrayLike) -> Array:
-    """The rotation matrix of each unit quaternion: columns are the body's axes in the world.
+    """The rotation matrix of each unit quaternion: columns are the body's axes in the
+    world.
 
     Args:
         orientation: unit quaternions (x, y, z, w), shape (..., 4).
@@ -51,7 +52,9 @@ def to_matrix(orientation: ArrayLike) -> Array:
 
 
 def from_matrix(rotation: ArrayLike) -> Array:
-    """The unit quaternion of each rotation matrix, shape (..., 3, 3) -> (..., 4); its sign is SciPy's choice."""
+    """The unit quaternion of each rotation matrix, (..., 3, 3) -> (..., 4), sign as
+    SciPy's.
+    """
     from scipy.spatial.transform import Rotation
 
     matrix = rotations("rotation", rotation)
@@ -65,7 +68,8 @@ def from_matrix(rotation: ArrayLike) -> Array:
 
 
 def from_rotation_vector(rotation_vector: ArrayLike) -> Array:
-    """The unit quaternion of a turn by ``|theta|`` about ``theta``: (sin(|theta|/2) theta/|theta|, cos(|theta|/2)).
+    """The unit quaternion of a turn by ``|theta|`` about ``theta``: (sin(|theta|/2)
+    theta/|theta|, cos(|theta|/2)).
 
     Args:
         rotation_vector: axis times angle [rad], shape (..., 3).
@@ -90,7 +94,8 @@ def rotate(orientation: ArrayLike, vector: ArrayLike) -> Array:
 
 
 def turned(orientation: ArrayLike, rotation_vector: ArrayLike) -> Array:
-    """The exponential map: each orientation turned further by a rotation vector in world axes.
+    """The exponential map: each orientation turned further by a rotation vector in
+    world axes.
 
     q' = exp(theta/2) q, which is exact while omega stays constant, with
     theta = omega h. The product is brought back to unit length, so that

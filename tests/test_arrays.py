@@ -85,6 +85,13 @@ def test_range_count_and_choice_say_what_they_allow():
         3,
     )
     refused(
+        "body: expected whole numbers from 0, of which none exists here; got 0 in entry 0",
+        arrays.indices,
+        "body",
+        [0],
+        0,
+    )
+    refused(
         "law: expected one of 'a', 'b'; got 'c'", arrays.choice, "law", "c", ("a", "b")
     )
     assert arrays.choice("law", "b", ("a", "b")) == "b"

@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, IntArray, choice, failure, in_range, indices
+from course.arrays import Array, BoolArray, IntArray, choice, failure, in_range
 from course.contact.solvers.nnls import nonnegative_least_squares
 from course.dynamics.bodies import Bodies
+from course.dynamics.contact_points import require_body_indices
 from course.dynamics.impulse import apply_impulse, effective_mass, normal_velocity
 from course.overlap.contact_arrays import Contacts
 
@@ -87,8 +88,7 @@ def resolve_collisions(
         )
     e = float(in_range("restitution", restitution, 0, 1))
     choice("law", law, LAWS)
-    for name in ("body_a", "body_b"):
-        indices(f"contacts.{name}", getattr(contacts, name), len(bodies))
+    require_body_indices(contacts, bodies)
     if not len(contacts):
         return bodies
     u, alone, groups = _groups(bodies, contacts)

@@ -21,6 +21,7 @@ from course.arrays import (
 )
 from course.contact.separation import separation_rate, signed_terms
 from course.dynamics.bodies import Bodies
+from course.dynamics.contact_points import require_body_indices
 from course.overlap.contact_arrays import Contacts
 
 if TYPE_CHECKING:
@@ -195,12 +196,7 @@ def contact_jacobian(bodies: Bodies, contacts: Contacts) -> csr_array:
 
     c, n = len(contacts), len(bodies)
     values, columns = np.zeros((c, 2, 6)), np.empty((c, 2, 6), dtype=np.int64)
-    for side, (body, point, sign) in enumerate(
-        (
-            (contacts.body_a, contacts.point_a, 1.0),
-            (contacts.body_b, contacts.point_b, -1.0),
-        )
-    ):
+    for side, (body, point, sign) in enumerate(contacts.sides):
         position, free = bodies.position[body], ~bodies.fixed[body]
         lever = np.cross(point - position, contacts.normal)
         size = np.abs(point).max(axis=1, initial=0.0) + np.abs(position).max(
@@ -238,8 +234,8 @@ def free_acceleration(bodies: Bodies, force: ArrayLike, torque: ArrayLike) -> Ar
     f, tau = vectors("force", force), vectors("torque", torque)
     shaped("force", f, (len(bodies), 3))
     shaped("torque", tau, (len(bodies), 3))
-    twist = tau + np.cross(bodies.angular_momentum, bodies.angular_velocity)
-    alpha = np.einsum("nij,nj->ni", bodies.world_inverse_inertia, twist)
+    total = tau + np.cross(bodies.angular_momentum, bodies.angular_velocity)
+    alpha = np.einsum("nij,nj->ni", bodies.world_inverse_inertia, total)
     return np.concatenate([f * bodies.inverse_mass[:, None], alpha], axis=1).ravel()
 
 
@@ -260,20 +256,17 @@ def contact_wrench(
     """
     f = scalars("force", force)
     shaped("force", f, (len(contacts),))
-    separation_rate(bodies, contacts)  # refuses bodies that are not there
+    require_body_indices(contacts, bodies)
     push = f[:, None] * contacts.normal
-    total, twist = np.zeros((len(bodies), 3)), np.zeros((len(bodies), 3))
-    for body, point, sign in (
-        (contacts.body_a, contacts.point_a, 1.0),
-        (contacts.body_b, contacts.point_b, -1.0),
-    ):
+    total, torque = np.zeros((len(bodies), 3)), np.zeros((len(bodies), 3))
+    for body, point, sign in contacts.sides:
         np.add.at(total, body, sign * push)
-        np.add.at(twist, body, sign * np.cross(point - bodies.position[body], push))
-    return total, twist
+        np.add.at(torque, body, sign * np.cross(point - bodies.position[body], push))
+    return total, torque
 
 
 def _refuse_fixed_pairs(bodies: Bodies, contacts: Contacts) -> None:
-    separation_rate(bodies, contacts)  # refuses bodies that are not there
+    require_body_indices(contacts, bodies)
     both: BoolArray = bodies.fixed[contacts.body_a] & bodies.fixed[contacts.body_b]
     if np.any(both):
         i = int(np.argmax(both))

@@ -14,7 +14,6 @@ from course.arrays import (
     IntArray,
     broadcast,
     failure,
-    indices,
     non_negative,
     scalar,
     shaped,
@@ -23,6 +22,7 @@ from course.arrays import (
 )
 from course.contact.curved import CurvedTerms, curved_terms
 from course.dynamics.bodies import Bodies
+from course.dynamics.contact_points import require_body_indices
 from course.dynamics.impulse import normal_velocity
 from course.overlap.contact_arrays import Contacts
 
@@ -193,8 +193,8 @@ class _Motion:
 
 
 def _motion(bodies: Bodies, contacts: Contacts) -> _Motion:
-    a = indices("contacts.body_a", contacts.body_a, len(bodies))
-    b = indices("contacts.body_b", contacts.body_b, len(bodies))
+    require_body_indices(contacts, bodies)
+    a, b = contacts.body_a, contacts.body_b
     point_a, point_b, curved = contacts.point_a, contacts.point_b, None
     rows = _which(contacts, "curved")
     if np.any(rows):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
@@ -15,8 +16,10 @@ from course.arrays import (
     broadcast,
     failure,
     inertias,
+    instances,
     positive,
     read_only,
+    selection,
     shaped,
     unit_quaternions,
     vectors,
@@ -111,8 +114,33 @@ class Bodies:
             m, inertia, x, rotations.identity(*batch), momentum, np.zeros((*batch, 3))
         )
 
+    @staticmethod
+    def concatenate(parts: Iterable[Bodies]) -> Bodies:
+        """All bodies of all parts, in order.
+
+        Raises:
+            ValueError: no parts, or something other than ``Bodies``.
+        """
+        rows = [part._arrays() for part in instances("parts", parts, Bodies)]
+        return Bodies(*(np.concatenate(column) for column in zip(*rows, strict=True)))
+
     def __len__(self) -> int:
         return self.mass.size
+
+    def __getitem__(self, which: ArrayLike | slice) -> Bodies:
+        """The bodies that a mask, indices or a slice select, in that order.
+
+        An int gives a ``Bodies`` of one. All fields are copies.
+
+        Raises:
+            ValueError: a mask of another shape, an index that is no whole number.
+            IndexError: an index out of range.
+        """
+        index = selection("bodies", which, len(self))
+        return Bodies(*(array[index] for array in self._arrays()))
+
+    def _arrays(self) -> tuple[Array, ...]:
+        return tuple(getattr(self, field.name) for field in fields(self))
 
     @property
     def fixed(self) -> BoolArray:

@@ -35,7 +35,8 @@ def wall_bounce(
     Returns:
         v', (..., 3) [m/s].
     Raises:
-        ValueError: a wrong shape, restitution outside 0..1, a normal that is not of unit length.
+        ValueError: a wrong shape, restitution outside 0..1, a normal that is not of
+            unit length.
     Example:
         >>> wall_bounce([1.0, 0.0, -2.0], [0.0, 0.0, 1.0], 0.5)
         array([1., 0., 1.])
@@ -63,7 +64,8 @@ def bounce_times(
     Returns:
         Times from the drop, (..., count) [s].
     Raises:
-        ValueError: a negative height, restitution outside 0..1, gravity <= 0, count < 1.
+        ValueError: a negative height, restitution outside 0..1, gravity <= 0, count <
+            1.
     Example:
         >>> bounce_times(1.0, 0.5, 3).round(4)
         array([0.4515, 0.903 , 1.1288])
@@ -112,7 +114,7 @@ def bounce_path_length(height: ArrayLike, restitution: ArrayLike) -> Array:
 def _drop(
     height: ArrayLike, restitution: ArrayLike, gravity: ArrayLike
 ) -> tuple[Array, Array, Array]:
-    """All three over the whole batch."""
+    """All three, broadcast to the whole batch."""
     h, e = non_negative("height", height), in_range("restitution", restitution, 0, 1)
     g = positive("gravity", gravity)
     batch = broadcast(height=(h, 0), restitution=(e, 0), gravity=(g, 0))
@@ -121,7 +123,9 @@ def _drop(
 
 
 def _limit(first: Array, numerator: Array, denominator: Array) -> Array:
-    """first * numerator / denominator, where nothing stays nothing however often it is repeated."""
+    """first * numerator / denominator, where 0 stays 0 even at infinitely many
+    repetitions.
+    """
     top = np.broadcast_to(
         first * numerator,
         np.broadcast_shapes(first.shape, numerator.shape, denominator.shape),

@@ -1,4 +1,4 @@
-"""Motions with a closed form, to test steps against: parabola, pendulum, symmetric top."""
+"""Motions with a closed form, to test steps: parabola, pendulum, symmetric top."""
 
 from __future__ import annotations
 
@@ -70,15 +70,16 @@ def pendulum(
 def symmetric_top(
     moments: ArrayLike, angular_momentum: ArrayLike, time: ArrayLike
 ) -> tuple[Array, Array]:
-    """The torque-free top with I1 = I2: the axis goes round L at |L|/I1, the body round the axis at
-    l3 (1/I3 - 1/I1) (Landau and Lifshitz, *Mechanics*, sections 33 and 36).
+    """The torque-free top with I1 = I2: the axis goes round L at |L|/I1, the body round
+    the axis at l3 (1/I3 - 1/I1) (Landau and Lifshitz, *Mechanics*, sections 33 and 36).
 
     Args:
         moments: I1, I2, I3 with I1 = I2, (..., 3) [kg m^2].
         angular_momentum: l at time 0, in the principal axes, (..., 3) [kg m^2/s].
         time: t, (...) [s].
     Returns:
-        l at that time, (..., 3), and the turn since time 0, (..., 4), as ``torque_free_rotation`` gives them.
+        l at that time, (..., 3), and the turn since time 0, (..., 4), as
+        ``torque_free_rotation`` gives them.
     Raises:
         ValueError: I1 and I2 differ, a moment that is not positive.
     """
@@ -89,9 +90,9 @@ def symmetric_top(
     if not np.array_equal(moment[..., 0], moment[..., 1]):
         raise failure("moments", "the first two alike", written(moment.tolist()))
     about_L = rotations.from_rotation_vector(momentum * (t / moment[..., 0])[..., None])
-    spin = momentum[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
+    angle = momentum[..., 2] * (1 / moment[..., 2] - 1 / moment[..., 0]) * t
     about_axis = rotations.from_rotation_vector(
-        spin[..., None] * np.array([0.0, 0.0, 1.0])
+        angle[..., None] * np.array([0.0, 0.0, 1.0])
     )
     turn = rotations.from_matrix(
         rotations.to_matrix(about_L) @ rotations.to_matrix(about_axis)

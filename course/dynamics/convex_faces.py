@@ -1,4 +1,4 @@
-"""Faces that close a surface: of a convex hull, or as given."""
+"""Faces that enclose a solid: those of a convex hull, or given ones."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ import numpy as np
 
 from course.arrays import Array, ArrayLike, IntArray, failure, indices
 
-#: A hull this much thinner than wide is called flat: its volume would be rounding.
+#: A hull whose thickness is below this fraction of its width is called flat: its volume
+#: would be rounding.
 FLATNESS = 1e-12
 
 
 def require_solid(centred: Array) -> None:
-    """Refuse points that span no volume; (..., k, 3), their mean at 0."""
+    """Refuse points (..., k, 3) that span no volume; their mean is at 0."""
     widths = np.linalg.svd(centred, compute_uv=False)
     flat = widths[..., 2] <= FLATNESS * widths[..., 0]
     if np.any(flat):
@@ -31,7 +32,8 @@ def hull_faces(points: Array) -> IntArray:
             "shape (k, 3) where no triangles are given",
             f"shape {points.shape}",
         )
-    # A hull's faces are the same when its points are stretched. Qhull's tolerances are not: to equal widths first.
+    # A hull's faces are the same when its points are stretched, but Qhull's tolerances
+    # are not: the widths are made equal first.
     centred = points - points.mean(axis=0)
     _, widths, axes = np.linalg.svd(centred, full_matrices=False)
     axes[2] *= np.sign(np.linalg.det(axes))
@@ -51,7 +53,7 @@ def hull_faces(points: Array) -> IntArray:
 
 
 def closed_faces(triangles: ArrayLike, count: int) -> IntArray:
-    """The triangles given, (t, 3) of count vertices, if they close a surface."""
+    """The triangles given, (t, 3) indices below count, if they enclose a solid."""
     faces = indices("triangles", triangles, count)
     if faces.ndim != 2 or faces.shape[1] != 3:
         raise failure("triangles", "shape (t, 3)", f"shape {faces.shape}")

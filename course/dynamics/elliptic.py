@@ -1,9 +1,9 @@
-"""Jacobi's elliptic functions and the first integral, told how far the parameter is from 1.
+"""Jacobi's elliptic functions and the first integral, by the complementary parameter.
 
-Near the separatrix of a top or a pendulum the parameter m is 1 but for a tiny
-part m1 = 1 - m that decides when the motion turns round. SciPy's ``ellipj``
-is told m, which rounds m1 away, and beyond m = 1 - 1e-10 expands about m = 1,
-where the functions have no period. So they are worked out here from m1.
+Near the separatrix of a top or a pendulum the parameter m differs from 1 by a tiny m1 =
+1 - m that decides when the motion reverses. SciPy's ``ellipj`` takes m, which rounds m1
+away, and beyond m = 1 - 1e-10 expands about m = 1, where the functions have no period.
+So they are computed here from m1.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ import numpy as np
 
 from course.arrays import Array, ArrayLike
 
-#: Enough for m1 = 1e-300: the arithmetic-geometric mean doubles its digits each time.
+#: Enough for m1 = 1e-300: each step of the arithmetic-geometric mean doubles the
+#: correct digits.
 _MEANS = 14
 
 
@@ -21,8 +22,8 @@ def jacobi_functions(
 ) -> tuple[Array, Array, Array]:
     """sn(u | m), cn(u | m) and dn(u | m) with m = 1 - m1.
 
-    By the arithmetic-geometric mean of 1 and sqrt(m1), and back along it
-    (R. Bulirsch, Numer. Math. 7, 1965). At m1 = 0: tanh, sech, sech.
+    By the arithmetic-geometric mean of 1 and sqrt(m1), and the descent back (R.
+    Bulirsch, Numer. Math. 7, 1965). At m1 = 0: tanh, sech, sech.
 
     Args:
         argument: u, (...).
@@ -61,7 +62,7 @@ def jacobi_functions(
 
 
 def quarter_period(complement: ArrayLike) -> Array:
-    """K(m), where sn is 1 for the first time; infinity at m1 = 0."""
+    """K(m), the first u where sn is 1; infinity at m1 = 0."""
     from scipy.special import ellipkm1
 
     return np.asarray(ellipkm1(complement))

@@ -1,4 +1,6 @@
-"""Energy, momentum and angular momentum: of one body, and of all together (syllabus row 14)."""
+"""Energy, momentum and angular momentum: of one body, and of all together (syllabus row
+14).
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,9 @@ def linear_kinetic_energy(momentum: ArrayLike, velocity: ArrayLike) -> Array:
 def angular_kinetic_energy(
     angular_momentum: ArrayLike, angular_velocity: ArrayLike
 ) -> Array:
-    """T_angular = L.omega/2 (syllabus row 14); both in world axes, or both in body axes.
+    """T_angular = L.omega/2 (syllabus row 14).
+
+    Both in world axes, or both in body axes.
 
     Args:
         angular_momentum: L, about the centre of mass, (..., 3) [kg m^2/s].
@@ -46,7 +50,9 @@ def angular_kinetic_energy(
 
 
 def potential_energy(mass: ArrayLike, position: ArrayLike, gravity: ArrayLike) -> Array:
-    """V = -m g.x, the part V of E = V + T in a uniform field (syllabus row 14); 0 at the origin.
+    """V = -m g.x, the part V of E = V + T in a uniform field (syllabus row 14).
+
+    0 at the origin.
 
     Args:
         mass: m, (...) [kg]; a body of infinite mass does not fall, and its V is 0.
@@ -67,7 +73,10 @@ def potential_energy(mass: ArrayLike, position: ArrayLike, gravity: ArrayLike) -
 
 
 def kinetic_energy(bodies: Bodies) -> Array:
-    """T = p.v/2 + L.omega/2 of each body (syllabus row 14), (n,) [J]; 0 for a fixed one."""
+    """T = p.v/2 + L.omega/2 of each body (syllabus row 14), (n,) [J].
+
+    0 for a fixed one.
+    """
     linear = linear_kinetic_energy(bodies.momentum, bodies.velocity)
     return linear + angular_kinetic_energy(
         bodies.angular_momentum, bodies.angular_velocity
@@ -92,20 +101,23 @@ def total_energy(bodies: Bodies, gravity: ArrayLike = (0.0, 0.0, 0.0)) -> float:
 
 
 def total_momentum(bodies: Bodies) -> Array:
-    """The sum of p, (3,) [kg m/s]; constant while no outer force acts (syllabus row 15)."""
+    """The sum of p, (3,) [kg m/s].
+
+    Constant while no outer force acts (syllabus row 15).
+    """
     return bodies.momentum.sum(axis=0)
 
 
 def total_angular_momentum(bodies: Bodies, point: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
     """The sum of L + (x - c) x p about a point c at rest, (3,) [kg m^2/s].
 
-    Each body's spin about its own centre and what its motion along a path
-    adds (Goldstein, *Classical Mechanics*, section 1.2). Constant while no
-    outer force or torque acts.
+    Each body's angular momentum about its own centre, and that of its centre's motion
+    (Goldstein, *Classical Mechanics*, section 1.2). Constant while no external force or
+    torque acts.
 
     Args:
         bodies: n bodies.
-        point: c, (3,) [m]; the origin when nothing is said.
+        point: c, (3,) [m]; default: the origin.
     """
     arm = bodies.position - _one_vector("point", point)
     return (bodies.angular_momentum + np.cross(arm, bodies.momentum)).sum(axis=0)

@@ -1,7 +1,7 @@
-"""Two updates that are often written and are wrong, to be measured: each loses what the exact motion keeps.
+"""Two common but wrong updates, to be measured: each loses what the exact motion keeps.
 
-They work on plain arrays and never on ``Bodies``, whose unit quaternions
-they would break. ``course.dynamics.integrators`` has the right ones.
+They work on plain arrays and never on ``Bodies``, whose unit quaternions they would
+break. ``course.dynamics.integrators`` has the right ones.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ def body_frame_euler(
     *,
     torque: ArrayLike = (0.0, 0.0, 0.0),
 ) -> Array:
-    """Explicit Euler on the angular momentum in body axes: l' = l + h (tau + l x omega), omega = I^-1 l.
+    """Explicit Euler on the angular momentum in body axes: l' = l + h (tau + l x
+    omega), omega = I^-1 l.
 
     With no torque the body-frame l only turns, yet each step adds a vector
     across it: |l|^2 grows by h^2 |l x omega|^2. L in world axes has no such
@@ -40,7 +41,8 @@ def body_frame_euler(
     Returns:
         l', (..., 3) [kg m^2/s].
     Raises:
-        ValueError: a wrong shape, an inertia not symmetric and positive definite, NaN or infinity.
+        ValueError: a wrong shape, an inertia not symmetric and positive definite, NaN
+            or infinity.
     """
     l, tensor = (  # noqa: E741
         vectors("angular_momentum", angular_momentum),
@@ -61,7 +63,8 @@ def quaternion_euler(
     *,
     renormalize: bool = False,
 ) -> Array:
-    """Explicit Euler on a quaternion: q' = q + h/2 (omega, 0) q, with or without bringing it back to length 1.
+    """Explicit Euler on a quaternion: q' = q + h/2 (omega, 0) q, with or without
+    bringing it back to length 1.
 
     With x = h |omega|: |q|^2 grows by the factor 1 + x^2/4 a step.
     Renormalised, each step turns by 2 atan(x/2) in place of x, too little by

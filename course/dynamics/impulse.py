@@ -1,15 +1,13 @@
-"""Impulses between two bodies: an instant, no friction, one coefficient of restitution.
+"""Impulses between two bodies: instantaneous, frictionless, one restitution.
 
-Body 1 of the lecture's slides is A: n points out of body 2 toward body 1, and
-an impulse p_hat >= 0 pushes body 1 along +n and body 2 along -n. Two bodies
-approach while (v1 - v2).n < 0. To bodies that part, or touch and do not
-approach, nothing happens: the impulse is zero.
+Body 1 of the lecture's slides is A: n points out of body 2 toward body 1, and an
+impulse p_hat >= 0 pushes body 1 along +n and body 2 along -n. Two bodies approach while
+(v1 - v2).n < 0. Bodies that part, or touch without approaching, exchange no impulse.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Protocol
 
 import numpy as np
 
@@ -17,32 +15,18 @@ from course import formulas
 from course.arrays import (
     Array,
     ArrayLike,
-    IntArray,
     broadcast,
     in_range,
-    indices,
     positive,
     scalars,
     unit_vectors,
     vectors,
 )
 from course.dynamics.bodies import Bodies
+from course.dynamics.contact_points import ContactPoints, require_body_indices
 
 #: Masses above this are halved before they are added [kg].
 LARGE = 1e300
-
-
-class ContactPoints(Protocol):
-    """What an impulse needs to know of contacts; ``course.overlap.Contacts`` has it."""
-
-    @property
-    def body_a(self) -> IntArray: ...
-    @property
-    def body_b(self) -> IntArray: ...
-    @property
-    def point(self) -> Array: ...
-    @property
-    def normal(self) -> Array: ...
 
 
 def momentum_after(
@@ -127,7 +111,8 @@ def separation_speed(
     Returns:
         The separation speed, never below 0, (...) [m/s].
     Raises:
-        ValueError: a wrong shape, restitution outside 0..1, a normal that is not of unit length.
+        ValueError: a wrong shape, restitution outside 0..1, a normal that is not of
+            unit length.
     """
     v_1, v_2 = vectors("velocity_1", velocity_1), vectors("velocity_2", velocity_2)
     n, e = unit_vectors("normal", normal), in_range("restitution", restitution, 0, 1)
@@ -145,7 +130,8 @@ def impulse_central(
     normal: ArrayLike,
     restitution: ArrayLike,
 ) -> Array:
-    """Impulse of two bodies whose centres lie on the line of impact, or that do not turn.
+    """Impulse of two bodies whose centres lie on the line of impact, or that do not
+    turn.
 
     p_hat = (1 + e) (v2.n - v1.n) / (1/m1 + 1/m2) while (v1 - v2).n < 0, else
     0 (syllabus row 17). The slide's formula is right for a central impact,
@@ -161,9 +147,11 @@ def impulse_central(
     Returns:
         p_hat >= 0, (...) [N s].
     Raises:
-        ValueError: a wrong shape, mass <= 0, restitution outside 0..1, a normal that is not of unit length.
+        ValueError: a wrong shape, mass <= 0, restitution outside 0..1, a normal that is
+            not of unit length.
     Example:
-        A ball of 2 kg meets one of 1 kg at 4 m/s, nothing lost; and the same pair already parting.
+        A ball of 2 kg meets one of 1 kg at 4 m/s, nothing lost; and the same pair
+        already parting.
 
         >>> v = np.array([[-3.0, 0, 0], [3.0, 0, 0]])
         >>> impulse_central(2.0, 1.0, v, [1.0, 0, 0], [1.0, 0, 0], 1.0).round(4)
@@ -205,7 +193,7 @@ def kinetic_energy_lost(
     reduced_mass, closing, e = _impact(
         mass_1, mass_2, velocity_1, velocity_2, normal, restitution
     )
-    # closing times the momentum it carries: its square alone may be too small or too large a number.
+    # closing times the momentum it carries: its square alone may underflow or overflow.
     return 0.5 * (1 - e) * (1 + e) * (reduced_mass * closing) * closing
 
 
@@ -229,13 +217,20 @@ def point_velocity(
 
 
 def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
-    """Normal velocity of each contact, u = (v_A + omega_A x r_A - v_B - omega_B x r_B).n, (c,) [m/s].
+    """Normal velocity of each contact; below 0 the bodies approach there.
 
-    Below 0 the bodies approach there (syllabus rows 20 and 22).
+    u = (v_A + omega_A x r_A - v_B - omega_B x r_B).n (syllabus rows 20 and 22). It is
+    the rate of the separation, d_dot: ``course.contact.separation_rate``.
+
+    Returns:
+        u, (c,) [m/s].
     """
-    a, b, arm_a, arm_b = _arms(bodies, contacts)
+    require_body_indices(contacts, bodies)
     v, omega = bodies.velocity, bodies.angular_velocity
-    relative = v[a] - v[b] + np.cross(omega[a], arm_a) - np.cross(omega[b], arm_b)
+    # The difference comes first: a common velocity then adds no rounding.
+    relative = v[contacts.body_a] - v[contacts.body_b]
+    for body, point, sign in contacts.sides:
+        relative += sign * np.cross(omega[body], point - bodies.position[body])
     return np.sum(relative * contacts.normal, axis=-1)
 
 
@@ -245,18 +240,19 @@ def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
     1/mu = 1/m_A + 1/m_B + (r_A x n).I_A^-1 (r_A x n) + (r_B x n).I_B^-1 (r_B x n)
     (D. Baraff, "An introduction to physically based modeling: rigid body
     simulation II", SIGGRAPH 1997 course notes, the impulse of colliding
-    contact; without spin it is the denominator of syllabus row 17).
+    contact; without rotation it is the denominator of syllabus row 17).
 
     Returns:
         mu, (c,) [kg]; infinity between two fixed bodies.
     """
-    a, b, arm_a, arm_b = _arms(bodies, contacts)
-    inverse = bodies.inverse_mass[a] + bodies.inverse_mass[b]
-    for body, arm in ((a, arm_a), (b, arm_b)):
-        torque = np.cross(arm, contacts.normal)
-        inverse = inverse + np.einsum(
-            "ci,cij,cj->c", torque, bodies.world_inverse_inertia[body], torque
+    require_body_indices(contacts, bodies)
+    inverse = np.zeros(contacts.body_a.size)
+    for body, point, _ in contacts.sides:
+        lever = np.cross(point - bodies.position[body], contacts.normal)
+        turning = np.einsum(
+            "ci,cij,cj->c", lever, bodies.world_inverse_inertia[body], lever
         )
+        inverse += bodies.inverse_mass[body] + turning
     return np.divide(
         1.0, inverse, out=np.full(inverse.shape, np.inf), where=inverse > 0
     )
@@ -295,35 +291,23 @@ def apply_impulse(
 ) -> Bodies:
     """The bodies after all these impulses at once.
 
-    p_A' = p_A + p_hat n, L_A' = L_A + r_A x p_hat n, and the opposite for B
-    (syllabus rows 16 and 22). Fixed bodies stay as they are.
+    p_A' = p_A + p_hat n, L_A' = L_A + r_A x p_hat n, and the opposite for B (syllabus
+    rows 16 and 22). Fixed bodies do not change.
 
     Args:
         impulse: p_hat of each contact, (c,) [N s].
     """
-    a, b, arm_a, arm_b = _arms(bodies, contacts)
+    require_body_indices(contacts, bodies)
     p_hat = scalars("impulse", impulse)
     broadcast(contacts=(contacts.normal, 1), impulse=(p_hat, 0))
-    push = np.broadcast_to(p_hat, a.shape)[:, None] * contacts.normal
+    push = p_hat[..., None] * contacts.normal
     momentum, angular = bodies.momentum.copy(), bodies.angular_momentum.copy()
-    for body, arm, sign in ((a, arm_a, 1.0), (b, arm_b, -1.0)):
+    for body, point, sign in contacts.sides:
         free = ~bodies.fixed[body]
+        lever = np.cross(point - bodies.position[body], push)
         np.add.at(momentum, body[free], sign * push[free])
-        np.add.at(angular, body[free], sign * np.cross(arm, push)[free])
+        np.add.at(angular, body[free], sign * lever[free])
     return replace(bodies, momentum=momentum, angular_momentum=angular)
-
-
-def _arms(
-    bodies: Bodies, contacts: ContactPoints
-) -> tuple[IntArray, IntArray, Array, Array]:
-    a = indices("contacts.body_a", contacts.body_a, len(bodies))
-    b = indices("contacts.body_b", contacts.body_b, len(bodies))
-    return (
-        a,
-        b,
-        contacts.point - bodies.position[a],
-        contacts.point - bodies.position[b],
-    )
 
 
 def _pair(
@@ -357,13 +341,14 @@ def _impact(
     normal: ArrayLike,
     restitution: ArrayLike,
 ) -> tuple[Array, Array, Array]:
-    """Reduced mass (0 between fixed bodies, which no impulse moves), closing speed (0 if parting), e."""
+    """Reduced mass (0 between fixed bodies), closing speed (0 if parting) and e."""
     m_1, m_2, v_1, v_2, n = _pair(mass_1, mass_2, velocity_1, velocity_2, normal)
     e = in_range("restitution", restitution, 0, 1)
     batch = broadcast(mass_1=(m_1, 0), mass_2=(m_2, 0), velocity_1=(v_1, 1), velocity_2=(v_2, 1),
                       normal=(n, 1), restitution=(e, 0))  # fmt: skip
     light, heavy = np.minimum(m_1, m_2), np.maximum(m_1, m_2)
-    # m1 m2/(m1 + m2) for any masses: their product is never formed, nor the sum of two that would overflow.
+    # m1 m2/(m1 + m2) for any masses: neither their product nor a sum that would
+    # overflow is formed.
     half = np.where(heavy > LARGE, 0.5, 1.0)
     share = np.divide(
         half * heavy,

@@ -1,11 +1,11 @@
-"""The torque-free top, exactly: by Jacobi's elliptic functions, its orientation too.
+"""The torque-free top, exactly: Jacobi's elliptic functions, the orientation included.
 
-No torque acts, so L in space and T are constant. In the principal axes l = R'L
-runs along the curve where the sphere |l|^2 = L^2 cuts the ellipsoid
-sum l_i^2/I_i = 2T (Landau and Lifshitz, *Mechanics*, section 37). The curve
-goes round the axis of the largest moment where L^2 > 2T I2, round that of the
-least where L^2 < 2T I2, and on the separatrix between them it ends at the
-middle axis. With k the axis it goes round and j the third one,
+No torque acts, so L in space and T are constant. In the principal axes l = R'L moves
+along the curve where the sphere |l|^2 = L^2 intersects the ellipsoid sum l_i^2/I_i = 2T
+(Landau and Lifshitz, *Mechanics*, section 37). The curve encircles the axis of the
+largest moment where L^2 > 2T I2, that of the smallest where L^2 < 2T I2, and on the
+separatrix between them it ends at the middle axis. With k the axis it encircles and j
+the third one,
 
     l_j = a cn(u), l_2 = b sn(u), l_k = B dn(u), each with its sign, u = u0 + lambda t.
 """
@@ -32,17 +32,20 @@ from course.dynamics.bodies import Bodies
 from course.dynamics.elliptic import first_integral, jacobi_functions, quarter_period
 from course.dynamics.mass_properties import principal_axes
 
-#: Gauss-Legendre nodes for a length of u of at most 1. The nearest pole of the precession's rate is at least
-#: pi/4 from the real axis, so the error of 16 nodes is below 1e-16.
+#: Gauss-Legendre nodes for an interval of u of at most 1. The nearest pole of the
+#: precession's rate is at least pi/4 from the real axis, so the error of 16 nodes is
+#: below 1e-16.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
 
-#: From here on sech^2(u) is nothing beside 1.
+#: From here on sech^2(u) is negligible beside 1.
 _FAR = 45.0
 
 
 @dataclass(frozen=True)
 class _Orbit:
-    """The curve of l in the axes (j, 2, k) of one top or of a batch; letters as at the head of the module."""
+    """The curve of l in the axes (j, 2, k) of a top or a batch; letters as in the
+    module docstring.
+    """
 
     axes: Array  # (..., 3, 3) rows j, 2, k in the given principal axes, right-handed
     moments: Array  # (..., 3)
@@ -60,7 +63,10 @@ class _Orbit:
         return self.signs * self.sizes * np.stack([cn, sn, dn], axis=-1)
 
     def precession_rate(self, u: Array) -> Array:
-        """How fast the plane of L and the axis counted from turns about L: L (sum l_i^2/I_i)/(sum l_i^2)."""
+        """How fast the plane of L and the reference axis turns about L.
+
+        L (sum l_i^2/I_i)/(sum l_i^2), the sums over the other two axes.
+        """
         squares = self.momentum(u) ** 2
         counted = np.where(self.about_k[..., None], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0])
         size = np.sqrt(squares.sum(axis=-1))
@@ -121,10 +127,11 @@ def torque_free_rotation(
 def torque_free_motion(bodies: Bodies, time: float) -> Bodies:
     """The bodies after a time in which no force and no torque acts on them, exactly.
 
-    Positions go on evenly, L and p stay, orientations follow ``torque_free_rotation``.
+    Centres move uniformly, L and p are constant, orientations follow
+    ``torque_free_rotation``.
 
     Args:
-        bodies: n bodies; fixed ones stay as they are.
+        bodies: n bodies; fixed ones do not change.
         time: [s], of either sign.
     """
     if not isinstance(bodies, Bodies):
@@ -208,11 +215,14 @@ def _orbit(moments: Array, momentum: Array) -> _Orbit:
 
 
 def _ordered_axes(moments: Array, momentum: Array) -> Array:
-    """Rows j, 2, k as a rotation: least, middle, largest where the curve goes round the last, else turned about."""
+    """Rows j, 2, k as a rotation.
+
+    Smallest, middle, largest where the curve encircles the last, else in reverse.
+    """
     order = np.argsort(moments, axis=-1, kind="stable")
     least, middle, largest = np.moveaxis(np.take_along_axis(moments, order, -1), -1, 0)
     first, _, last = np.moveaxis(np.take_along_axis(momentum, order, -1), -1, 0)
-    # L^2 - 2T I2 without the common terms.
+    # L^2 - 2T I2, with the common terms left out.
     excess = (
         last**2 * (largest - middle) / largest - first**2 * (middle - least) / least
     )
@@ -230,7 +240,7 @@ def _precession(orbit: _Orbit, span: Array) -> Array:
     rest = np.where(periods != 0, span - 2 * periods * half, span)
     total = _integral(orbit, orbit.start, rest)
     if np.any(periods):
-        # The rate depends on sn^2: a period is twice the way from 0 to K.
+        # The rate depends on sn^2: its period is twice the way from 0 to K.
         total = total + 2 * periods * _integral(orbit, np.zeros(half.shape), half)
     return total
 
@@ -249,7 +259,8 @@ def _integral(orbit: _Orbit, lower: Array, span: Array) -> Array:
         )
         lower, span = np.where(cut, low, lower), np.where(cut, high - low, span)
     panels = max(1, int(np.ceil(np.max(np.abs(span), initial=0.0))))
-    # From the span itself: a difference of limits would lose the digits of a short one.
+    # From the span itself: a difference of limits would cancel the digits of a short
+    # one.
     half = 0.5 * span / panels
     total = beyond
     for panel in range(panels):
@@ -260,7 +271,9 @@ def _integral(orbit: _Orbit, lower: Array, span: Array) -> Array:
 
 
 def _turn(orbit: _Orbit, before: Array, after: Array, angle: Array) -> Array:
-    """Q: the frame of L and the counted axis before and after, and the precession between them."""
+    """Q: the frame of L and the reference axis before and after, and the precession
+    between.
+    """
     axis = np.where(
         orbit.about_k[..., None], orbit.axes[..., 2, :], orbit.axes[..., 0, :]
     )
@@ -279,7 +292,7 @@ def _turn(orbit: _Orbit, before: Array, after: Array, angle: Array) -> Array:
 
 
 def _frame(axis: Array, momentum: Array, still: BoolArray) -> Array:
-    """Columns: across axis and l, across that and l, along l; any frame where the top is still."""
+    """Columns: across axis and l, across that and l, along l; any frame if l is 0."""
     momentum = np.where(still[..., None], np.roll(axis, 1, axis=-1), momentum)
     along = momentum / np.linalg.norm(momentum, axis=-1, keepdims=True)
     node = np.cross(axis, along)

@@ -1,6 +1,8 @@
-"""One definition of an exercise, three uses: the notebook's check, the grader, the project's own tests.
+"""One definition of an exercise, three uses: the check, the grader, the project's
+tests.
 
-Data flows one way: definition -> cases (inputs) -> answer (outcomes) -> verdict -> message.
+Data flows one way: definition -> cases (inputs) -> answer (outcomes) -> verdict ->
+message.
 """
 
 from course.exercises.definition import (

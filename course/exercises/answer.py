@@ -1,7 +1,8 @@
-"""Run an answer over the cases and write down what came back, as plain arrays and text.
+"""Run an answer over the cases and record the results, as plain arrays and text.
 
-This is the only module that calls a student's code: in the notebook's kernel for ``check``, in a separate limited
-process for the grader. It knows nothing of references or verdicts.
+This is the only module that calls a student's code: in the notebook's kernel for
+``check``, in a separate limited process for the grader. It knows nothing of references
+or verdicts.
 """
 
 from __future__ import annotations
@@ -30,10 +31,10 @@ SIZE_LIMIT = 1_000_000
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one call gave: the returned arrays, or in ``text`` the reason why there are none.
+    """The result of one call: the returned arrays, or in ``text`` why there are none.
 
-    ``given`` are the arguments as they were after the call: ``verdict`` sees whether they were written to. It is
-    empty where the call raised.
+    ``given`` are the arguments as they were after the call, so that ``verdict`` sees
+    whether they were modified. It is empty where the call raised.
     """
 
     kind: OutcomeKind
@@ -44,11 +45,14 @@ class Outcome:
 
 
 class OutputFlood(BaseException):
-    """An answer printed without end; no ``Exception``, or ``except Exception`` in a loop would keep it."""
+    """An answer that prints endlessly.
+
+    Not an ``Exception``, or ``except Exception`` in a loop would swallow it.
+    """
 
 
 class Printed(io.TextIOBase):
-    """Keeps the first characters that are printed, counts the rest, and stops a flood."""
+    """Keeps the first characters printed, counts the rest, and stops a flood."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -69,7 +73,7 @@ class Printed(io.TextIOBase):
 def call(
     function: Callable[..., Any], arguments: Mapping[str, Any], result_count: int
 ) -> Outcome:
-    """Call ``function`` on copies of the arguments, by position, and describe what happened."""
+    """Call ``function`` on copies of the arguments, by position; record the result."""
     given = {name: _copy(value) for name, value in arguments.items()}
     printed = Printed()
     try:
@@ -95,7 +99,9 @@ def call(
 def call_all(
     function: Callable[..., Any], cases: Iterable[Mapping[str, Any]], result_count: int
 ) -> list[Outcome]:
-    """Call ``function`` on every case; NumPy's global random state is left as it was."""
+    """Call ``function`` on every case; NumPy's global random state is restored
+    afterwards.
+    """
     state = np.random.get_state()
     try:
         with np.errstate(all="ignore"):
@@ -107,10 +113,11 @@ def call_all(
 def as_function(
     answer: Any, kind: str, name: str, arguments: Sequence[str]
 ) -> Callable[..., Any]:
-    """The answer as a function of arrays: itself, or for ``kind="expression"`` its evaluation.
+    """The answer as a function of arrays; an expression becomes a function that
+    evaluates it.
 
-    Raises ``TypeError`` or ``ValueError`` in a student's words where the answer is neither, or takes other
-    arguments.
+    Raises ``TypeError`` or ``ValueError``, in words meant for the student, where the
+    answer is neither, or takes other arguments.
     """
     if kind == "expression":
         return evaluator(answer, arguments)
@@ -120,7 +127,7 @@ def as_function(
         )
     try:
         signature = inspect.signature(answer)
-    except ValueError:  # a built-in without a readable signature: calling it will tell
+    except ValueError:  # a built-in without a readable signature: calling it will show
         return answer
     try:
         signature.bind(*arguments)
@@ -140,9 +147,11 @@ def as_function(
 
 
 def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
-    """A function of arrays, in the order of ``symbols``, that evaluates a SymPy expression.
+    """A function of arrays, in the order of ``symbols``, that evaluates a SymPy
+    expression.
 
-    Raises ``TypeError`` or ``ValueError`` in a student's words where the answer is no expression in these symbols.
+    Raises ``TypeError`` or ``ValueError``, in words meant for the student, where the
+    answer is not an expression in these symbols.
     """
     import sympy
 
@@ -201,7 +210,9 @@ def _compiled(points: Sequence[Any], expression: Any) -> Callable[..., Any]:
 
 
 def _require_known(expression: Any, symbols: Sequence[str]) -> None:
-    """Raise ``ValueError`` for an expression with other symbols, with undefined functions, or divided by zero."""
+    """Refuse an expression with other symbols or undefined functions, or divided by
+    zero.
+    """
     import sympy
 
     others = expression.free_symbols | expression.atoms(
@@ -219,7 +230,9 @@ def _require_known(expression: Any, symbols: Sequence[str]) -> None:
 
 
 def is_stub(answer: Any, source: str | None = None) -> bool:
-    """Whether the answer is the lesson's blank: ``...`` itself, or a function that is one by ``is_blank``."""
+    """Whether the answer is the lesson's blank: ``...``, or a function blank by
+    ``is_blank``.
+    """
     if answer is Ellipsis:
         return True
     if not callable(answer):
@@ -234,7 +247,7 @@ def is_stub(answer: Any, source: str | None = None) -> bool:
 
 
 def describe(error: BaseException) -> str:
-    """An exception in one or two lines: its type, its words, and the last line of the student's own code."""
+    """An exception in one or two lines: type, message, the student's last own line."""
     words = type(error).__name__
     try:
         said = str(error)[:TEXT_LIMIT]

@@ -1,4 +1,6 @@
-"""Is what came back what was declared, and is it near enough to what was expected?"""
+"""Does a result have the declared shape and type, and is it close enough to the
+expected?
+"""
 
 from __future__ import annotations
 
@@ -12,11 +14,12 @@ from course.exercises.definition import Value
 
 @dataclass(frozen=True)
 class Difference:
-    """The first wrong element of one result: where it is, what was expected and got there, and how far apart.
+    """The first wrong element of one result: where it is, both values, how far apart.
 
-    ``index`` is its place in the batch, ``entry`` that of the wrong number inside the element (a vector, a matrix).
-    ``excess`` is the largest error in units of the tolerance, so above 1 is wrong; ``fault`` says in words what is
-    wrong with an answer that cannot be compared at all (shape, type, not finite).
+    ``index`` is its place in the batch, ``entry`` that of the wrong number inside the
+    element (a vector, a matrix). ``excess`` is the largest error in units of the
+    tolerance, so above 1 is wrong; ``fault`` describes an answer that cannot be
+    compared at all (shape, type, not finite).
     """
 
     result: str
@@ -38,7 +41,10 @@ def compare(
     expected: tuple[np.ndarray, ...],
     got: tuple[np.ndarray, ...],
 ) -> Difference:
-    """The worst difference over all results; the first one that cannot be compared, if any."""
+    """The worst difference over all results.
+
+    The first one that cannot be compared, if any.
+    """
     differences = [
         compare_one(r, e, g) for r, e, g in zip(results, expected, got, strict=True)
     ]
@@ -47,10 +53,11 @@ def compare(
 
 
 def compare_one(result: Value, expected: np.ndarray, got: np.ndarray) -> Difference:
-    """Compare one result with what was expected: shape first, then type, then values.
+    """Compare one result with the expected one: shape first, then type, then values.
 
-    The tolerance of a number is ``absolute + relative * scale``, where scale is the largest finite magnitude in the
-    element it belongs to (over the axes that the declared shape names after the batch).
+    The tolerance of a number is ``absolute + relative * scale``, where scale is the
+    largest finite magnitude in its element (over the axes that the declared shape names
+    after the batch).
     """
     fault = _shape_fault(result, expected, got) or _type_fault(result, got)
     if fault:
@@ -82,7 +89,7 @@ def same(
     one: tuple[np.ndarray, ...],
     other: tuple[np.ndarray, ...],
 ) -> bool:
-    """Whether two answers are the same answer, shapes included."""
+    """Whether two answers are the same, shapes included."""
     return not compare(results, one, other).wrong
 
 

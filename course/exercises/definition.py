@@ -1,7 +1,8 @@
-"""What an exercise is: its arguments, reference, inputs, planted mistakes and hints, as plain data.
+"""What an exercise is: arguments, reference, inputs, planted mistakes, hints, as data.
 
-A definitions module, ``course/exercises/definitions/lesson_NN_name.py``, makes one ``LESSON``. Everything that
-needs to know an exercise (the check, the grader, the syllabus, the tests) reads it from there.
+A definitions module, ``course/exercises/definitions/lesson_NN_name.py``, makes one
+``LESSON``. Everything that needs to know an exercise (the check, the grader, the
+syllabus, the tests) reads it from there.
 """
 
 from __future__ import annotations
@@ -23,11 +24,13 @@ CaseKind = Literal["single", "batch", "edge"]
 
 @dataclass(frozen=True)
 class Value:
-    """A declared argument or result: its name, shape, type, unit and, for a result, how near is near enough.
+    """A declared argument or result: name, shape, type, unit and, for a result,
+    tolerance.
 
-    ``shape`` is the shape in words, ``"(..., 3)"`` or ``"scalar"``; ``dtype`` one of float, int, bool, str.
-    A float result passes where ``|got - expected| <= absolute + relative * scale``, ``scale`` being the largest
-    magnitude in the expected element (so that a zero component of a long vector is not judged by itself).
+    ``shape`` is the shape in words, ``"(..., 3)"`` or ``"scalar"``; ``dtype`` one of
+    float, int, bool, str. A float result passes where ``|got - expected| <= absolute +
+    relative * scale``, ``scale`` being the largest magnitude in the expected element
+    (so that a zero component of a long vector is not judged by itself).
     """
 
     name: str
@@ -40,7 +43,11 @@ class Value:
 
     @property
     def own_axes(self) -> int:
-        """How many last axes make one element: ``(...)`` none, ``(..., 3)`` one, ``(..., 3, 3)`` and ``(n, 3)`` two."""
+        """How many last axes make one element.
+
+        None for ``(...)``, one for ``(..., 3)``, two for ``(..., 3, 3)`` and ``(n,
+        3)``.
+        """
         if not self.shape.startswith("("):
             return 0
         return sum(
@@ -51,7 +58,9 @@ class Value:
 
 @dataclass(frozen=True)
 class Case:
-    """One call of the student's function: a label, the arguments by name, and what kind of case it is."""
+    """One call of the student's function: a label, the arguments by name, its kind of
+    case.
+    """
 
     label: str
     arguments: Mapping[str, Any]
@@ -67,7 +76,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Mistake:
-    """A wrong version a student is likely to write, and what to tell them about it."""
+    """A wrong version that a student is likely to write, and what to say about it."""
 
     name: str
     function: Callable[..., Any]
@@ -78,8 +87,8 @@ class Mistake:
 class Property:
     """Something true of every right answer.
 
-    ``residual(arguments, answer)`` returns numbers that are zero for a right answer; ``tolerance`` bounds their
-    magnitude; ``message`` says, in words, what is violated.
+    ``residual(arguments, answer)`` returns numbers that are zero for a right answer;
+    ``tolerance`` bounds their magnitude; ``message`` says in words what is violated.
     """
 
     name: str
@@ -90,7 +99,8 @@ class Property:
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise: a function of arrays that the student writes, or an expression in SymPy.
+    """An exercise: a function of arrays that the student writes, or an expression in
+    SymPy.
 
     ``reference`` is the function of ``course.formulas`` that bears the exercise's name.
     For ``kind="expression"`` the arguments are the expression's symbols, ``reference``
@@ -141,7 +151,10 @@ class Exercise:
         return f"{self.name}({', '.join(a.name for a in self.arguments)})"
 
     def draw(self, seed: int | None = None) -> tuple[Case, ...]:
-        """The cases for a seed; without one, for the seed every notebook's check uses."""
+        """The cases for a seed.
+
+        Without one, for the seed every notebook's check uses.
+        """
         if seed is None:
             seed = zlib.crc32(self.name.encode())
         return tuple(self.cases(np.random.default_rng(seed)))
@@ -151,10 +164,12 @@ class Exercise:
 class Prediction:
     """A question the student answers before the experiment that decides it.
 
-    ``outcome()`` computes the truth with the reference code. With ``choices`` (key -> text) the answer is a key and
-    ``outcome`` returns one; else it is a number in ``unit``, right within the relative ``tolerance``.
-    ``wrong`` maps an answer many give to the reason it is tempting. ``later`` says where the lesson answers it: then
-    the answer is only noted, and shown by ``predict(name)`` at that place.
+    ``outcome()`` computes the truth with the reference code. With ``choices`` (key ->
+    text) the answer is a key, and ``outcome`` returns one; otherwise it is a number in
+    ``unit``, right within the relative ``tolerance``. ``wrong`` maps a frequent wrong
+    answer to the reason why it is tempting. ``later`` says where the lesson answers it:
+    until then the answer is only recorded, and ``predict(name)`` shows the outcome
+    there.
     """
 
     name: str
@@ -223,7 +238,10 @@ def find_lesson(number: str) -> Lesson:
 
 
 def find_exercise(name: str) -> tuple[Lesson, Exercise]:
-    """The exercise of this name and its lesson; a ``ValueError`` names the nearest one where there is none."""
+    """The exercise of this name and its lesson.
+
+    A ``ValueError`` names the nearest one.
+    """
     for lesson in all_lessons():
         for exercise in lesson.exercises:
             if exercise.name == name:
@@ -267,7 +285,7 @@ def _require_unique(names: Sequence[str], what: str) -> None:
 
 
 def _frozen(value: Any) -> Any:
-    """Arrays and lists as read-only arrays, so that no use of a case can change it for the next."""
+    """Arrays and lists as read-only arrays, so that using a case cannot change it."""
     if isinstance(value, tuple):
         return tuple(_frozen(part) for part in value)
     if isinstance(value, (list, np.ndarray)):

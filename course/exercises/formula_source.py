@@ -11,13 +11,13 @@ from typing import Any
 
 
 def source_of(formula: Callable[..., Any]) -> str:
-    """The function as it is written, from its own left margin."""
+    """The function's source, dedented."""
     return textwrap.dedent(inspect.getsource(formula))
 
 
 @cache
 def signature_and_code(formula: Callable[..., Any]) -> tuple[str, str]:
-    """The function's text up to the end of its docstring, and all that follows."""
+    """The function's text up to the end of its docstring, and everything after it."""
     source = source_of(formula)
     node = _function(source)
     first = node.body[1 if ast.get_docstring(node) is not None else 0]
@@ -27,13 +27,14 @@ def signature_and_code(formula: Callable[..., Any]) -> tuple[str, str]:
 
 
 def body(formula: Callable[..., Any], skipped: int = 0) -> str:
-    """What a student writes: the code without docstring and imports in the function.
+    """What a student writes: the function's code without its docstring and imports.
 
     Args:
         formula: a function of ``course.formulas``.
         skipped: how many statements at the start to leave out as well.
     Returns:
-        Lines indented as in the function, comments kept, no blank ones at the ends.
+        Lines indented as in the function, with comments, without blank lines at the
+        ends.
     """
     source = source_of(formula)
     node = _function(source)
@@ -49,7 +50,7 @@ def body(formula: Callable[..., Any], skipped: int = 0) -> str:
 
 
 def expression(formula: Callable[..., Any]) -> str:
-    """What the formula returns, for one that is a single expression."""
+    """What a formula returns that is a single expression."""
     source = source_of(formula)
     (only,) = own_statements(_function(source).body)
     assert isinstance(only, ast.Return) and only.value is not None
@@ -57,7 +58,7 @@ def expression(formula: Callable[..., Any]) -> str:
 
 
 def own_statements(statements: Sequence[ast.stmt]) -> list[ast.stmt]:
-    """Statements of a function without docstring and imports."""
+    """The statements of a function without its docstring and imports."""
     kept = [s for s in statements if not isinstance(s, (ast.Import, ast.ImportFrom))]
     text = kept and isinstance(kept[0], ast.Expr) and kept[0].value
     is_docstring = isinstance(text, ast.Constant) and isinstance(text.value, str)
@@ -71,7 +72,7 @@ def _function(source: str) -> ast.FunctionDef:
 
 
 def _end_of_head(node: ast.FunctionDef, first: ast.stmt) -> int:
-    """How many lines stand before the code and its comments."""
+    """How many lines precede the code and its comments."""
     if first is node.body[0]:
         return first.lineno - 1
     return node.body[0].end_lineno or 0

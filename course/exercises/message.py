@@ -1,7 +1,7 @@
-"""A verdict in a student's words: as plain text for terminals and CSV, as HTML for notebooks and feedback pages.
+"""A verdict in words for the student: plain text, or HTML for notebooks and feedback.
 
-The order is always the same: the verdict in a symbol and a word; the counterexample, ready to paste; expected, got,
-tolerance and unit; the diagnosis; what to try next.
+The order is always the same: the verdict in a symbol and a word; the counterexample,
+ready to paste; expected, got, tolerance and unit; the diagnosis; what to try next.
 """
 
 from __future__ import annotations
@@ -31,7 +31,8 @@ WORDS: dict[State, str] = {
     "not attempted": "Not attempted",
     "needs a person": "Needs a person",
 }
-# Dark enough on white, light enough on a dark theme; the symbol and the word carry the meaning without them.
+# Dark enough on white, light enough on a dark theme; the meaning is in the symbol and
+# the word.
 COLOURS: dict[State, str] = {
     "passed": "#009E73",
     "wrong": "#D55E00",
@@ -45,7 +46,7 @@ PASTED_LIMIT = 5_000  # characters of arguments
 
 @dataclass(frozen=True)
 class Part:
-    """One labelled piece of a message; code keeps its line breaks and can be pasted."""
+    """One labelled part of a message; code keeps its line breaks and can be pasted."""
 
     label: str
     text: str
@@ -54,7 +55,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Message:
-    """A headline and its parts; displays itself in a notebook as HTML, elsewhere as text."""
+    """A headline and its parts.
+
+    Displays itself in a notebook as HTML, elsewhere as text.
+    """
 
     state: State
     headline: str
@@ -74,7 +78,9 @@ class Message:
     __repr__ = __str__
 
     def html(self) -> str:
-        """The message as one HTML block with its styles inline (a notebook's page has none of ours)."""
+        """The message as one HTML block with inline styles: a notebook's page has none
+        of ours.
+        """
         return _template().render(
             colour=COLOURS[self.state],
             symbol=SYMBOLS[self.state],
@@ -89,7 +95,9 @@ class Message:
 def verdict_message(
     exercise: Exercise, verdict: Verdict, *, after: tuple[Part, ...] = ()
 ) -> Message:
-    """The message for a verdict; ``after`` is what comes last (the next exercise, how to ask for a hint)."""
+    """The message for a verdict; ``after`` comes last (the next exercise, how to get a
+    hint).
+    """
     headline = f"{WORDS[verdict.state]}: {exercise.name}"
     if verdict.state == "passed":
         return Message("passed", f"{headline} ({verdict.tried} cases)", after)
@@ -152,7 +160,7 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
     declared = next(r for r in exercise.results if r.name == difference.result)
     if (
         difference.fault in verdict.reason
-    ):  # a broken property is told below; here stand the numbers that break it
+    ):  # a broken property is reported below; these are the numbers that break it
         names = ", ".join(result.name for result in exercise.results)
         came = ", ".join(short(value) for value in outcome.values)
         return [Part("got", f"{names} = {came}", "code"), *printed]
@@ -203,13 +211,18 @@ def _expected_and_got(
 
 
 def pasteable(exercise: Exercise, verdict: Verdict) -> str:
-    """The failing call as code; a batch whole, because an answer that mixes it up is right for each element alone."""
+    """The failing call as code.
+
+    A batch is shown whole, because an answer that mixes it up is right for each element
+    alone.
+    """
     assert verdict.case is not None
     arguments = verdict.case.arguments
     one_line = f"{exercise.name}({', '.join(code(v) for v in arguments.values())})"
     if len(one_line) <= 90:
         return one_line
-    # By position, the declared name as a comment: the student's own parameter names may differ.
+    # By position, with the declared name as a comment: the student's parameter names
+    # may differ.
     lines = textwrap.indent(
         "\n".join(f"{code(value)},  # {name}" for name, value in arguments.items()),
         "    ",
@@ -220,7 +233,9 @@ def pasteable(exercise: Exercise, verdict: Verdict) -> str:
 
 
 def point(verdict: Verdict) -> dict[str, Any]:
-    """Where an expression was found wrong: the values of its symbols, numbers all of them."""
+    """Where an expression was found wrong: the values of its symbols, all of them
+    numbers.
+    """
     assert verdict.case is not None
     index = verdict.difference.index if verdict.difference else ()
     return {
@@ -230,7 +245,7 @@ def point(verdict: Verdict) -> dict[str, Any]:
 
 
 def code(value: Any) -> str:
-    """A value as code that makes it again, to the digit, where NumPy is imported as ``np``."""
+    """A value as code that reproduces it exactly, where NumPy is imported as ``np``."""
     if isinstance(value, tuple):
         return f"({', '.join(code(part) for part in value)}{',' if len(value) == 1 else ''})"
     if isinstance(value, np.ndarray) and value.ndim:

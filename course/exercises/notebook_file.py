@@ -1,12 +1,15 @@
-"""Read a submitted notebook: which lesson it is, its import cell, and the cell of each exercise.
+"""Read a submitted notebook: its lesson, its import cell, and the cell of each
+exercise.
 
-Nothing of the notebook is run here; its code is only parsed to see which names a cell defines. When marking, this
-happens inside the box: parsing what a stranger wrote takes as much time and memory as they like.
+Nothing of the notebook is run here; its code is only parsed to see which names a cell
+defines. When marking, this happens inside the box: parsing untrusted text takes as much
+time and memory as its author likes.
 """
 
 from __future__ import annotations
 
 import difflib
+import hashlib
 import json
 import re
 from collections.abc import Mapping, Sequence
@@ -25,7 +28,7 @@ from course.exercises.source import (
 MAXIMUM_BYTES = 50_000_000
 #: Code cells; a lesson has about fifty.
 MAXIMUM_CELLS = 20_000
-#: Names among which the nearest to a missing one is looked for.
+#: Names among which the nearest to a missing one is sought.
 MAXIMUM_NAMES = 2_000
 
 
@@ -37,8 +40,8 @@ class UnusableNotebook(ValueError):
 class ExerciseCell:
     """Where an exercise's answer is: its source, or in ``fault`` why there is none.
 
-    ``needs_person`` marks what a grader should look at (a renamed function, a deleted cell), ``nearest`` the name
-    found in its place, in ``source``.
+    ``needs_person`` marks what a grader should look at (a renamed function, a deleted
+    cell), ``nearest`` the name found instead, in ``source``.
     """
 
     name: str
@@ -50,24 +53,43 @@ class ExerciseCell:
 
 @dataclass(frozen=True)
 class Outline:
-    """What reading needs to know of a lesson: its number and the names of its exercises."""
+    """What reading needs to know of a lesson: its number, the names of its exercises, and digests (``digest_of``) of
+    the lesson's own cells as they are handed out."""
 
     number: str
     exercises: tuple[str, ...]
+    handed_out: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
 class NotebookFile:
-    """A submission: its lesson, the code that runs first, and the exercise cells in the lesson's order."""
+    """A submission: its lesson, the code that runs first, the exercise cells in the lesson's order, and all code cells
+    in the notebook's order."""
 
     lesson: str
     preamble: tuple[str, ...]
     cells: tuple[ExerciseCell, ...]
+    code: tuple[CodeCell, ...] = ()
+
+
+@dataclass(frozen=True)
+class CodeCell:
+    """A code cell: its source, the exercise it is for, its role, and whether it is the lesson's own, unchanged."""
+
+    source: str
+    exercise: str = ""
+    role: str = ""
+    handed_out: bool = False
+
+
+def digest_of(source: str) -> str:
+    """A digest of a cell."""
+    return hashlib.sha256(source.encode("utf-8", "replace")).hexdigest()
 
 
 @dataclass(frozen=True)
 class _Cell:
-    """A code cell: its source and what the lesson's author noted beside it."""
+    """A code cell: its source and the lesson author's notes on it."""
 
     source: str
     metadata: Mapping[str, Any]
@@ -87,7 +109,7 @@ class _Cell:
 def parse_notebook(
     content: bytes, file_name: str, lessons: Sequence[Outline]
 ) -> NotebookFile:
-    """A notebook taken apart for marking; raises ``UnusableNotebook`` with the reason where that is not possible.
+    """A notebook taken apart for marking; raises ``UnusableNotebook`` with the reason.
 
     ``lessons`` are the ones it may be of.
     """
@@ -96,7 +118,16 @@ def parse_notebook(
     lesson = _lesson_of(notebook, file_name, cells, lessons)
     names = lesson.exercises
     found = tuple(_find(name, names, cells) for name in names)
-    return NotebookFile(lesson.number, _preamble(cells, names), found)
+    code = tuple(
+        CodeCell(
+            cell.source,
+            cell.exercise if cell.exercise in names else "",
+            str(cell.told.get("role", "")),
+            digest_of(cell.source) in lesson.handed_out,
+        )
+        for cell in cells
+    )
+    return NotebookFile(lesson.number, _preamble(cells, names), found, code)
 
 
 def _load(content: bytes) -> Mapping[str, Any]:
@@ -121,14 +152,14 @@ def _load(content: bytes) -> Mapping[str, Any]:
 
 
 def too_large(size: int) -> str:
-    """Why a file of so many bytes is not read."""
+    """Why a file of this many bytes is not read."""
     limit = MAXIMUM_BYTES / 1e6
     return f"{size / 1e6:.0f} MB is too large for a notebook (limit {limit:.0f} MB)"
 
 
 def _upgraded(notebook: Mapping[str, Any]) -> Mapping[str, Any]:
     """A notebook of the formats 1 to 3 in format 4."""
-    import nbformat  # takes seconds to import, and hardly a notebook needs it
+    import nbformat  # takes seconds to import, and hardly any notebook needs it
 
     try:
         upgraded: Mapping[str, Any] = nbformat.reads(json.dumps(notebook), as_version=4)
@@ -142,7 +173,9 @@ def _upgraded(notebook: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _code_cells(notebook: Mapping[str, Any]) -> list[_Cell]:
-    """The code cells. Only what marking needs is asked of them: Jupyter opens more than its own schema allows."""
+    """The code cells. Only what marking needs is checked: Jupyter opens more than its
+    schema.
+    """
     cells = notebook.get("cells")
     if not isinstance(cells, list):
         raise UnusableNotebook("not a notebook: it has no list of cells")
@@ -176,7 +209,7 @@ def _lesson_of(
     cells: Sequence[_Cell],
     known: Sequence[Outline],
 ) -> Outline:
-    """The lesson by the notebook's own word, else by its file name, else by the exercises it defines."""
+    """The lesson that the notebook names, else its file name, else its exercises."""
     lessons = {lesson.number: lesson for lesson in known}
     metadata = notebook.get("metadata", {})
     told = metadata.get("course", {}) if isinstance(metadata, dict) else {}
@@ -233,9 +266,10 @@ def _find(name: str, names: Sequence[str], cells: Sequence[_Cell]) -> ExerciseCe
 def _holder(name: str, cells: Sequence[_Cell]) -> _Cell | None:
     """The cell that holds the answer.
 
-    A lesson's other cells may use the same name for a number, and a student may try things below: so the exercise's
-    own cell comes before cells that students added, and those before the lesson's. A blank comes last, and of equals
-    the last counts, as it does when the notebook is run from top to bottom.
+    A lesson's other cells may use the same name for a number, and a student may try
+    things further down: so the exercise's own cell comes before cells that students
+    added, and those before the lesson's. A blank comes last, and of equals the last
+    counts, as it does when the notebook is run from top to bottom.
     """
     holders = [(i, cell) for i, cell in enumerate(cells) if name in cell.defines]
     theirs = [
@@ -249,7 +283,7 @@ def _holder(name: str, cells: Sequence[_Cell]) -> _Cell | None:
 
 
 def _preamble(cells: Sequence[_Cell], names: Sequence[str]) -> tuple[str, ...]:
-    """The import cell, then the definitions in cells that students added (helpers and numbers their answers use)."""
+    """The import cell, then the definitions in cells that students added."""
     code = []
     for cell in cells:
         if cell.told.get("role", "") == "imports":

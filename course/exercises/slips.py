@@ -1,4 +1,4 @@
-"""Planted mistakes as what they are: one edit of a formula's source."""
+"""Planted mistakes as single edits of a formula's source."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""Read what students wrote, without running it: is it blank, what does it define, which cells does it need.
+"""Read what students wrote, without running it.
 
-The one place where a student's source is parsed. The source may be anything: a
-parse that fails, whatever way, is "not Python" and never an error here.
+Is a cell blank, what does it define, which cells does it need? This is the one place
+where a student's source is parsed. The source may be anything: if it does not parse,
+for whatever reason, it is "not Python" and never an error here.
 """
 
 from __future__ import annotations
@@ -14,10 +15,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-#: Characters; longer cells are no answers and cost seconds to parse.
+#: Characters; longer cells are no answers and take seconds to parse.
 MAXIMUM_CELL = 200_000
-#: What Python's parser and its visitors raise for a source that they cannot take.
+#: What Python's parser and its visitors raise for source they cannot handle.
 UNREADABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+#: What a pasted session begins its lines with.
+PROMPT = re.compile(r"(>>>|In \[\d+\]:)( |$)")
+MORE_PROMPT = re.compile(r"(>>>|\.\.\.|In \[\d+\]:|\s*\.\.\.:)( |$)")
+#: What IPython is asked about, and what a magic's result can be given to.
+ASKED = re.compile(r"[\w.*\[\]]+")
+TARGETS = re.compile(r"[\w, .\[\]'\"]+")
+#: What opens or closes a text or a bracket, a comment, or a pair that a backslash makes.
+TOKENS = re.compile(r"\\.|\"\"\"|'''|[\"'#()\[\]{}]")
+#: A function may be defined in one, and is there afterwards.
+BLOCKS = (ast.If, ast.For, ast.While, ast.With, ast.Try, ast.Match)
 DYNAMIC = frozenset(
     {"globals", "locals", "vars", "eval", "exec", "__import__", "get_ipython"}
 )
@@ -25,81 +36,162 @@ DYNAMIC = frozenset(
 
 def tree_of(source: str) -> ast.Module | None:
     """The syntax tree of Python source; None if it does not parse or is too long."""
-    if len(source) > MAXIMUM_CELL:
-        return None
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # "\d" in a text is the student's affair
-            return ast.parse(source)
-    except UNREADABLE:
-        return None
+    return _parsed(source)[0]
 
 
 def cell_tree(source: str) -> ast.Module | None:
-    """The syntax tree of a cell, IPython's own lines left out; None if it does not parse."""
+    """The syntax tree of a cell without IPython's own lines.
+
+    None if it does not parse.
+    """
     return tree_of(python_only(source))
 
 
 def syntax_error(source: str) -> str:
-    """Why a cell does not parse, in Python's words."""
+    """Why a cell does not parse, in Python's words; "" if it does."""
+    return _parsed(python_only(source))[1]
+
+
+def _parsed(source: str) -> tuple[ast.Module | None, str]:
+    """The syntax tree, or None and why there is none."""
     if len(source) > MAXIMUM_CELL:
-        return f"{len(source)} characters are too many (limit {MAXIMUM_CELL})"
+        return None, f"{len(source)} characters are too many (limit {MAXIMUM_CELL})"
     try:
-        ast.parse(python_only(source))
+        with warnings.catch_warnings():
+            # "\d" in a string is the student's business
+            warnings.simplefilter("ignore")
+            return ast.parse(source), ""
     except SyntaxError as error:
-        return f"{error.msg} (line {error.lineno})"
+        return None, f"{error.msg} (line {error.lineno})"
     except UNREADABLE as error:
-        return str(error)
-    return "it does not parse"
+        return None, str(error) or type(error).__name__
 
 
 def python_only(source: str) -> str:
-    """The cell with IPython's own lines (%magic, !shell, name?) turned into ``0``, which does nothing and is never
-    longer; line numbers stay.
+    """The cell as Python, where IPython takes more than that; line numbers stay.
 
-    A cell that is Python as it stands is left alone: a line may begin with % inside an expression or a text.
-    Each line is looked at once from left to right, so that the time grows with its length and no faster.
+    Its own lines (%magic, !shell, name?) turn into ``0``, which does nothing; what was
+    pasted with its indentation or with prompts loses these. It never gets longer. A cell
+    that is Python as it stands is left alone.
     """
-    lines = source.splitlines()
-    if len(source) > MAXIMUM_CELL or not any(map(_is_foreign, lines)):
+    if len(source) > MAXIMUM_CELL or not _may_be_more(source):
         return source
     if tree_of(source) is not None:
         return source
-    return "\n".join(
-        f"{line[: len(line) - len(line.lstrip())]}0" if _is_foreign(line) else line
-        for line in lines
-    )
+    lines = _without_margin(_lines(source))
+    return "\n".join(_without_foreign(lines))
+
+
+def _lines(source: str) -> list[str]:
+    """The lines as Python counts them; a form feed, say, may stand within one."""
+    return re.split("\r\n|\r|\n", source)
+
+
+def _may_be_more(source: str) -> bool:
+    lines = _lines(source)
+    first = next((line for line in lines if line.strip()), "")
+    margin = first[:1].isspace() or PROMPT.match(first) is not None
+    return margin or any(map(_is_foreign, lines))
+
+
+def _without_margin(lines: list[str]) -> list[str]:
+    """The lines without the prompts, or the indentation, of the first that is not empty."""
+    first = next((line for line in lines if line.strip()), "")
+    if PROMPT.match(first):
+        return [MORE_PROMPT.sub("", line, count=1) for line in lines]
+    margin = first[: len(first) - len(first.lstrip())]
+    return [line.removeprefix(margin) for line in lines]
+
+
+def _without_foreign(lines: list[str]) -> Iterator[str]:
+    """IPython's lines are those that begin a statement; what looks like one inside a text
+    or in brackets is none. A backslash carries them on, too.
+    """
+    inside = _Inside()
+    carried = False
+    for line in lines:
+        if carried or (not inside and _is_foreign(line)):
+            yield "" if carried else _instead(line)
+            carried = line.endswith("\\")
+        else:
+            inside.read(line)
+            yield line
 
 
 def _is_foreign(line: str) -> bool:
-    """Whether a line is IPython's: %magic, !command, ?name, name?, name = %magic, name = !command."""
+    """Whether a line is IPython's: %magic, !command, ?name, name?, name = %magic or
+    !command.
+    """
     line = line.strip()
     if line.startswith(("%", "!", "?")):
         return True
     if line.endswith("?"):
-        return re.fullmatch(r"[\w.]+", line[:-1].removesuffix("?")) is not None
+        return ASKED.fullmatch(line[:-1].removesuffix("?")) is not None
     left, equals, right = line.partition("=")
     magic = equals and right.lstrip().startswith(("%", "!"))
-    return bool(magic) and re.fullmatch(r"[\w, ]+", left) is not None
+    return bool(magic) and TARGETS.fullmatch(left) is not None
+
+
+def _instead(line: str) -> str:
+    """What stands for a line of IPython's: ``%time name = value`` does bind the name."""
+    margin = line[: len(line) - len(line.lstrip())]
+    timed = line.strip().removeprefix("%time ").lstrip()
+    tree = None if timed[:1] in "%!?" else tree_of(timed)
+    return margin + (timed if tree is not None and _defined(tree) else "0")
+
+
+class _Inside:
+    """Whether the lines read so far end within a statement: a text, brackets, a line that
+    a backslash carries on. Each character is looked at once.
+    """
+
+    def __init__(self) -> None:
+        self._quotes, self._depth, self._carried = "", 0, False
+
+    def __bool__(self) -> bool:
+        return bool(self._quotes or self._depth or self._carried)
+
+    def read(self, line: str) -> None:
+        """Read one more line."""
+        self._carried = False
+        for part in TOKENS.findall(line):
+            if self._quotes:
+                self._quotes = "" if part == self._quotes else self._quotes
+            elif part[0] == "#":
+                return
+            elif part[0] in "'\"":
+                self._quotes = part
+            elif part[0] in "([{":
+                self._depth += 1
+            elif part[0] in ")]}":
+                self._depth = max(0, self._depth - 1)
+        self._carried = line.endswith("\\")
+        if len(self._quotes) == 1 and not self._carried:
+            self._quotes = ""  # a text in single quotes ends with its line
 
 
 @dataclass(frozen=True)
 class Facts:
-    """What is told from a cell's source alone, IPython's own lines left out.
+    """What a cell's source alone shows, without IPython's own lines.
 
-    ``defines`` are the names that it defines at its top level, ``definitions`` the source of these alone; ``binds``
-    are the names it binds in the notebook's namespace ("*" for all of a module), ``uses`` those it takes from there.
+    ``defines`` are the names that it defines at its top level, functions in an ``if`` or
+    ``with`` there too, ``definitions`` the source of those alone that stand in none;
+    ``binds`` are the names it binds in the notebook's namespace ("*" for all of a
+    module), ``uses`` those it takes from there.
     """
 
     defines: tuple[str, ...] = ()
     definitions: str = ""
     binds: frozenset[str] = frozenset()
     uses: frozenset[str] = frozenset()
+    parsed: bool = False
 
 
 @lru_cache(maxsize=4096)
 def facts_of(source: str) -> Facts:
-    """What a cell says; nothing if it does not parse. To parse is what takes time: it is done once."""
+    """The facts of a cell, empty if it does not parse. Cached, because parsing takes
+    time.
+    """
     source = python_only(source)
     tree = tree_of(source)
     if tree is None:
@@ -108,28 +200,34 @@ def facts_of(source: str) -> Facts:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             table = symtable.symtable(source, "<cell>", "exec")
-    except UNREADABLE:  # it parses, and could not be compiled
+    except UNREADABLE:  # it parses but does not compile
         return Facts(_defined(tree), _definitions(source, tree))
-    return Facts(_defined(tree), _definitions(source, tree), *_names(tree, table))
+    bound, used = _names(tree, table)
+    return Facts(_defined(tree), _definitions(source, tree), bound, used, True)
 
 
 def defined_names(source: str) -> tuple[str, ...]:
-    """The names of functions and variables that a cell defines at its top level; none if it does not parse.
+    """The names of functions and variables that a cell defines at its top level.
 
-    ``f = use(f)`` defines nothing: it is how a lesson's own cells call what a student wrote.
+    None if it does not parse. ``f = use(f)`` defines nothing: it is how a lesson's own
+    cells call what a student wrote.
     """
     return facts_of(source).defines
 
 
 def definitions_only(source: str) -> str:
-    """What a cell defines (functions, classes, imports, names), without what else it does."""
+    """What a cell defines (functions, classes, imports, names), without its other
+    statements.
+    """
     return facts_of(source).definitions
 
 
 def _defined(tree: ast.Module) -> tuple[str, ...]:
     names: list[str] = []
     for node in tree.body:
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+        if isinstance(node, BLOCKS):
+            names += [n.name for n in _statements([node]) if _is_function(n)]  # type: ignore[attr-defined]
+        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             names.append(node.name)
         elif isinstance(node, (ast.Assign, ast.AnnAssign)) and not _is_use(node.value):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
@@ -156,11 +254,12 @@ def _definitions(source: str, tree: ast.Module) -> str:
 
 
 def is_blank(source: str, name: str) -> bool:
-    """Whether a cell's source leaves ``name`` blank, without running it: the last binding counts.
+    """Whether a cell's source leaves ``name`` blank, without running it.
 
-    A blank is ``name = ...``, or a function that sets a name of its own to ``...``, or one with a bare ``...`` that
-    returns nothing else: a ``...`` left standing beside an answer that does return is no blank, nor is one in an index,
-    a hint of a type, a text, or a function inside.
+    The last binding counts. A blank is ``name = ...``, or a function that sets a name
+    of its own to ``...``, or one with a bare ``...`` that returns nothing else. A
+    ``...`` left beside an answer that does return is not a blank, nor is one in an
+    index, a type annotation, a string or an inner function.
     """
     tree = tree_of(source)
     if tree is None:
@@ -182,7 +281,10 @@ def is_blank(source: str, name: str) -> bool:
 
 
 def is_left_blank(source: str) -> bool:
-    """Whether a cell without the name it should have is the lesson's blank: nothing but ..., or under another name."""
+    """Whether a cell without the required name is the lesson's blank.
+
+    It is nothing but ``...``, or a blank under another name.
+    """
     tree = tree_of(source)
     if tree is None:
         return False
@@ -196,15 +298,19 @@ def is_left_blank(source: str) -> bool:
 
 
 def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
-    """The indices of the cells that ``wanted`` needs, straight or by way of others.
+    """The indices of the cells that ``wanted`` needs, directly or through others.
 
-    Names are all that is looked at. Where they cannot tell (``eval``, ``from x import *``) a cell is kept. A cell
-    that no name leads to is left out: its loop without end then costs its own exercise alone.
+    Only names are considered. Where they cannot decide (``eval``, ``from x import *``)
+    a cell is kept. A cell that no name leads to is left out, so that its endless loop
+    affects its own exercise alone.
     """
+    used = names_of(wanted)[1]
+    return tuple(range(len(sources))) if used & DYNAMIC else closure(sources, used)
+
+
+def closure(sources: Sequence[str], used: frozenset[str]) -> tuple[int, ...]:
+    """The indices of the cells that bind one of these names, or one that such a cell uses, and so on."""
     names = [names_of(source) for source in sources]
-    bound_here, used = names_of(wanted)
-    if used & DYNAMIC:
-        return tuple(range(len(sources)))
     kept: set[int] = {i for i, (bound, _) in enumerate(names) if "*" in bound}
     used = used.union(*(names[i][1] for i in kept))
     while True:
@@ -218,7 +324,11 @@ def needed_cells(sources: Sequence[str], wanted: str) -> tuple[int, ...]:
 
 
 def names_of(source: str) -> tuple[frozenset[str], frozenset[str]]:
-    """The names a cell binds in the notebook's namespace, and those it takes from there; none if it is not Python."""
+    """The names a cell binds in the notebook's namespace, and those it takes from
+    there.
+
+    Both empty if it is not Python.
+    """
     told = facts_of(source)
     return told.binds, told.uses
 
@@ -246,9 +356,10 @@ def _names(
 def modules_used(
     preamble: Sequence[str], answers: Sequence[str], among: frozenset[str]
 ) -> tuple[str, ...]:
-    """Which of these packages the answers' cells use: they import one, or take a name that an import cell bound.
+    """Which of these packages the answers' cells use.
 
-    What merely stands in an import cell does not count.
+    They import one, or use a name that an import cell bound. An import that no answer
+    uses does not count.
     """
     bound = {
         name: package
@@ -262,7 +373,7 @@ def modules_used(
 
 
 def _packages(source: str) -> list[tuple[str, str]]:
-    """(name bound, package it is from) of all imports in a cell."""
+    """(name bound, its package) for all imports in a cell."""
     tree = tree_of(source)
     pairs = []
     for node in ast.walk(tree) if tree else ():
@@ -278,9 +389,10 @@ def _packages(source: str) -> list[tuple[str, str]]:
 
 
 def _statements(body: Sequence[ast.AST]) -> Iterator[ast.AST]:
-    """Every statement in the order of the source, those in blocks too, those of functions and classes inside not.
+    """Every statement in source order, those in blocks too, those of inner functions
+    not.
 
-    A stack of its own: a thousand ``elif`` are a thousand blocks in each other.
+    It keeps its own stack: a thousand ``elif`` nest a thousand blocks.
     """
     waiting = list(reversed(body))
     while waiting:

@@ -1,4 +1,4 @@
-"""From outcomes to a verdict: the state, the first counterexample, and why the answer may be wrong."""
+"""From outcomes to a verdict: state, first counterexample, a likely cause."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ State = Literal["passed", "wrong", "not attempted", "error", "needs a person"]
 class Verdict:
     """The judgement of one answer.
 
-    ``case`` is the counterexample (the first that is no batch, if any), ``outcome`` what the answer gave there and
-    ``difference`` how it is wrong; ``mistake`` is the planted mistake it matches, ``reason`` anything else worth
-    saying, one line each.
+    ``case`` is the counterexample (the first that is no batch, if any), ``outcome`` the
+    answer's result there and ``difference`` how it is wrong; ``mistake`` is the planted
+    mistake it matches, ``reason`` anything else worth saying, one line each.
     """
 
     exercise: str
@@ -44,9 +44,10 @@ class Verdict:
 def judge(
     exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome]
 ) -> Verdict:
-    """Judge what an answer gave on the cases; only the reference and the mistakes are run here.
+    """Judge an answer's outcomes; only the reference and the mistakes are run here.
 
-    Raises ``ValueError`` where the two sequences differ in length: no case goes unjudged.
+    Raises ``ValueError`` where the two sequences differ in length: every case is
+    judged.
     """
     if len(cases) != len(outcomes) or not cases:
         raise ValueError(
@@ -73,7 +74,7 @@ def judge(
     reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
     if mistake and not whole:
         reason = (
-            "This does not explain every case that fails: look for a second slip once it is mended.",
+            "This does not explain every case that fails: fix it, then look for a second slip.",
         )
     reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(
@@ -92,7 +93,7 @@ def judge(
 def answers_of(
     function: Any, exercise: Exercise, cases: Sequence[Case]
 ) -> list[Outcome]:
-    """What a trusted function (the reference, a planted mistake) gives on the cases."""
+    """What a trusted function (reference or planted mistake) returns for the cases."""
     if exercise.kind == "expression":
         function = _evaluated(function, tuple(a.name for a in exercise.arguments))
     arguments = [c.arguments for c in cases]
@@ -101,9 +102,9 @@ def answers_of(
 
 
 def _or_wrote(arguments: Mapping[str, Any], outcome: Outcome) -> Outcome:
-    """The outcome, or that the answer wrote to its inputs.
+    """The outcome, or that the answer modified its inputs.
 
-    Found out here, not where the answer ran: it could have patched what compares.
+    Determined here, not where the answer ran: it could have patched the comparison.
     """
     given = outcome.given
     changed = [
@@ -146,11 +147,13 @@ def diagnose(
     outcomes: Sequence[Outcome],
     failed: Sequence[int],
 ) -> tuple[Mistake | None, bool]:
-    """The planted mistake that explains the answer, and whether it explains every case that failed.
+    """The planted mistake that explains the answer, and whether it explains every
+    failed case.
 
-    One that gives the same on every case; else the one that gives the same on most of the failed ones: on all of
-    them, or by value on more than half and at least two (a second slip, a forgotten guard say, changes the others;
-    two answers that merely raise the same kind of error need not have a slip in common).
+    One that gives the same on every case; else the one that gives the same on most of
+    the failed ones: on all of them, or by value on more than half and at least two (a
+    second slip, a forgotten guard say, changes the others; two answers that merely
+    raise the same kind of error need not have a slip in common).
     """
     best: tuple[tuple[int, int], Mistake | None] = ((0, 0), None)
     for mistake in exercise.mistakes:
@@ -174,7 +177,7 @@ def general_advice(
     outcomes: Sequence[Outcome],
     wrongs: Sequence[Difference | None],
 ) -> tuple[str, ...]:
-    """Slips that no exercise needs to plant: wrong only in a batch, one answer for all, wrong only at edges."""
+    """Slips that need no planting: only in batches, constant, only at edges."""
     wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
     advice = []
     if (
@@ -216,7 +219,7 @@ def general_advice(
 
 
 def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...]:
-    """The messages of the properties that the answer to this case lacks."""
+    """The messages of the properties that the answer to this case violates."""
     if outcome.kind != "value":
         return ()
     numbers = all(
@@ -237,8 +240,11 @@ def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...
                 )
         except (ValueError, TypeError, IndexError):
             if exercise.judged_by == "reference":
-                continue  # an answer of another shape: the comparison has said so already
-            residual = np.inf  # nothing else judges it: an answer the rule cannot be asked of is no right one
+                # an answer of another shape: the comparison has said so already
+                continue
+            # nothing else judges it: an answer on which the rule cannot be evaluated is
+            # not right
+            residual = np.inf
         if not residual <= rule.tolerance:
             lacking.append(rule.message)
     return tuple(lacking)

@@ -51,7 +51,7 @@ def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
     masses (...) [kg], one may be infinite; velocities and normal (..., 3) [m/s, 1],
     restitution (...); returns (...) [N s].
     Source: Baraff, "Rigid body simulation II", SIGGRAPH 1997 course notes, without
-    the terms of spin.
+    the rotational terms.
     """
     closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)
     impulse = (1 + restitution) * closing / (1 / mass_1 + 1 / mass_2)

@@ -1,5 +1,5 @@
-"""Marking submissions: student code runs in a separate, limited process; verdicts are made here, in the parent.
+"""Mark submissions: rows, table, feedback pages. Student code runs in
+``course.sandbox``.
 
-``child`` and what it imports (``wire``, ``limits``, ``guard``, ``stand_ins``) load inside that process, so nothing
-is imported here.
+Verdicts are made here, in the grader's process.
 """

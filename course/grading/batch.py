@@ -1,5 +1,6 @@
-"""Mark many submissions, several at a time: a fault with one of them, ours or its own,
-stops no other.
+"""Mark many submissions, several at a time.
+
+A fault in one of them, whether ours or its own, stops no other.
 """
 
 from __future__ import annotations
@@ -15,23 +16,24 @@ from course.exercises.notebook_file import UnusableNotebook
 from course.grading.feedback import write_page
 from course.grading.fingerprints import key_of
 from course.grading.judge import Judge, Row
-from course.grading.report import Submission, cells_of, safe_cell
+from course.grading.report import TRUSTED, Submission, cells_of, safe_cell
 from course.grading.stopping import Stopping
 from course.grading.submissions import Task, digest_of, read_content
 from course.grading.table import Table
 from course.grading.writing import CannotWrite
 from course.sandbox.running import Cancelled, SandboxFailure
 
-#: Called with how many submissions are done, how many there are, and the file just done
-#: ("" at the start).
+#: Called with how many submissions are done, how many there are, and the file just
+#: finished ("" at the start).
 Progress = Callable[[int, int, str], None]
-PAUSE = 1.0  # seconds before an answer whose process did not start is tried once more
+PAUSE = 1.0  # seconds before an answer whose process did not start is tried again
 
 
 @dataclass(frozen=True)
 class Batch:
-    """What the submissions of a batch share while they are marked; ``unwritten`` fills
-    with pages that had no room.
+    """What the submissions of a batch share while they are marked.
+
+    ``unwritten`` collects the pages that could not be written.
     """
 
     judge: Judge
@@ -42,7 +44,9 @@ class Batch:
     unwritten: list[str] = field(default_factory=list)
 
     def key(self, digest: str) -> str:
-        """The digest of all that the marks of a submission with this digest hang on."""
+        """The digest of everything that the marks of a submission with this digest
+        depend on.
+        """
         return key_of(digest, self.version, self.seed, self.judge.sandbox.limits)
 
     def mark(
@@ -53,12 +57,11 @@ class Batch:
         tell: Progress,
         stopping: Stopping,
     ) -> None:
-        """Judge several at a time; rows and pages are written here, by one thread, as
-        they come.
+        """Judge several at a time; one thread writes rows and pages as they arrive.
 
-        No more are begun than can soon be judged, so that memory stays flat. Raises
-        ``Stopped`` on a signal, after what was running has been ended, and
-        ``CannotWrite`` where the table has no room.
+        Only as many are started as will soon be judged, so that memory stays flat.
+        Raises ``Stopped`` on a signal, after ending what was running, and
+        ``CannotWrite`` where the disk has no room for the table.
         """
         done = total - len(todo)
         tell(done, total, "")
@@ -71,8 +74,8 @@ class Batch:
                         running[pool.submit(self._judged, task)] = task
                     if not running:
                         break
-                    # Woken now and then: a signal is looked for, which a wait without
-                    # end may not let through.
+                    # Wakes up now and then to look for a signal, which an endless wait
+                    # may not let through.
                     ready, _ = wait(running, timeout=0.2, return_when=FIRST_COMPLETED)
                     for future in sorted(ready, key=list(running).index):
                         submission = future.result()
@@ -88,8 +91,8 @@ class Batch:
                 raise
 
     def _write(self, task: Task, submission: Submission) -> None:
-        """The page and then the row: a row without its page is made again by the next
-        call.
+        """Write the page and then the row: a row without its page is made again by the
+        next call.
         """
         try:
             write_page(task.page, submission, seed=self.seed, isolation=self.isolation)
@@ -139,7 +142,9 @@ class Batch:
 def judged(
     judge: Judge, task: Task, content: bytes
 ) -> tuple[Lesson, tuple[Row, ...], tuple[str, ...]]:
-    """What the judge says of a submission: its lesson, the rows, and what its code was refused."""
+    """The judge's result for a submission: its lesson, the rows, what its code was
+    refused.
+    """
     lesson, found = judge.rows(content, task.file)
     rows = tuple(found)
     return lesson, rows, tuple(dict.fromkeys(r for row in rows for r in row.refused))
@@ -153,18 +158,21 @@ def standing(
     rows: Sequence[Mapping[str, str]],
     keys: Mapping[str, Task],
     tasks: Iterable[Task],
+    *,
+    boxed: bool = False,
 ) -> tuple[list[dict[str, str]], list[dict[str, str]]]:
-    """The rows of an old table that stand, and those whose submission is to be marked
+    """The rows of an old table that are kept, and those whose submission is marked
     again.
 
     A row stands whose key is one of ``keys`` and whose page is there, and one whose
-    file is none of these ``tasks``.
+    file is none of these ``tasks``; with ``boxed`` none whose submission was trusted.
     """
     files = {safe_cell(task.file) for task in tasks}
     stand, stale = [], []
     for row in rows:
         task = keys.get(row["key"])
-        if task is not None and task.page.exists():
+        enough = not (boxed and row["isolation"].startswith(TRUSTED))
+        if task is not None and task.page.exists() and enough:
             # A spreadsheet may have made a date or a number of a name.
             stand.append(_named(row, task))
         elif task is not None or row["file"] in files:

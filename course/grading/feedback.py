@@ -1,8 +1,7 @@
-"""A page of feedback a submission: points, what was found, what to try next; and one a
-student who handed in several.
+"""A feedback page per submission: points, findings, what to try next.
 
-Nothing is loaded from outside. The page for the grader, with everybody, is made in
-``index``.
+A student with several submissions gets one of their own as well. Nothing is loaded from
+outside. ``index`` makes the page for the grader, with everybody on it.
 """
 
 from __future__ import annotations
@@ -25,7 +24,10 @@ INDEX = "index.html"
 def write_page(
     path: Path, submission: Submission, *, seed: int, isolation: str = ""
 ) -> None:
-    """Write the page of a submission, with a link to the grader's; raises ``CannotWrite``."""
+    """Write the page of a submission, with a link to the grader's.
+
+    Raises ``CannotWrite``.
+    """
     write_whole(path, page(submission, seed=seed, index=INDEX, isolation=isolation))
 
 
@@ -68,9 +70,7 @@ def write_overview(
     *,
     seed: int,
 ) -> None:
-    """Write a student's own page: every submission with its points, from its row of the
-    table.
-    """
+    """Write a student's own page: each submission's points, from its table row."""
     rows = [
         {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
          "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
@@ -85,7 +85,7 @@ def write_overview(
 
 
 def trusted(isolations: Iterable[str]) -> str:
-    """What is said where one of these submissions could do whatever the grader can."""
+    """The warning for a batch whose submissions could do whatever the grader can."""
     return TRUSTED_MEANS if any(i.startswith(TRUSTED) for i in isolations) else ""
 
 
@@ -94,7 +94,7 @@ def _points(row: Row) -> str:
 
 
 def _after(row: Row) -> tuple[Part, ...]:
-    """The first hint, where an answer is wrong and nothing says yet in what way."""
+    """The first hint, where an answer is wrong and nothing says yet how."""
     if row.state in ("wrong", "error") and row.verdict.mistake is None:
         return (Part("hint", row.exercise.hints[0]),)
     return ()
@@ -129,8 +129,8 @@ def _following(submission: Submission) -> str:
 
 @cache
 def template(page: str) -> Any:
-    """A page's body between the common head and foot, as a template that escapes what
-    it is given.
+    """A page's body between the common head and foot, as a template that escapes its
+    values.
     """
     import jinja2
 

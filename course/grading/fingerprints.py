@@ -1,5 +1,6 @@
-"""A digest of everything that marks hang on but the submission: the grader's own
-source, its libraries, the lessons.
+"""A digest of everything that marks depend on except the submission.
+
+The grader's own source, its libraries, the lessons.
 """
 
 from __future__ import annotations
@@ -21,30 +22,29 @@ from course.exercises.definition import Lesson
 from course.sandbox.limits import Limits
 
 PACKAGE = Path(__file__).resolve().parents[1]
-#: What no mark hangs on: the lessons' figures and widgets, and the command line.
+#: What no mark depends on: the lessons' figures and widgets, and the command line.
 NO_MATTER = frozenset(
     "workbook cli.py __main__.py testing.py environment.py installation.py".split()
 )
 
 
 def grader_version(lessons: Sequence[Lesson]) -> str:
-    """A digest of the program, of the libraries that the references call, and of the
-    lessons judged by.
-    """
+    """A digest of the program, the libraries its references call, and the lessons."""
     libraries = [sys.version_info[:2], np.__version__, _version_of_sympy()]
     return _digest(source_digest(PACKAGE), libraries, fingerprint(tuple(lessons)))
 
 
 def key_of(submission: str, version: str, seed: int, limits: Limits) -> str:
-    """A digest of all that a submission's marks hang on: itself, the grader's version,
-    the seed and the limits.
+    """A digest of everything that a submission's marks depend on.
+
+    The submission itself, the grader's version, the seed and the limits.
     """
     return _digest(submission, version, seed, sorted(asdict(limits).items()))
 
 
 @cache
 def source_digest(package: Path) -> str:
-    """A digest of the program's source, without the parts that no mark hangs on."""
+    """A digest of the program's source, without the parts that no mark depends on."""
     found = hashlib.sha256()
     for path in sorted(package.rglob("*.py")):
         inside = path.relative_to(package)
@@ -55,8 +55,9 @@ def source_digest(package: Path) -> str:
 
 
 def fingerprint(value: Any) -> str:
-    """A digest of a value by what it says, the same in every process: functions by
-    their code and what they hold.
+    """A digest of a value by its meaning, the same in every process.
+
+    Functions count by their code and what they hold.
     """
     return _digest(_plain(value, ()))
 
@@ -82,7 +83,7 @@ def _plain(value: Any, inside: tuple[int, ...]) -> Any:
 
 
 def _plain_code(value: Any, inside: tuple[int, ...]) -> Any:
-    """Functions and code; of what else there may be, its name."""
+    """Functions and code; of anything else that may occur, its name."""
     if isinstance(value, types.CodeType):
         parts = [value.co_code, value.co_names, value.co_consts]
         return ["code", *_each(parts, inside)]

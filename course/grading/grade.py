@@ -1,5 +1,6 @@
-"""Mark a folder of submissions, or check one notebook: what ``course grade`` and
-``course check`` call.
+"""Mark a folder of submissions, or check one notebook.
+
+What ``course grade`` and ``course check`` call.
 """
 
 from __future__ import annotations
@@ -33,18 +34,18 @@ from course.grading.submissions import (
 )
 from course.grading.table import Found, Table, read_table
 from course.grading.writing import CannotWrite
+from course.sandbox.box import Isolation
 from course.sandbox.limits import Limits
 from course.sandbox.running import Sandbox, SandboxFailure, find_isolation
 
 
 @dataclass(frozen=True)
 class Summary:
-    """What a batch came to: counts of submissions by state, the seed, and how answers
-    were shut in.
+    """The result of a batch: submissions counted by state, the seed, the isolation.
 
-    ``again`` of those that need a person failed by no fault of their author; the next
-    call judges them again. ``unwritten`` says of each page that could not be written
-    which it is, why, and the cure.
+    Of those that need a person, ``again`` failed through no fault of their author; the
+    next call judges them again. ``unwritten`` says for each page that could not be
+    written which it is, why, and what to do about it.
     """
 
     out: Path
@@ -62,16 +63,16 @@ class Summary:
 
     def __str__(self) -> str:
         lines = [
-            f"{self.submissions} submissions in {self.seconds:.1f} s, {self.kept} of them as they were: "
+            f"{self.submissions} submissions in {self.seconds:.1f} s, {self.kept} of them unchanged: "
             f"{self.marked} marked, {self.needs_person} need a person, {self.unusable} cannot be used",
             f"table {self.out}, pages in {self.feedback}, all of them in {self.feedback / INDEX}",
-            f"seed {self.seed} (repeat with --seed {self.seed}); shut in by: {self.isolation}",
+            f"seed {self.seed} (repeat with --seed {self.seed}); isolated by: {self.isolation}",
         ]
         if self.isolation.startswith(TRUSTED):
             lines.append(TRUSTED_MEANS)
         if self.again:
             lines.append(
-                f"{self.again} could not be marked, by no fault of their authors; the same command tries them again"
+                f"{self.again} could not be marked, through no fault of their authors; the same command retries them"
             )
         if self.unwritten:
             lines.append(
@@ -82,7 +83,7 @@ class Summary:
 
 @dataclass(frozen=True)
 class Check:
-    """The rows of one notebook; as text a table, with what was found below it."""
+    """The rows of one notebook; as text a table, with the findings below it."""
 
     lesson: Lesson
     rows: tuple[Row, ...]
@@ -119,10 +120,10 @@ def check_notebook(
     path: Path, *, time_limit: float = 10.0, memory_mb: int = 2000, lessons: Sequence[Lesson] | None = None,
     on_row: Callable[[Row], None] | None = None,
 ) -> Check:  # fmt: skip
-    """Run a notebook's exercises on the inputs of its own check; ``on_row`` sees each
-    row as it is found out.
+    """Run a notebook's exercises on the inputs of its own check.
 
-    Raises ``UnusableNotebook`` (a ``ValueError``) where the file cannot be marked.
+    ``on_row`` is called with each row as soon as it is known. Raises
+    ``UnusableNotebook`` (a ``ValueError``) where the file cannot be marked.
     """
     limits = Limits(time_limit, memory_mb)
     known = all_lessons() if lessons is None else tuple(lessons)
@@ -143,23 +144,24 @@ def grade_folder(
     feedback: Path | None = None, on_progress: Progress | None = None, lessons: Sequence[Lesson] | None = None,
     workers: int | None = None, force: bool = False, require_sandbox: bool = False,
 ) -> Summary:  # fmt: skip
-    """Mark every file in a folder and below it: a table (CSV) at ``out`` and a page
-    (HTML) a submission.
+    """Mark every file in a folder and below: a table (CSV) and an HTML page each.
 
-    A student who handed in several gets a page of their own as well, and the grader one
-    of all (``index.html``).
+    A student with several submissions gets a page of their own as well, and the grader
+    gets one for everybody (``index.html``). The table is written to ``out``.
 
-    ``seed`` draws the inputs; without one, a table that is there gives its own, so that a batch cut off goes on, and
-    else it is random. ``time_limit`` [s] and ``memory_mb`` hold for each exercise; ``feedback`` is the folder of the
-    pages (default: beside the table). Rows whose submission, seed, limits and grader are as they were are kept,
-    unless ``force``. With ``require_sandbox`` nothing is run where submissions would have to be trusted.
+    ``seed`` draws the inputs; without one, an existing table's seed is used, so that an
+    interrupted batch continues, and otherwise a random one. ``time_limit`` [s] and
+    ``memory_mb`` apply to each exercise; ``feedback`` is the folder of the pages
+    (default: beside the table). Rows whose submission, seed, limits and grader are
+    unchanged are kept, unless ``force``. With ``require_sandbox`` nothing is run where
+    submissions would have to be trusted.
 
-    On Ctrl-C, SIGTERM and SIGHUP (``Stopped``, a ``KeyboardInterrupt``) what is done is in the table, and the next
-    call goes on from there.
+    On Ctrl-C, SIGTERM and SIGHUP (``Stopped``, a ``KeyboardInterrupt``) finished rows
+    are in the table, and the next call continues from there.
 
-    Raises ``ValueError`` for arguments that cannot be used and where another grader
-    writes to the table (``Locked``), ``SandboxFailure`` where no answer can be run at
-    all, ``CannotWrite`` where the disk is full.
+    Raises ``ValueError`` for unusable arguments and where another grader writes to the
+    table (``Locked``), ``SandboxFailure`` where no answer can be run at all,
+    ``CannotWrite`` where the disk is full.
     """
     started = time.monotonic()
     folder, out = Path(folder), Path(out)
@@ -174,10 +176,12 @@ def grade_folder(
         seed = _seed(found, tasks) if seed is None else seed
         version = grader_version(known)
         keys = {key_of(task.digest, version, seed, limits): task for task in tasks}
-        stand, stale = standing(found.rows, {} if force else keys, tasks)
+        stand, stale = standing(
+            found.rows, {} if force else keys, tasks, boxed=require_sandbox
+        )
         done = {row["key"] for row in stand}
         todo = [task for key, task in keys.items() if key not in done]
-        with stopping.put_off():  # its process is ended and its folder taken away
+        with stopping.put_off():  # its process has ended and its folder is gone
             shut_in = find_isolation(limits) if todo or require_sandbox else None
         stopping.check()
         if require_sandbox and shut_in and not shut_in.boxed:
@@ -201,14 +205,20 @@ def grade_folder(
     return Summary(
         out, feedback, seed, len(tasks), len(tasks) - len(todo), states.count("marked"),
         states.count("needs a person"), states.count("unusable"), time.monotonic() - started,
-        str(shut_in) if shut_in else rows[0]["isolation"],
+        _isolation(shut_in, rows),
         sum(row["key"].startswith(AGAIN) for row in rows), (*batch.unwritten, *missing),
     )  # fmt: skip
 
 
+def _isolation(shut_in: Isolation | None, rows: Sequence[Mapping[str, str]]) -> str:
+    """What shut submissions in: where some were trusted, in this call or before, theirs."""
+    told = [*([str(shut_in)] if shut_in else []), *(row["isolation"] for row in rows)]
+    return next((one for one in told if one.startswith(TRUSTED)), told[0])
+
+
 @contextlib.contextmanager
 def _locked(out: Path, feedback: Path) -> Iterator[tuple[Path, Path]]:
-    """Hold the table and the pages; gives the lock files' paths."""
+    """Lock the table and the pages; yields the lock files' paths."""
     table, pages = (path.with_name(path.name + ".lock") for path in (out, feedback))
     with contextlib.ExitStack() as held:
         for lock, what in ((table, out), (pages, feedback)):
@@ -225,7 +235,7 @@ def _exercises(lessons: Sequence[Lesson]) -> list[str]:
 
 
 def _seed(found: Found, tasks: Sequence[Task]) -> int:
-    """The seed of the table's rows of these files; a random one where there is none."""
+    """The seed of these files' rows in the table; a random one where there is none."""
     files = {safe_cell(task.file) for task in tasks}
     seeds = [
         int(row["seed"])
@@ -236,9 +246,7 @@ def _seed(found: Found, tasks: Sequence[Task]) -> int:
 
 
 def _rows_of(tasks: Sequence[Task], table: Table) -> list[dict[str, str]]:
-    """The rows of these submissions, in the table's order; each submission's page is
-    its own.
-    """
+    """The rows of these submissions in the table's order, each with its own page."""
     pages = {safe_cell(task.page.name) for task in tasks}
     return [row for row in table.rows if row["page"] in pages]
 
@@ -250,8 +258,9 @@ def _pages_of_all(
     lessons: Sequence[Lesson],
     seed: int,
 ) -> list[str]:
-    """Write a page for every student with several submissions and the grader's; gives
-    what could not be written.
+    """Write the grader's page, and one per student with several submissions.
+
+    Returns the reasons for the pages that could not be written.
     """
     students = {task.page.name: task.student for task in tasks}
     by_student = defaultdict(list)

@@ -1,7 +1,7 @@
-"""Whose a file is, told from where a download put it.
+"""Whose a file is, from where a download put it.
 
-Students are told apart by what the download says (a name and a number in Moodle's),
-else by their folder's path; a name alone makes nobody the same person.
+Students are told apart by the download's data (a name and a number in Moodle's), else
+by their folder's path; an equal name alone does not make two of them one person.
 """
 
 from __future__ import annotations
@@ -17,13 +17,12 @@ from pathlib import PurePath
 from course.exercises.definition import Lesson
 from course.sandbox.reply import clean
 
-#: "Ann Lee_101_assignsubmission_file_" is a folder; in a download without folders a
-#: file's name goes on after it.
+#: "Ann Lee_101_assignsubmission_file_" is a folder; in a download without folders the
+#: file's name follows it.
 MOODLE = re.compile(r"(.*?)_(\d+)_assignsubmission_[a-z]+_?(.*)", re.DOTALL)
 #: What Moodle calls everybody where names are hidden, in a few languages.
 NOBODY = re.compile(r"(participa|teilnehm|deelnem)\w*", re.IGNORECASE)
-#: Folders that a student makes inside their own, and folders that hold several
-#: students.
+#: Folders that students make inside their own, and folders that hold several students.
 WORK = frozenset("work src notebook notebooks final solution abgabe".split())
 SEVERAL = re.compile(
     r"(group|gruppe|class|section|tutorial|team|week|lessons?|submissions?|submitted|handed in)[\s_-]*\w{0,3}",
@@ -33,8 +32,9 @@ SEVERAL = re.compile(
 
 @dataclass(frozen=True)
 class Student:
-    """Whose a file is: the name to show, what tells them apart, and what to add where
-    two have one name.
+    """Whose a file is: the name to show, what identifies the student, and a suffix.
+
+    The suffix is added where two students have the same name.
     """
 
     name: str
@@ -43,9 +43,7 @@ class Student:
 
 
 def student_of(file: PurePath, lessons: Sequence[Lesson]) -> Student:
-    """Whose a file is: by Moodle's name and number, else its folder (one a student),
-    else its own name.
-    """
+    """Whose a file is: by Moodle's name and number, else by folder, else by name."""
     for depth, part in enumerate(file.parts):
         moodle = MOODLE.fullmatch(part)
         if moodle:
@@ -59,9 +57,7 @@ def student_of(file: PurePath, lessons: Sequence[Lesson]) -> Student:
 
 
 def told_apart(students: Sequence[Student]) -> list[str]:
-    """The names to show: where different students have one name, with what tells them
-    apart.
-    """
+    """The names to show; students of the same name get a distinguishing suffix."""
     names = [student.name for student in students]
     for more in range(2):
         people = defaultdict(set)

@@ -1,6 +1,4 @@
-"""The grader's page: every student's points by exercise, the commonest mistakes, links
-to all pages.
-"""
+"""The grader's page: points by exercise, the commonest mistakes, links to all pages."""
 
 from __future__ import annotations
 
@@ -16,8 +14,8 @@ from course.grading.feedback import template, trusted
 from course.grading.report import exercises_of, told_by
 from course.grading.writing import write_whole
 
-#: What a reason says of one run and not of a mistake: parts of it that begin so are not
-#: counted.
+#: Parts of a reason that describe one run and not a mistake: those that begin like this
+#: are not counted.
 OF_ONE_RUN = ("case: ", "expected: ", "got: ")
 COMMONEST = 12
 WORDS_FOR_MANY = {"needs a person": "need a person"}
@@ -31,10 +29,9 @@ def write_index(
     *,
     seed: int,
 ) -> None:
-    """Write the page from the table's rows; ``overviews`` are the pages of students by
-    the page of a submission.
+    """Write the page from the table's rows; raises ``CannotWrite``.
 
-    Raises ``CannotWrite``.
+    ``overviews`` maps a submission's page to its student's page.
     """
     by_lesson = [_lesson(lesson, rows, overviews) for lesson in lessons]
     marked = {row["page"] for lesson in by_lesson for row in lesson["rows"]}
@@ -53,8 +50,8 @@ def write_index(
 def commonest_mistakes(
     rows: Sequence[Mapping[str, str]],
 ) -> list[tuple[int, str, str]]:
-    """(how many, exercise, what is said of it), the most frequent first, of what was
-    said more than once.
+    """(how many, exercise, finding), the most frequent first; only what occurs twice or
+    more.
     """
     count: Counter[tuple[str, str]] = Counter()
     for row in rows:

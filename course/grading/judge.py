@@ -6,19 +6,31 @@ arrays. Nothing that code prints, patches or exits with is looked at as a verdic
 
 from __future__ import annotations
 
+import json
 import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from pathlib import Path
 
 from course.exercises.definition import Case, Exercise, Lesson, all_lessons
 from course.exercises.message import verdict_message
-from course.exercises.notebook_file import Outline
+from course.exercises.notebook_file import Outline, digest_of
 from course.exercises.verdict import State, Verdict, answers_of, judge
 from course.sandbox.ending import WITHOUT_REPLY
-from course.sandbox.running import FORKS, Found, Question, Run, Sandbox, Session
+from course.sandbox.limits import Limits
+from course.sandbox.running import (
+    FORKS,
+    Answers,
+    Found,
+    Question,
+    Run,
+    Sandbox,
+    Session,
+)
 
 REASON_LIMIT = 500
+LESSONS = Path(__file__).resolve().parents[2] / "lessons"
 #: An answer may give so many numbers where few are expected: a wrong shape is told as that.
 FEW = 10_000
 # The reference's own call redirects what is printed, which is one for all threads.
@@ -61,63 +73,54 @@ class Judge:
         with self.sandbox.submission(content, file, self._outlines) as session:
             lesson = self._by_number[session.reading.lesson]
             yield lesson
+            found = dict(zip(lesson.exercises, session.reading.exercises, strict=True))
             asked = [
-                self._question(i, exercise, found)
-                for i, (exercise, found) in enumerate(
-                    zip(lesson.exercises, session.reading.exercises, strict=True)
-                )
-                if found.state == "run"
+                self._question(i, exercise, found[exercise])
+                for i, exercise in enumerate(lesson.exercises)
+                if found[exercise].state != "blank"
             ]
-            runs = self._runs(session, asked, content, file)
-            done: dict[int, Row] = {}
-            for i, exercise in enumerate(lesson.exercises):
-                found = session.reading.exercises[i]
-                run = next(runs) if found.state == "run" else None
-                done[i] = self._row(exercise, found, run, done)
-                yield done[i]
+            heard = self._answers(session, asked, content, file)
+            for exercise in lesson.exercises:
+                blank = found[exercise].state == "blank"
+                answers = None if blank else next(heard)
+                yield self._row(exercise, found[exercise], answers)
 
-    def _runs(
+    def _answers(
         self, session: Session, asked: Sequence[Question], content: bytes, file: str
-    ) -> Iterator[Run]:
-        """The runs asked for; one that ended without a reply is run once more, alone."""
-        runs = session.answers(asked) if FORKS else self._each(asked, content, file)
-        for question, run in zip(asked, runs, strict=True):
-            if run.end not in WITHOUT_REPLY:
-                yield run
+    ) -> Iterator[Answers]:
+        """What came of the exercises; where a run ended without a reply the notebook is run once more, for it alone."""
+        heard = session.answers(asked) if FORKS else self._each(asked, content, file)
+        for question, answers in zip(asked, heard, strict=True):
+            if not _without_reply(answers):
+                yield answers
                 continue
             (again,) = self._each([question], content, file)
-            refused = dict.fromkeys((*run.refused, *again.refused))
+            refused = dict.fromkeys((*answers.refused, *again.refused))
             yield replace(again, refused=tuple(refused))
 
     def _each(
         self, asked: Sequence[Question], content: bytes, file: str
-    ) -> Iterator[Run]:
-        """The runs asked for, each in a process of its own."""
+    ) -> Iterator[Answers]:
+        """The exercises asked for, each in a process of its own."""
         for question in asked:
             with self.sandbox.submission(content, file, self._outlines) as alone:
                 yield from alone.answers([question])
 
-    def _row(
-        self, exercise: Exercise, found: Found, run: Run | None, done: dict[int, Row]
-    ) -> Row:
-        """``done`` are the rows before it, by place: a cell that ended one of their runs is not run again."""
-        if run is None:
-            verdict = _unrun(exercise, found)
-        elif run.end == "blocked":
-            by = done.get(run.by)
-            verdict = replace(_blocked(by), exercise=exercise.name)
-        else:
-            own = found.cells - 1
-            answer = (
-                replace(exercise, name=found.nearest) if found.nearest else exercise
-            )
-            verdict = _safely(answer, self._drawn(exercise)[0], run, self.sandbox, own)
-            if found.nearest:
-                verdict = _renamed(exercise.name, found, verdict)
+    def _row(self, exercise: Exercise, found: Found, answers: Answers | None) -> Row:
+        if answers is None:
+            verdict = Verdict(exercise.name, "not attempted")
+            return Row(exercise, 0, verdict.state, "", verdict)
+        named = replace(exercise, name=found.nearest) if found.nearest else exercise
+        cases = self._drawn(exercise)[0]
+        verdict = _safely(named, cases, found, answers, self.sandbox.limits)
+        if found.nearest:
+            verdict = _renamed(exercise.name, found, verdict)
         points = None if verdict.state == "needs a person" else verdict.points
         reason = reason_of(exercise, verdict)
-        more = (run.seconds, run.refused) if run else (0.0, ())
-        return Row(exercise, points, verdict.state, reason, verdict, *more)
+        seconds = sum(run.seconds for run in answers.runs)
+        return Row(
+            exercise, points, verdict.state, reason, verdict, seconds, answers.refused
+        )
 
     def _question(self, index: int, exercise: Exercise, found: Found) -> Question:
         cases, most = self._drawn(exercise)
@@ -154,9 +157,19 @@ class Judge:
     @cached_property
     def _outlines(self) -> tuple[Outline, ...]:
         return tuple(
-            Outline(number, tuple(e.name for e in lesson.exercises))
+            Outline(number, tuple(e.name for e in lesson.exercises), handed_out(lesson))
             for number, lesson in self._by_number.items()
         )
+
+
+def handed_out(lesson: Lesson) -> frozenset[str]:
+    """Digests of a lesson's own cells as it is handed out; none where lessons/ is not there."""
+    path = LESSONS / lesson.file_name
+    if not path.exists():
+        return frozenset()
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    own = [c for c in cells if c["metadata"].get("course", {}).get("role") == "lesson"]
+    return frozenset(digest_of("".join(cell["source"])) for cell in own)
 
 
 def reason_of(exercise: Exercise, verdict: Verdict) -> str:
@@ -176,67 +189,80 @@ def reason_of(exercise: Exercise, verdict: Verdict) -> str:
     )
 
 
-def _unrun(exercise: Exercise, found: Found) -> Verdict:
-    """The verdict on an exercise that is blank, or where reading found why it cannot be run."""
-    if found.state == "blank":
-        return Verdict(exercise.name, "not attempted")
-    state: State = "needs a person" if found.needs_person else "error"
-    return Verdict(exercise.name, state, reason=(found.fault,))
-
-
-def _blocked(by: Row | None) -> Verdict:
-    """The verdict where a cell that an exercise needs ended the run of one before it."""
-    told = by.verdict.reason[:1] if by is not None else ()
-    before = "a cell before it, which it uses,"
-    reason = tuple(r.replace("its cell, outside the function,", before) for r in told)
-    state: State = "needs a person" if by is not None and by.points is None else "error"
-    return Verdict("", state, reason=reason)
+def _without_reply(answers: Answers) -> bool:
+    ends = [run.end for run in answers.runs[-1:]]
+    ends += [answers.own[0]] if answers.own else []
+    return any(end in WITHOUT_REPLY for end in ends)
 
 
 def _safely(
-    exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
+    exercise: Exercise,
+    cases: Sequence[Case],
+    found: Found,
+    answers: Answers,
+    limits: Limits,
 ) -> Verdict:
-    """The verdict on a run; where judging itself fails over what came back, a person has to look."""
+    """The verdict on an exercise; where judging itself fails over what came back, a person has to look."""
     try:
         with _judging:
-            verdict = _judged(exercise, cases, run, sandbox, own)
-            verdict_message(
-                exercise, verdict
-            )  # what cannot be told cannot be a verdict either
+            verdict = _judged(exercise, cases, found, answers, limits)
+            # What cannot be told cannot be a verdict either.
+            verdict_message(exercise, verdict)
             return verdict
     except Exception as error:
-        return Verdict(
-            exercise.name,
-            "needs a person",
-            reason=(f"the judge stopped: {type(error).__name__}: {error}",),
-        )
+        told = f"the judge stopped: {type(error).__name__}: {error}"
+        return Verdict(exercise.name, "needs a person", reason=(told,))
 
 
 def _judged(
-    exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
+    exercise: Exercise,
+    cases: Sequence[Case],
+    found: Found,
+    answers: Answers,
+    limits: Limits,
 ) -> Verdict:
-    name, reply = exercise.name, run.reply
-    if reply is None:
-        return _unfinished(exercise, cases, run, sandbox, own)
-    notes = dict(reply.notes)
-    stopped = tuple(
-        f"{'its cell' if i == own else 'a cell before it, which it uses,'} stopped with {text}"
-        for i, text in sorted(notes.items(), reverse=True)
-    )
-    if reply.blank:
-        return Verdict(name, "not attempted")
-    if reply.missing:
-        if own in notes:
-            return Verdict(name, "error", reason=stopped)
-        return Verdict(
-            name,
-            "needs a person",
-            reason=(f"its cell ran, but there is no {name} after it", *stopped),
+    """One verdict of all that the notebook gave: where two answers disagree, a person decides."""
+    every = [_of_run(exercise, cases, run, answers, limits) for run in answers.runs]
+    given = [v for v in every if v is not None and v.state != "not attempted"]
+    if answers.own and not any(_checked(run) for run in answers.runs):
+        end, detail = answers.own
+        return _ended(exercise, "its cell, outside the function,", end, detail, limits)
+    if not given:
+        return _nothing(
+            exercise, found, answers, blank=any(v is not None for v in every)
         )
+    right = sum(v.passed for v in given)
+    if 0 < right < len(given):
+        told = f"it is checked {len(given)} times, and right {right} times: which one counts?"
+        return Verdict(exercise.name, "needs a person", reason=(told,))
+    return given[-1]
+
+
+def _checked(run: Run) -> bool:
+    return run.reply is not None and run.reply.checked
+
+
+def _of_run(
+    exercise: Exercise,
+    cases: Sequence[Case],
+    run: Run,
+    answers: Answers,
+    limits: Limits,
+) -> Verdict | None:
+    """The verdict on one run; None where there was no such name."""
+    reply = run.reply
+    if reply is None:
+        case = cases[run.case] if run.case >= 0 else None
+        return _ended(exercise, "it", run.end, run.detail, limits, case, len(cases))
+    if reply.missing:
+        return None
+    if reply.blank:
+        return Verdict(exercise.name, "not attempted")
+    raised = _raised(answers)
     if reply.fault:
-        return Verdict(name, "error", reason=(reply.fault, *stopped))
+        return Verdict(exercise.name, "error", reason=(reply.fault, *raised))
     verdict = judge(exercise, cases, reply.outcomes)
-    reason = verdict.reason + (() if verdict.passed else stopped)
+    reason = verdict.reason + (() if verdict.passed else raised)
     if verdict.outcome is not None and "StandInForCourse" in verdict.outcome.text:
         reason += (
             "It calls the course itself, which is not there while an answer is marked.",
@@ -244,37 +270,56 @@ def _judged(
     return replace(verdict, reason=reason)
 
 
-def _unfinished(
-    exercise: Exercise, cases: Sequence[Case], run: Run, sandbox: Sandbox, own: int
+def _nothing(
+    exercise: Exercise, found: Found, answers: Answers, *, blank: bool
 ) -> Verdict:
-    """The verdict on a run that sent nothing back: what became of it, and where."""
-    limits = sandbox.limits
+    """The verdict where the notebook has no such name, or leaves it blank."""
+    if blank:
+        return Verdict(exercise.name, "not attempted")
+    raised = _raised(answers)
+    if found.fault:
+        state: State = "needs a person" if found.needs_person else "error"
+        return Verdict(exercise.name, state, reason=(found.fault, *raised))
+    if any(own for own, _ in answers.notes):
+        return Verdict(exercise.name, "error", reason=raised)
+    told = f"its cell ran, but there is no {exercise.name} after it"
+    return Verdict(exercise.name, "needs a person", reason=(told, *raised))
+
+
+def _raised(answers: Answers) -> tuple[str, ...]:
+    """What cells raised or did not finish, the exercise's own first."""
+    notes = sorted(answers.notes, key=lambda note: not note[0])
+    told = [
+        f"{'its cell' if own else 'another cell'} stopped with {text}"
+        for own, text in notes
+    ]
+    if answers.others:
+        told.append("another cell did not come to its end")
+    return tuple(told)
+
+
+def _ended(
+    exercise: Exercise, what: str, end: str, detail: str, limits: Limits,
+    case: Case | None = None, tried: int = 0,
+) -> Verdict:  # fmt: skip
+    """The verdict where nothing was sent back: what became of it, and where."""
     words = {
         "time": f"did not finish within {limits.seconds:g} s: a loop without end?",
         "files": f"wrote more than {limits.file_mb} MB, or thousands of files",
         "memory": f"took more than {limits.memory_mb} MB of memory",
-        "ended": f"ended the whole program ({run.detail}) instead of returning",
-        "crashed": f"crashed Python ({run.detail})",
-        "killed": f"was ended from outside ({run.detail})",
-        "unreadable": f"sent back what cannot be read ({run.detail})",
+        "threads": "started thousands of threads",
+        "ended": f"ended the whole program ({detail}) instead of returning",
+        "crashed": f"crashed Python ({detail})",
+        "killed": f"was ended from outside ({detail})",
+        "unreadable": f"sent back what cannot be read ({detail})",
     }
-    where = "it"
-    case = cases[run.index] if run.stage == "case" else None
-    if case is None:
-        where = (
-            "its cell, outside the function,"
-            if run.index >= own
-            else "a cell before it, which it uses,"
-        )
-    reason = (f"{where} {words[run.end]}",)
-    if run.end in WITHOUT_REPLY:
+    reason = (f"{what} {words[end]}",)
+    if end in WITHOUT_REPLY:
         twice = "It was run twice, the second time alone: somebody should look at it."
         return Verdict(
             exercise.name, "needs a person", case=case, reason=(*reason, twice)
         )
-    if case is None:
-        return Verdict(exercise.name, "error", reason=reason)
-    return Verdict(exercise.name, "error", 0, len(cases), case, reason=reason)
+    return Verdict(exercise.name, "error", 0, tried, case, reason=reason)
 
 
 def _renamed(name: str, found: Found, verdict: Verdict) -> Verdict:

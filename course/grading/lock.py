@@ -1,8 +1,7 @@
-"""A lock beside a table: two graders that write to one table would lose each other's
-rows.
+"""A lock beside a table: two graders writing to one table would lose each other's rows.
 
-Where the system has locks (``fcntl``, ``msvcrt``), it gives the lock back when its
-holder dies, however it dies. Where a file system has none, the file itself is the lock,
+Where the system has locks (``fcntl``, ``msvcrt``), it releases the lock when its holder
+dies, however that happens. Where a file system has none, the file itself is the lock,
 and one whose process is gone is taken over.
 """
 
@@ -18,7 +17,7 @@ from types import TracebackType
 
 FIRST_LINE = "lock of course grade"
 #: Windows locks bytes, not files: one far behind the text, so that others can read who
-#: holds it.
+#: holds the lock.
 FAR_BYTE = 1 << 20
 NEW_SECONDS = 0.2
 HELD, TAKEN, UNKNOWN = "held by another", "taken", "no locks here"
@@ -29,8 +28,8 @@ class Locked(ValueError):
 
 
 class Lock:
-    """``with Lock(path):`` one grader at a time; raises ``Locked`` at once where
-    another is at work.
+    """``with Lock(path):`` lets one grader in at a time; raises ``Locked`` for a
+    second.
     """
 
     def __init__(self, path: Path, what: str) -> None:
@@ -52,7 +51,7 @@ class Lock:
         raise Locked(f"{self.path} changes all the time: is another grader starting?")
 
     def _open(self) -> tuple[int, bool]:
-        """The lock file, and whether it was made by this call: only one can make it."""
+        """The lock file, and whether this call made it: only one can."""
         try:
             return os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o644), True
         except FileExistsError:
@@ -64,7 +63,7 @@ class Lock:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        # POSIX takes an open file away; on Windows it must be closed first.
+        # POSIX can remove an open file; on Windows it must be closed first.
         if sys.platform == "win32":
             os.close(self._number)
         try:
@@ -75,15 +74,15 @@ class Lock:
             os.close(self._number)
 
     def _is_ours(self, number: int, *, made: bool) -> bool:
-        """Whether the lock could be taken; False where its file was taken away
-        meanwhile: try again.
+        """Whether the lock was taken; False where its file was removed meanwhile: try
+        again.
         """
         state = _take(number)
         lines = _read(number).decode("utf-8", "replace").splitlines()
         if state == HELD or (lines and _may_live(lines, locked=state == TAKEN)):
             raise Locked(self._held_by(lines))
         if state == UNKNOWN and not made:
-            # An empty one may be another's that is just being made.
+            # An empty one may be another grader's, just being made.
             if lines or time.time() - os.fstat(number).st_mtime > NEW_SECONDS:
                 self.path.unlink(missing_ok=True)
             return False
@@ -123,7 +122,7 @@ def _read(number: int) -> bytes:
 
 
 def _may_live(lines: list[str], *, locked: bool) -> bool:
-    """Whether the holder that a lock file names may still be at work.
+    """Whether the holder that a lock file names may still be running.
 
     The system's lock is the surer sign, but some do not reach other machines.
     """
@@ -136,7 +135,8 @@ def _may_live(lines: list[str], *, locked: bool) -> bool:
 
 def _alive(pid: int) -> bool:
     if sys.platform == "win32":
-        return True  # os.kill would end it; but there the system's own lock is always there
+        # os.kill would end it there; but there the system's own lock always exists
+        return True
     try:
         os.kill(pid, 0)
     except ProcessLookupError:

@@ -1,6 +1,4 @@
-"""File names of pages: readable, and by a digest each submission's own on every file
-system.
-"""
+"""File names of pages: readable, and unique to a submission on every file system."""
 
 from __future__ import annotations
 
@@ -10,14 +8,12 @@ import unicodedata
 from collections import Counter
 from collections.abc import Sequence
 
-LONGEST = 80  # bytes of the readable part; 255 is what most file systems allow in all
+LONGEST = 80  # bytes of the readable part; most file systems allow 255 in all
 SHORT_DIGEST = 10
 
 
 def readable(text: str) -> str:
-    """A name as a part of a file's: letters, digits, single hyphens; it holds no
-    ``--``.
-    """
+    """A name as part of a file's: letters, digits and single hyphens, never ``--``."""
     plain = unicodedata.normalize("NFC", text[:500])
     plain = plain.encode("utf-8", "replace").decode()
     plain = re.sub(r"-{2,}", "-", re.sub(r"[^\w.-]+", "_", plain))
@@ -28,11 +24,11 @@ def readable(text: str) -> str:
 def page_names(
     named: Sequence[tuple[str, bytes]], *, prefix: str = ""
 ) -> tuple[str, ...]:
-    """A file name for each (readable text, bytes that are its own):
-    ``Ann_Lee--0123456789.html``.
+    """A file name for each (readable text, identifying bytes).
 
-    Names with a ``prefix`` (``student``) never meet those without. Where two would be
-    one on a file system that takes no notice of case, both get their digest in full.
+    For instance ``Ann_Lee--0123456789.html``. Names with a ``prefix`` (``student``)
+    never collide with those without. Where two would be equal on a file system that
+    ignores case, both get their full digest.
     """
     begin = f"{prefix}--" if prefix else ""
     stems = [begin + readable(text) for text, _ in named]

@@ -1,7 +1,8 @@
-"""What a batch found out of one file, and its row in the table of marks."""
+"""A batch's findings on one file, and its row in the table of marks."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -20,8 +21,10 @@ AGAIN = "again-"
 #: A spreadsheet takes a cell that begins with one of these (full-width forms too) for a
 #: formula.
 FORMULA = tuple("=+-@\t\r\n\uff1d\uff0b\uff0d\uff20")
+#: Where a semicolon separates cells, one of these behind it would begin a formula, too.
+INNER_FORMULA = re.compile(r"(;[\s\"]*)(?=[=+\-@\uff1d\uff0b\uff0d\uff20])")
 CELL_LIMIT = 2_000
-#: How the isolation of a row begins whose submission could do whatever the grader can.
+#: How the isolation of a row begins if its submission could do whatever the grader can.
 TRUSTED = "trusted"
 TRUSTED_MEANS = (
     "Submissions were trusted: nothing but a hook stood between them "
@@ -33,12 +36,12 @@ State = Literal["marked", "needs a person", "unusable"]
 
 @dataclass(frozen=True)
 class Submission:
-    """One file that was handed in: whose it is, which lesson, and the rows of its
-    exercises.
+    """One file that was handed in: whose it is, which lesson, and its exercises' rows.
 
     A file that cannot be marked has no lesson and no rows, and ``reason`` says why.
-    ``refused`` is what its code tried and was not let. With ``again`` a fault of this
-    machine stood in the way: a person has to look, or the next call judges it again.
+    ``refused`` is what its code attempted and was denied. With ``again`` a fault of
+    this machine stood in the way: a person has to look, or the next call judges it
+    again.
     """
 
     file: str
@@ -52,7 +55,7 @@ class Submission:
 
     @property
     def state(self) -> State:
-        """Whether it is marked, or a person has to look at it, or it cannot be used."""
+        """Whether it is marked, needs a person, or cannot be used."""
         if self.again or any(row.points is None for row in self.rows):
             return "needs a person"
         return "marked" if self.lesson else "unusable"
@@ -70,7 +73,9 @@ class Submission:
 
 def columns(exercises: Iterable[str], more: Iterable[str] = ()) -> tuple[str, ...]:
     """The table's columns: points, state and reason of each exercise between the
-    others; ``more`` are a person's.
+    others.
+
+    ``more`` are columns that a person added.
     """
     own = [
         column
@@ -81,7 +86,7 @@ def columns(exercises: Iterable[str], more: Iterable[str] = ()) -> tuple[str, ..
 
 
 def exercises_of(cells: Mapping[str, str]) -> list[str]:
-    """The exercises that a header or a row has columns of."""
+    """The exercises that a header or a row has columns for."""
     return [
         name for name in cells if f"{name}_state" in cells and f"{name}_reason" in cells
     ]
@@ -107,17 +112,19 @@ def cells_of(
 
 
 def safe_cell(value: Any) -> str:
-    """A value as a cell's text: on one line, and never a formula (a leading apostrophe
-    makes it text).
+    """A value as a cell's text: on one line, and never a formula.
+
+    A leading apostrophe makes it text.
     """
     if isinstance(value, int):
         return str(value)
     text = clean(" ".join(str(value).split()), CELL_LIMIT)
+    text = INNER_FORMULA.sub(r"\1'", text)
     return "'" + text if text.startswith(FORMULA) else text
 
 
 def told_by(cell: str) -> str:
-    """The text of a cell without the apostrophe that keeps a spreadsheet from reckoning
-    with it.
+    """The text of a cell without the apostrophe that stops a spreadsheet from
+    evaluating it.
     """
     return cell[1:] if cell[:1] == "'" and cell[1:].startswith(FORMULA) else cell

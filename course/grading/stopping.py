@@ -1,4 +1,4 @@
-"""Ctrl-C, SIGTERM and SIGHUP as an exception, at a moment when nothing is half done."""
+"""Ctrl-C, SIGTERM and SIGHUP as an exception, raised when nothing is half done."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 
 class Stopped(KeyboardInterrupt):
-    """The batch was told to stop by a signal; ``number`` is the signal's."""
+    """A signal stopped the batch; ``number`` is the signal's."""
 
     def __init__(self, number: int) -> None:
         super().__init__(f"stopped by {signal.Signals(number).name}")
@@ -19,10 +19,9 @@ class Stopped(KeyboardInterrupt):
 
 
 class Stopping:
-    """While entered, a signal to stop raises ``Stopped``; inside ``put_off`` only where
-    ``check`` is called.
+    """While entered, a signal raises ``Stopped``; inside ``put_off`` only in ``check``.
 
-    A second Ctrl-C is not put off. Signals that are ignored (``nohup``) stay so, and
+    A second Ctrl-C is not put off. Ignored signals (``nohup``) stay ignored, and
     outside the main thread, where Python cannot catch any, nothing is done.
     """
 
@@ -45,9 +44,7 @@ class Stopping:
 
     @contextmanager
     def put_off(self) -> Iterator[None]:
-        """Let no signal in until the end of the block, except where ``check`` is
-        called.
-        """
+        """Hold signals back until the end of the block, except in ``check``."""
         self._put_off = True
         try:
             yield

@@ -1,5 +1,6 @@
-"""Find what was handed in: every file of a folder and whose it is. Nothing is parsed or
-run here.
+"""Find what was handed in: every file of a folder, and whose it is.
+
+Nothing is parsed or run here.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from course.grading.table import is_table
 from course.grading.writing import CannotWrite, write_whole
 from course.sandbox.reply import clean
 
-#: What systems leave behind, in small letters; nobody hands it in.
+#: What operating systems leave behind, in lower case; nobody hands it in.
 LEFT_BEHIND = frozenset(
     {
         ".ds_store", "thumbs.db", "desktop.ini", "__macosx", ".ipynb_checkpoints", ".directory", ".fseventsd",
@@ -28,9 +29,9 @@ LEFT_BEHIND = frozenset(
     }
 )  # fmt: skip
 LEFT_BEHIND_BEGINS = ("~$", ".~lock.")
-APPLE_DOUBLE = b"\x00\x05\x16\x07"  # "._name": what a Mac knows of a file beside it
+APPLE_DOUBLE = b"\x00\x05\x16\x07"  # "._name": what a Mac stores about a file beside it
 
-#: Stands in every folder of pages that we write, so that a later batch knows it by.
+#: In every folder of pages that we write, so that a later batch recognizes it.
 MARKER = "written-by-course-grade.txt"
 MARKER_TEXT = (
     "Pages of feedback, written by course grade. This file says so to later batches.\n"
@@ -40,11 +41,10 @@ OURS_ENDS = (".html", ".part", ".lock")
 
 @dataclass(frozen=True)
 class Task:
-    """A file to mark: its name below the folder, where it is, whose it is, and where
-    its page goes.
+    """A file to mark: its name below the folder, its path, its student, and its page.
 
-    ``reason`` says why it cannot be marked, where that can be told without parsing it.
-    ``digest`` is of its place and its content.
+    ``reason`` says why it cannot be marked, if that is clear without parsing it.
+    ``digest`` covers its place and its content.
     """
 
     file: str
@@ -59,11 +59,11 @@ class Task:
 def find_tasks(
     folder: Path, lessons: Sequence[Lesson], feedback: Path, *, own: Sequence[Path] = ()
 ) -> list[Task]:
-    """Every file in the folder and below it; ``own`` is our own output, which may lie
+    """Every file in the folder and below; ``own`` is our own output, which may lie
     there too.
 
-    What is hidden or a link has one task that says so, and is not looked into. Raises
-    ``ValueError`` for a folder without any.
+    A hidden file or a link gets one task that says so, and is not opened. Raises
+    ``ValueError`` for an empty folder.
     """
     found = list(_found(folder, own))
     if not found:
@@ -89,8 +89,9 @@ def find_tasks(
 
 
 def read_content(task: Task) -> bytes:
-    """What a submission holds; raises ``OSError`` where it cannot be read or is no
-    longer what it was.
+    """A submission's content.
+
+    Raises ``OSError`` if it cannot be read or has changed.
     """
     with _opened(task.path) as file:
         content = file.read(MAXIMUM_BYTES + 1)
@@ -100,7 +101,7 @@ def read_content(task: Task) -> bytes:
 
 
 def read_plain_file(path: Path) -> bytes:
-    """What one notebook holds; raises ``UnusableNotebook`` with the reason where it cannot be read."""
+    """One notebook's content; raises ``UnusableNotebook`` if it cannot be read."""
     if not path.exists():
         raise UnusableNotebook("no such file")
     reason = _reason(path.resolve())
@@ -116,9 +117,7 @@ def digest_of(task: Task, content: bytes) -> str:
 
 
 def write_marker(feedback: Path) -> None:
-    """Make a folder of pages, so that a later batch knows it as one; raises
-    ``CannotWrite``.
-    """
+    """Make a folder of pages that a later batch recognizes; raises ``CannotWrite``."""
     try:
         feedback.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -144,8 +143,8 @@ def _task(task: Task) -> Task:
 
 
 def _begin(task: Task) -> bytes:
-    """Where it lies and why it is not read, before the content: none can be taken for
-    another.
+    """Its place and its reason, before the content, so that no two tasks share a
+    digest.
     """
     reason = task.reason.encode("utf-8", "replace")
     return b"%d %d\0" % (len(task.place), len(reason)) + task.place + reason
@@ -166,8 +165,8 @@ def _opened(path: Path):
 
 
 def _found(folder: Path, own: Sequence[Path]) -> Iterator[tuple[Path, str]]:
-    """Every path handed in, in order, with the reason why it cannot be marked; our own
-    output is left out.
+    """Every path handed in, in order, and why it cannot be marked; without our own
+    output.
     """
     ours = {_inode(path) for path in own} - {None}
     waiting = [folder]
@@ -202,14 +201,14 @@ def _inode(path: Path) -> tuple[int, int] | None:
 
 
 def _reason(path: Path) -> str | None:
-    """Why a path cannot be marked; "" for a file that may be, None for a folder to look
-    into.
+    """Why a path cannot be marked; "" for a file that can be, None for a folder to
+    open.
     """
     try:
         found = os.lstat(path)
     except OSError as error:
         return f"cannot be read: {error.strerror or error}"
-    is_junction = getattr(path, "is_junction", bool)  # a link of Windows, Python 3.12
+    is_junction = getattr(path, "is_junction", bool)  # a Windows link, Python 3.12
     folder = stat.S_ISDIR(found.st_mode)
     if stat.S_ISLNK(found.st_mode) or is_junction():
         return "a link: not followed; hand in the file itself"
@@ -239,14 +238,15 @@ def _left_behind(path: Path) -> bool:
 
 def _is_output(path: Path) -> bool:
     """Whether a file is a table of marks or a lock, of this or an earlier batch."""
-    first = _first(path, 1 << 16)  # of a table of all lessons the header has 10 kB
+    first = _first(path, 1 << 16)  # the header of a table of all lessons has 10 kB
     lock = path.suffix == ".lock" and first.startswith(FIRST_LINE.encode())
     return lock or is_table(first)
 
 
 def _is_feedback(folder: Path) -> bool:
-    """Whether a folder is our own pages and nothing else: the marker alone hides
-    nothing that was handed in.
+    """Whether a folder holds our own pages and nothing else.
+
+    The marker alone must not hide anything that was handed in.
     """
     marker = folder / MARKER
     if _first(marker, len(MARKER_TEXT)) != MARKER_TEXT.encode():

@@ -1,10 +1,10 @@
-"""The table of marks on disk: one row a submission, written as each is judged, so that
-a batch cut off keeps them.
+"""The table of marks on disk: a row per submission, written as soon as it is judged.
 
-The table is its own memory: its last column, ``key``, is a digest of everything the
-marks hang on, and a row whose key still fits is not made again. A row that was told as
-done survives the end of the program in any form, ``kill -9`` too; a failure of power
-may take the last ones, for rows are not waited for until they are on the disk.
+An interrupted batch keeps its rows. The table is its own memory: its last column,
+``key``, is a digest of everything the marks depend on, and a row whose key still fits
+is not made again. A finished row survives the end of the program in any form, ``kill
+-9`` too; a power failure may take the last ones, because rows are not flushed to the
+disk one by one.
 """
 
 from __future__ import annotations
@@ -21,15 +21,18 @@ from course.grading.report import AGAIN, FIRST, LAST, columns, exercises_of
 from course.grading.writing import CannotWrite, write_whole
 
 KEY = re.compile(rf"(?:{AGAIN})?[0-9a-f]{{64}}")
-BYTE_ORDER_MARK = "\ufeff"  # by it Excel knows the text as UTF-8
+BYTE_ORDER_MARK = "\ufeff"  # by it Excel recognizes UTF-8
 SEPARATORS = ",;\t"
 LINE = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+")
-MOST_LINES = 200  # of one row: a comment may have several, a damaged row has no end
+# bytes of one row: a comment may have several lines, a damaged row has no end
+MOST_LINES = 200
 
 
 @dataclass(frozen=True)
 class Found:
-    """What a table held: its exercises, the columns somebody added, and its whole rows."""
+    """What a table held: its exercises, the columns somebody added, and its complete
+    rows.
+    """
 
     exercises: tuple[str, ...] = ()
     more: tuple[str, ...] = ()
@@ -37,12 +40,12 @@ class Found:
 
 
 def read_table(path: Path) -> Found:
-    """A table written before, though Excel has saved it since; nothing for a file that
-    is none.
+    """The contents of an existing table, even if Excel has saved it; empty for a new
+    file.
 
-    A row that is not whole (the last one, where a program was ended in it) is left out.
-    Raises ``ValueError`` for a file that holds something else: it is not ours to write
-    over.
+    An incomplete row (the last one, if a program was killed while writing it) is left
+    out. Raises ``ValueError`` for a file that holds something else: it is not ours to
+    overwrite.
     """
     wanted = f"out: expected a table of marks or a new file; {path}"
     try:
@@ -66,7 +69,7 @@ def read_table(path: Path) -> Found:
 
 
 def is_table(first: bytes) -> bool:
-    """Whether a file that begins so is a table of marks."""
+    """Whether a file with this beginning is a table of marks."""
     return bool(_header(_decoded(first))[0])
 
 
@@ -79,27 +82,28 @@ def _decoded(content: bytes) -> str:
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        # Cut off within a letter at the very end it is UTF-8 all the same.
+        # UTF-8 that is cut off within its last character is still UTF-8.
         near_end = error.start >= len(content) - 4
         kind = "utf-8-sig" if near_end else "cp1252"
         return content.decode(kind, "replace")
 
 
 def _header(text: str) -> tuple[list[str], str]:
-    """The columns and what separates them; nothing where it is no table of marks."""
+    """The columns and their separator; both empty where it is no table of marks."""
     first = re.split(r"[\r\n]", text, maxsplit=1)[0]
     for separator in SEPARATORS:
         cells = _cells(first, separator)
-        # A table of an older version has fewer columns, one that was worked on may have
-        # more.
+        # A table of an older version has fewer columns; an edited one may have more.
         if cells[:3] == list(FIRST[:3]) and {*FIRST[:-1], "seed", LAST[-1]} <= {*cells}:
             return cells, separator
     return [], ""
 
 
 def _rows(text: str, header: Sequence[str], separator: str) -> list[dict[str, str]]:
-    """The whole rows. A line that is whole by itself ends a damaged row before it,
-    whatever quotes that left open.
+    """The complete rows.
+
+    A line that is complete by itself ends a damaged row before it, whatever quotes that
+    left open.
     """
     found: list[dict[str, str]] = []
     pending: list[str] = []
@@ -138,12 +142,11 @@ def _place(row: Mapping[str, str]) -> tuple[str, str]:
 
 
 class Table:
-    """The table on disk: whole rows first, then one more with every ``add``; ``close``
-    orders them.
+    """The table on disk: first the complete rows, then one more with every ``add``.
 
-    ``order`` is the order of the exercises' columns; one gets its columns with the
-    first row that has it. ``stale`` are rows of submissions that are being marked
-    again: each stays until its successor is there.
+    ``close`` sorts them. ``order`` is the order of the exercises' columns; an exercise
+    gets its columns with the first row that has it. ``stale`` are rows of submissions
+    that are being marked again: each stays until its successor is there.
     """
 
     def __init__(
@@ -164,8 +167,9 @@ class Table:
         self._write_whole()
 
     def add(self, cells: Mapping[str, str]) -> None:
-        """Append a row; the system has it when this returns. Raises ``CannotWrite``,
-        and then the file is as before.
+        """Append a row; the system has it when this returns.
+
+        Raises ``CannotWrite``, and then the file is as before.
         """
         before = self._before.get(cells["file"], {})
         row = {**cells, **{name: before.get(name, "") for name in self.more}}
@@ -183,20 +187,23 @@ class Table:
             raise CannotWrite(self.path, cause, kept) from error
 
     def close(self) -> None:
-        """Order the rows by file: they came in the order in which they were done."""
+        """Sort the rows by file: they were added in the order in which they were
+        finished.
+        """
         new = {row["file"] for row in self.rows}
         self.stale = [row for row in self.stale if row["file"] not in new]
         self.rows.sort(key=_place)
         try:
             self._write_whole()
         except OSError:
-            pass  # every row is in it, in the order of their coming
+            pass  # every row is in it, in the order of arrival
         finally:
             self._let_go()
 
     def _is_there(self) -> bool:
-        """Whether the open file is still the one of this name: an editor that saves may
-        put another in its place, or somebody take it away.
+        """Whether the open file still has this name.
+
+        An editor that saves may replace it, or somebody may delete it.
         """
         try:
             return os.path.samestat(os.stat(self.path), os.fstat(self._number))
@@ -204,7 +211,7 @@ class Table:
             return False
 
     def _append(self, line: bytes) -> None:
-        """Write a line or nothing of it."""
+        """Write the whole line or nothing."""
         size = os.fstat(self._number).st_size
         try:
             while line:

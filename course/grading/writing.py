@@ -1,4 +1,4 @@
-"""Files written whole or not at all, and what is said where one cannot be written."""
+"""Write files whole or not at all, and say what to do where one cannot be written."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ CURES = {
 
 
 class CannotWrite(OSError):
-    """A file of the grader's that cannot be written; the text names it, the reason and
-    the cure.
+    """A file of the grader's that cannot be written; names it, the reason and the
+    remedy.
     """
 
     def __init__(self, path: Path, error: OSError, kept: str = "") -> None:
@@ -29,11 +29,10 @@ class CannotWrite(OSError):
 
 
 def write_whole(path: Path, text: str, *, lasting: bool = False) -> None:
-    """Write a text file in UTF-8 whole or not at all; ``lasting`` waits until it is on
-    the disk.
+    """Write a text file in UTF-8, whole or not at all; ``lasting`` waits for the disk.
 
-    The text goes to ``NAME.part`` beside the file first: a file that a killed grader
-    left there is written over by the next one. Raises ``CannotWrite``.
+    The text goes to ``NAME.part`` beside the file first; one that a killed grader left
+    there is overwritten by the next. Raises ``CannotWrite``.
     """
     path = Path(os.path.realpath(path))
     part = path.with_name(path.name + ".part")
@@ -48,7 +47,7 @@ def write_whole(path: Path, text: str, *, lasting: bool = False) -> None:
         try:
             part.unlink(missing_ok=True)
         except OSError:
-            pass  # what cannot be written cannot always be taken away either
+            pass  # what cannot be written cannot always be deleted either
         if isinstance(error, OSError):
             raise CannotWrite(path, error) from error
         raise

@@ -1,4 +1,6 @@
-"""One question asked of two shapes: do they overlap, how far apart are they, where do they touch."""
+"""One question asked of two shapes: do they overlap, how far apart are they, where do
+they touch.
+"""
 
 from course.overlap.box_faces import stacked_box_contacts
 from course.overlap.contact_arrays import FEATURES, Contacts

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,8 +15,10 @@ from course.arrays import (
     choice,
     failure,
     indices,
+    instances,
     read_only,
     scalars,
+    selection,
     shaped,
     unit_vectors,
     written,
@@ -24,8 +26,17 @@ from course.arrays import (
 from course.arrays import matrices as matrices_of
 from course.arrays import vectors as vectors_of
 
-#: What carries the normal: a face of B, a face of A, two crossing edges, or neither (curved surfaces).
+#: What carries the normal: a face of B, a face of A, two crossing edges, or none of
+#: these (curved surfaces).
 FEATURES = ("face_b", "face_a", "edges", "curved")
+
+
+class Side(NamedTuple):
+    """One side of c contacts: bodies (c,), points (c, 3) [m], +1 for A or -1 for B."""
+
+    body: IntArray
+    point: Array
+    sign: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +60,8 @@ class Contacts:
             [1/m], read where the feature is "curved" and needed there.
         pair: (c,) ints, which pair of a batch the contact belongs to.
     Raises:
-        ValueError: another shape or kind, a body against itself, a feature without its data.
+        ValueError: another shape or kind, a body against itself, a feature without
+            its data.
     """
 
     body_a: IntArray
@@ -105,22 +117,27 @@ class Contacts:
         return self.body_a.size
 
     def __getitem__(self, which: ArrayLike | slice) -> Contacts:
-        """The contacts picked by a mask, by indices or by a slice, in that order; an int picks one."""
-        if not isinstance(which, slice):
-            index = np.atleast_1d(np.asarray(which))
-            if index.dtype != bool and not (index.size and index.dtype.kind in "iu"):
-                if index.size:
-                    raise failure(
-                        "contacts[...]",
-                        "a mask, whole numbers or a slice",
-                        written(which),
-                    )
-                index = index.astype(np.intp)
-            if index.dtype == bool:
-                shaped("contacts[mask]", index, (len(self),))
-            which = index
-        picked: list[Any] = [None if f is None else f[which] for f in self._arrays()]
+        """The contacts that a mask, indices or a slice select, in that order.
+
+        An int gives a ``Contacts`` of one. All fields are copies, the optional
+        ones included.
+        """
+        index = selection("contacts", which, len(self))
+        picked: list[Any] = [None if f is None else f[index] for f in self._arrays()]
         return Contacts(*picked)
+
+    @property
+    def sides(self) -> tuple[Side, Side]:
+        """Both sides of all contacts, A then B: what a sum over bodies loops over.
+
+        ``for body, point, sign in contacts.sides``: which bodies (c,), the material
+        points p_A or p_B (c, 3) [m], and +1 or -1, as a force f or impulse >= 0
+        pushes A along +N and B along -N.
+        """
+        return (
+            Side(self.body_a, self.point_a, 1.0),
+            Side(self.body_b, self.point_b, -1.0),
+        )
 
     @property
     def point_a(self) -> Array:
@@ -133,18 +150,13 @@ class Contacts:
         return self.point - 0.5 * self.separation[:, None] * self.normal
 
     @staticmethod
-    def concatenate(parts: Sequence[Contacts]) -> Contacts:
+    def concatenate(parts: Iterable[Contacts]) -> Contacts:
         """All contacts of all parts, in order.
 
         Edges and curvatures that a part does not have are filled with NaN
         (its features do not read them); ``pair`` is kept if every part has it.
         """
-        parts = list(parts)
-        if not parts:
-            raise failure("parts", "at least one Contacts", "none")
-        for i, part in enumerate(parts):
-            if not isinstance(part, Contacts):
-                raise failure(f"parts[{i}]", "Contacts", type(part).__name__)
+        parts = instances("parts", parts, Contacts)
         columns: list[Any] = []
         for field, column in zip(
             fields(Contacts),
@@ -192,7 +204,7 @@ def _features(value: ArrayLike | None, count: int) -> NDArray[Any]:
 def _needed(
     name: str, value: Any, rows: NDArray[np.bool_], core: tuple[int, ...]
 ) -> NDArray[Any] | None:
-    """The array with zeros in the rows nobody reads, ready to be checked."""
+    """The array with zeros in the rows that are not read, ready to be checked."""
     if value is None:
         if np.any(rows):
             word = "edges" if name.startswith("edge") else "curved"

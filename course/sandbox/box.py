@@ -1,8 +1,9 @@
-"""How the process of a submission is shut in: bubblewrap where it works, else a plain process.
+"""How the process of a submission is isolated: by bubblewrap, else not at all.
 
-bubblewrap (github.com/containers/bubblewrap) starts a program with namespaces of its own: it sees no other process, no
-network, no file but those named here, and dies with the grader. It is used on Linux wherever a probe run with it
-succeeds; some containers and distributions refuse namespaces. Without it a submission has the rights of the grader,
+bubblewrap (github.com/containers/bubblewrap) starts a program in its own namespaces: it
+sees no other process, no network and no file but those named here, and it dies with the
+grader. It is used on Linux wherever a probe run with it succeeds; some containers and
+distributions forbid namespaces. Without it a submission runs with the grader's rights,
 and ``Isolation.trusted`` says so.
 """
 
@@ -20,7 +21,7 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
 ROOT = PACKAGE.parent
-#: All of the course that the child imports, and all of it that is in the box.
+#: All of the course that the child imports, and all of it that the box contains.
 CHILD_FILES = (
     "course/__init__.py",
     "course/exercises/__init__.py",
@@ -31,18 +32,19 @@ CHILD_FILES = (
     "course/sandbox/__init__.py",
     "course/sandbox/child.py",
     "course/sandbox/ending.py",
+    "course/sandbox/forks.py",
     "course/sandbox/guard.py",
     "course/sandbox/limits.py",
     "course/sandbox/messages.py",
+    "course/sandbox/notebook_shell.py",
     "course/sandbox/plan.py",
-    "course/sandbox/runner.py",
     "course/sandbox/seccomp.py",
     "course/sandbox/serving.py",
     "course/sandbox/stand_ins.py",
     "course/sandbox/watching.py",
     "course/sandbox/wire.py",
 )
-#: Where these lie, and where the one folder is that can be written to.
+#: Where these are mounted, and where the one writable folder is.
 FILES_IN_BOX, WORK_IN_BOX = "/box-of-course/files", "/box-of-course/work"
 DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom", "/dev/random")
 LIBRARIES = ("/lib", "/lib64", "/lib32", "/usr/lib", "/usr/lib64", "/usr/lib32")
@@ -54,7 +56,10 @@ KEPT_ENVIRONMENT = (
 
 @dataclass(frozen=True)
 class Isolation:
-    """What shuts submissions in on this machine, in words; ``boxed`` where no submission has the grader's rights."""
+    """How submissions are isolated on this machine, in words.
+
+    ``boxed`` where no submission has the grader's rights.
+    """
 
     boxed: bool
     parts: tuple[str, ...]
@@ -75,7 +80,10 @@ class Start:
 
 
 def start_in_box(memory_mb: int, file_mb: int) -> Start:
-    """The start of a child in a box. Everything in it is read-only but one folder in memory, of ``file_mb``."""
+    """How to start a child in a box.
+
+    Everything in it is read-only except one folder in memory, of ``file_mb``.
+    """
     program = bubblewrap()
     if program is None:
         raise FileNotFoundError("bubblewrap (bwrap) is not installed")
@@ -87,7 +95,7 @@ def start_in_box(memory_mb: int, file_mb: int) -> Start:
 
 
 def start_plain(work: Path) -> Start:
-    """The start of a child without a box, with ``work`` as its folder."""
+    """How to start a child without a box, with ``work`` as its folder."""
     told = {"root": str(ROOT), "path": _packages(), "work": str(work),
             "closed": [str(PACKAGE), str(ROOT / "solutions")], "boxed": False}  # fmt: skip
     child = str(PACKAGE / "sandbox" / "child.py")
@@ -103,13 +111,17 @@ def bubblewrap() -> str | None:
 
 
 def _python(child: str, told: object) -> tuple[str, ...]:
-    """Python with nothing of the user's: no site, no environment, no byte code written."""
+    """Python without the user's settings: no site, no environment, no byte code
+    written.
+    """
     program = os.path.realpath(sys.executable)
     return (program, "-I", "-S", "-B", "-X", "utf8", child, json.dumps(told))
 
 
 def _environment(work: str) -> dict[str, str]:
-    """Every folder that programs ask the environment for is the child's own; one thread."""
+    """Every folder that programs look up in the environment is the child's own; one
+    thread.
+    """
     places = dict.fromkeys(
         ("HOME", "USERPROFILE", "TMPDIR", "TMP", "TEMP", "MPLCONFIGDIR"), work
     )
@@ -121,7 +133,9 @@ def _environment(work: str) -> dict[str, str]:
 
 
 def _walls(file_mb: int) -> list[str]:
-    """bubblewrap's options: own namespaces, no capability, the files that can be read, the folder to write in."""
+    """bubblewrap's options: namespaces, no capabilities, readable files, writable
+    folder.
+    """
     walls = ["--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"]
     walls += ["--hostname", "box", "--die-with-parent", "--new-session"]
     walls += ["--cap-drop", "ALL", "--clearenv"]
@@ -146,7 +160,9 @@ def _walls(file_mb: int) -> list[str]:
 
 @cache
 def _readable() -> tuple[str, ...]:
-    """The interpreter, its libraries and its packages: outermost folders first, none twice."""
+    """The interpreter, its libraries and its packages, outermost folders first, no
+    repeats.
+    """
     program = os.path.realpath(sys.executable)
     wanted = [*LIBRARIES, program, *_packages()]
     wanted += [sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")]
@@ -154,7 +170,7 @@ def _readable() -> tuple[str, ...]:
     if sys.base_prefix not in ("/", "/usr", "/usr/local"):
         wanted.append(
             own
-        )  # shared libraries of an interpreter of one's own (pyenv, conda)
+        )  # shared libraries of a separately installed interpreter (pyenv, conda)
     else:
         library = sysconfig.get_config_var("LDLIBRARY") or ""
         wanted.append(os.path.join(sysconfig.get_config_var("LIBDIR") or own, library))
@@ -169,9 +185,11 @@ def _readable() -> tuple[str, ...]:
 
 @cache
 def _packages() -> list[str]:
-    """Where packages are imported from: the interpreter's folders and those made for packages.
+    """Where packages are imported from: the interpreter's folders and those for
+    packages.
 
-    The checkout, and the folder that the grader stands in, hold what a submission has no business with.
+    The checkout and the grader's working folder are left out: they hold files that a
+    submission must not see.
     """
     homes = {Path(sys.prefix), Path(sys.base_prefix)}
     ours = {ROOT, PACKAGE}

@@ -1,4 +1,7 @@
-"""The process of a submission; started as a file, by its path, with what it needs to find the rest."""
+"""The process of a submission, started as a file by its path.
+
+Its argument says where it finds everything else.
+"""
 
 import json
 import sys

@@ -5,14 +5,15 @@ from __future__ import annotations
 import signal
 from typing import Literal
 
-#: "replied": results came. "time", "files", "memory": a limit was passed. "blocked": a cell it needs ended an earlier
-#: run. The rest came without a reply: "ended" by the program itself, "crashed", "killed" from outside, "unreadable".
+#: "replied": results came. "time", "files", "memory", "threads": a limit was passed. The
+#: rest came without a reply: "ended" by the program itself, "crashed", "killed" from
+#: outside, "unreadable".
 End = Literal[
     "replied",
     "time",
     "files",
     "memory",
-    "blocked",
+    "threads",
     "ended",
     "crashed",
     "killed",
@@ -23,7 +24,7 @@ ENDS: tuple[End, ...] = (
     "time",
     "files",
     "memory",
-    "blocked",
+    "threads",
     "ended",
     "crashed",
     "killed",

@@ -1,17 +1,22 @@
-"""Refuse, and tell of, what an answer has no business with: processes, signals, the network, files outside its folder.
+"""Refuse and report what no answer needs: processes, signals, the network, other files.
 
-An audit hook (PEP 578) costs little and works on every platform. It raises the price and no more: code that sets out
-to break it can. In a box it is the witness, so that an attack does not look like a crash; without one it is all there
-is, and the report says that submissions were trusted. No mark hangs on it: verdicts are not made in this process.
+An audit hook (PEP 578) is cheap and works on every platform. It raises the cost of an
+attack, no more: code written to break it can. In a box it is the witness, so that an
+attack is not mistaken for a crash; without a box it is the only protection, and the
+report says that submissions were trusted. No mark depends on it: verdicts are not made
+in this process.
 """
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
+
+from course.sandbox.seccomp import FCNTL_COMMANDS, IOCTL_COMMANDS
 
 REFUSED = frozenset(
     "os.fork os.forkpty os.exec os.posix_spawn os.spawn os.system os.startfile os.startfile/2 subprocess.Popen "
@@ -22,7 +27,7 @@ REFUSED = frozenset(
     "webbrowser.open _winapi.CreateProcess _winapi.TerminateProcess winreg.CreateKey winreg.SetValue "
     "ftplib.connect http.client.connect smtplib.connect poplib.connect imaplib.open telnetlib.Telnet.open".split()
 )
-#: What no audit event tells of, module by module.
+#: What raises no audit event, module by module.
 UNTOLD = {
     "os": "mknod mkfifo pidfd_open memfd_create sched_setscheduler sched_setaffinity sched_setparam setpriority nice "
     "chroot unshare setns",
@@ -36,6 +41,12 @@ CHANGES = frozenset(
 )
 TWO_PATHS = frozenset({"os.rename", "os.link", "os.symlink"})
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+#: Numbers of Linux.
+COMMANDS: dict[str, tuple[int, ...]] = (
+    {"fcntl.fcntl": FCNTL_COMMANDS, "fcntl.ioctl": IOCTL_COMMANDS}
+    if sys.platform.startswith("linux")
+    else {}
+)
 #: Where Python and its packages look for what need not be there: no attempt of a student's.
 HARMLESS = (
     "/dev",
@@ -48,7 +59,7 @@ HARMLESS = (
     "/proc/meminfo",
     "/proc/stat",
 )
-#: An attempt is told in at most so many characters.
+#: Characters of a reported attempt; the rest is cut off.
 TOLD = 200
 
 Tell = Callable[[str], None]
@@ -56,11 +67,11 @@ Tell = Callable[[str], None]
 
 def install_guard(
     own: str, closed: Sequence[str], packages: Sequence[str], tell: Tell
-) -> None:
+) -> _Guard:
     """From now on writing works in the folder ``own`` alone, and the folders ``closed`` cannot be read.
 
-    ``tell`` is called with each attempt that is refused, in words. What is looked for in vain among the ``packages``
-    is Python's own affair and not told.
+    ``tell`` is called with a description of each refused attempt. Failed look-ups among
+    the ``packages`` are Python's own and are not reported.
     """
     guard = _Guard(own, closed, tuple(packages), tell)
     for module, names in UNTOLD.items():
@@ -68,10 +79,11 @@ def install_guard(
             guard.replace(module, name)
     guard.refuse_folders_by_number()
     sys.addaudithook(guard)
+    return guard
 
 
 class _Guard:
-    """The hook: called with every event, it raises ``PermissionError`` for those that are refused."""
+    """The hook: called with every event, raises ``PermissionError`` to refuse it."""
 
     def __init__(
         self, own: str, closed: Sequence[str], packages: tuple[str, ...], tell: Tell
@@ -80,12 +92,27 @@ class _Guard:
         self._shut = [os.path.realpath(folder) for folder in closed]
         self._harmless = (*HARMLESS, *filter(None, packages))
         self._tell = tell
+        self._aside = False
+
+    @contextlib.contextmanager
+    def aside(self) -> Iterator[None]:
+        """Stand aside for what is our own to do."""
+        self._aside = True
+        try:
+            yield
+        finally:
+            self._aside = False
 
     def __call__(self, event: str, details: tuple[Any, ...]) -> None:
+        if self._aside:
+            return
         if event in REFUSED:
             self._refuse(event, f"{event} is not allowed while an answer is marked")
         elif event == "open":
             self._open(*details)
+        elif event in COMMANDS and details[1] in COMMANDS[event]:
+            words = f"{event}({details[1]}) is not allowed while an answer is marked"
+            self._refuse(event, words)
         elif event in CHANGES:
             for path in details[: 2 if event in TWO_PATHS else 1]:
                 if isinstance(path, (str, bytes, os.PathLike)):
@@ -97,7 +124,7 @@ class _Guard:
 
     def _open(self, path: Any, mode: Any, flags: Any) -> None:
         if not isinstance(path, (str, bytes, os.PathLike)):
-            return  # an open file's number
+            return  # the descriptor of an open file
         if isinstance(flags, int) and flags & WRITING:
             self._require_inside(path)
             return
@@ -119,7 +146,7 @@ class _Guard:
             self._refuse(f"writing to {place}", f"{words}: {place}")
 
     def replace(self, module: str, name: str) -> None:
-        """Put a function that refuses in the place of one."""
+        """Replace a function by one that refuses."""
         try:
             home = importlib.import_module(module)
         except ImportError:
@@ -136,7 +163,9 @@ class _Guard:
         return refused
 
     def refuse_folders_by_number(self) -> None:
-        """Close ``dir_fd``, a folder told by an open number: the events do not carry it."""
+        """Refuse ``dir_fd``, a folder given by its descriptor: the events do not show
+        it.
+        """
         import shutil
 
         shutil._use_fd_functions = False  # type: ignore[attr-defined]

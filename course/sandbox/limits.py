@@ -1,7 +1,7 @@
 """The limits a process sets on itself before it runs what a student wrote.
 
-POSIX has resource limits; Windows has job objects. ``apply_limits`` returns what took hold on this machine, in
-words, so that a report can say it.
+POSIX has resource limits; Windows has job objects. ``apply_limits`` returns the limits
+that took effect on this machine, in words, for the report.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Limits:
-    """What one run of an answer may use: seconds (of the clock and of the processor), memory, files written."""
+    """What one run of an answer may use: wall and processor seconds, memory, files
+    written.
+    """
 
     seconds: float = 10.0
     memory_mb: int = 2000
@@ -27,7 +29,8 @@ class Limits:
             raise ValueError(
                 f"time_limit: expected seconds above 0; got {self.seconds!r}"
             )
-        if not self.memory_mb >= 256:  # Python with NumPy alone maps about half of that
+        # Python with NumPy alone maps about half of that.
+        if not self.memory_mb >= 256:
             raise ValueError(
                 f"memory_mb: expected at least 256; got {self.memory_mb!r}"
             )
@@ -38,7 +41,7 @@ class Limits:
 
 
 def apply_limits(limits: Limits) -> list[str]:
-    """Limit the calling process for good; returns the limits that took hold."""
+    """Limit the calling process for good; returns the limits that took effect."""
     if sys.platform == "win32":
         return _by_job_object(limits)
     else:
@@ -61,7 +64,8 @@ def memory_limited(limits: Limits) -> Iterator[None]:
 
 
 if sys.platform == "win32":
-    # Written from the documentation of the job object API (learn.microsoft.com, "Job Objects").
+    # Written from the documentation of the job object API (learn.microsoft.com, "Job
+    # Objects").
     import ctypes
     from ctypes import wintypes
 
@@ -92,7 +96,9 @@ if sys.platform == "win32":
     _TIME, _PROCESSES, _MEMORY, _KILL_ON_CLOSE = 0x2, 0x8, 0x100, 0x2000
 
     def _by_job_object(limits: Limits) -> list[str]:
-        """Join a job of one process. The handle stays open: when this process ends, the job ends with it."""
+        """Join a job of one process. The handle stays open: when this process ends, so
+        does the job.
+        """
         try:
             kernel = ctypes.WinDLL("kernel32", use_last_error=True)
             kernel.CreateJobObjectW.restype = wintypes.HANDLE
@@ -124,24 +130,27 @@ if sys.platform == "win32":
             ):
                 return ["processor time", "memory", "one process"]
         except (OSError, AttributeError):
-            pass  # what did not take hold is not claimed
+            pass  # a limit that did not take effect is not claimed
         return []
 
 else:
     import resource
 
     def _by_resource(limits: Limits) -> list[str]:
-        # What Python needed to start is on this clock too, and with it what an answer's packages took to load.
+        # Python's start-up and the loading of an answer's packages are on this clock
+        # too.
         seconds = math.ceil(limits.seconds + time.process_time()) + 2
         wanted = [
-            ("", "RLIMIT_CORE", 0),
+            # Not 0: where dumps go to a program, Linux starts that one all the same.
+            ("", "RLIMIT_CORE", 1),
             ("processor time", "RLIMIT_CPU", seconds),
             ("memory", "RLIMIT_AS", limits.memory_mb * 1_000_000),
             ("file size", "RLIMIT_FSIZE", limits.file_mb * 1_000_000),
             ("open files", "RLIMIT_NOFILE", 64),
             ("", "RLIMIT_MSGQUEUE", 0),
         ]
-        # RLIMIT_NPROC is left alone: it counts threads, of which solvers need some, and does not hold for root.
+        # RLIMIT_NPROC is not set: it counts threads, of which solvers need some, and
+        # does not bind root.
         return [words for words, name, value in wanted if _set(name, value) and words]
 
     def _set(name: str, value: int, *, lasting: bool = True) -> bool:
@@ -150,7 +159,8 @@ else:
             return False
         _, hardest = resource.getrlimit(kind)
         value = value if hardest == resource.RLIM_INFINITY else min(value, hardest)
-        # The softer limit on the processor tells why the process ends (SIGXCPU), the harder one only ends it.
+        # The soft processor limit tells why the process ends (SIGXCPU), the hard one
+        # just ends it.
         hard = (
             value + 2
             if name == "RLIMIT_CPU" and hardest == resource.RLIM_INFINITY

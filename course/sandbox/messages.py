@@ -17,6 +17,7 @@ LONGEST = HEADER_LIMIT + BODY_LIMIT + 8
 
 READY, ASK, TOLD, UNUSABLE = b"A", b"Q", b"N", b"U"  # serving and the grader
 STAGE, TRIED, REPLY, END = b"S", b"T", b"R", b"E"  # an exercise's run
+NOTE, DONE = b"O", b"D"  # what a cell raised; a fork of the notebook's ended
 FAULT = b"F"  # of ours, in its process
 
 

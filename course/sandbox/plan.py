@@ -1,16 +1,17 @@
-"""From a notebook to what is run for each of its exercises. It happens in the box, before anything is run."""
+"""From a notebook to what is run of it. It happens in the box, before anything is run."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from course.exercises.notebook_file import ExerciseCell, NotebookFile
+from course.exercises.notebook_file import CodeCell, ExerciseCell, NotebookFile
 from course.exercises.source import (
+    DYNAMIC,
+    closure,
+    facts_of,
     is_blank,
     is_left_blank,
-    needed_cells,
     python_only,
 )
 
@@ -19,39 +20,54 @@ State = Literal["blank", "fault", "run"]
 
 @dataclass(frozen=True)
 class Planned:
-    """An exercise: blank, at fault (``cell`` says why), or the cells to run, in order, with its own as the last.
-
-    A cell is its source, and whether to go on after a statement that fails.
-    """
+    """An exercise: blank, at fault as far as its source tells (``cell`` says why), or to be run; and its own cells."""
 
     cell: ExerciseCell
     state: State
-    cells: tuple[tuple[str, bool], ...] = ()
+    own: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Step:
+    """A code cell to run: its place, source, and whether to go on after a statement that fails."""
+
+    index: int
+    source: str
+    tolerant: bool = False
 
 
 def plan_of(notebook: NotebookFile) -> tuple[Planned, ...]:
-    """What is run for each exercise, in the lesson's order."""
-    plain = [python_only(cell.source) for cell in notebook.cells]
-    return tuple(_planned(notebook, plain, i) for i in range(len(notebook.cells)))
+    """What reading tells of each exercise, in the lesson's order."""
+    return tuple(_planned(notebook, cell) for cell in notebook.cells)
 
 
-def _planned(notebook: NotebookFile, plain: Sequence[str], index: int) -> Planned:
-    cell, source = notebook.cells[index], plain[index]
+def steps_of(notebook: NotebookFile) -> tuple[Step, ...]:
+    """The cells to run, in the notebook's order: all but the lesson's own that are unchanged and not needed.
+
+    An import that fails stops no other: what is missing may not be needed.
+    """
+    theirs = [facts_of(cell.source) for cell in notebook.code if not cell.handed_out]
+    given = [cell for cell in notebook.code if cell.handed_out]
+    used = frozenset[str]().union(*(facts.uses for facts in theirs))
+    if used & DYNAMIC or not all(facts.parsed for facts in theirs):
+        needed = set(map(id, given))
+    else:
+        needed = {id(given[i]) for i in closure([c.source for c in given], used)}
+    return tuple(
+        Step(index, cell.source, cell.role == "imports")
+        for index, cell in enumerate(notebook.code)
+        if not cell.handed_out or id(cell) in needed
+    )
+
+
+def _planned(notebook: NotebookFile, cell: ExerciseCell) -> Planned:
+    source = python_only(cell.source)
+    own = tuple(i for i, c in enumerate(notebook.code) if _is_of(c, cell))
     if is_blank(source, cell.name) or (cell.fault and is_left_blank(source)):
-        return Planned(cell, "blank")
-    if cell.fault and not cell.nearest:
-        return Planned(cell, "fault")
-    earlier = _earlier(notebook, plain[:index], source)
-    return Planned(cell, "run", (*earlier, (source, False)))
+        return Planned(cell, "blank", own)
+    return Planned(cell, "fault" if cell.fault else "run", own)
 
 
-def _earlier(
-    notebook: NotebookFile, before: Sequence[str], source: str
-) -> tuple[tuple[str, bool], ...]:
-    """The cells to run before the answer's own: of the preamble and of exercises before it, those it needs."""
-    cells = [(python_only(s), True) for s in notebook.preamble]
-    for text in before:
-        if text and text != source and (text, True) not in cells:
-            cells.append((text, False))
-    kept = needed_cells([text for text, _ in cells], source)
-    return tuple(cells[i] for i in kept)
+def _is_of(code: CodeCell, cell: ExerciseCell) -> bool:
+    name = cell.nearest or cell.name
+    return code.exercise == cell.name or name in facts_of(code.source).defines

@@ -24,44 +24,34 @@ KINDS = ("value", "none", "raised", "unreadable", "unattempted")
 
 @dataclass(frozen=True)
 class Reply:
-    """What came back, checked: the outcomes, or why there are none; ``notes`` are (cell, what it raised)."""
+    """What came back, checked: the outcomes, or why there are none; ``checked`` where the notebook itself asked."""
 
     outcomes: tuple[Outcome, ...] = ()
     missing: bool = False
     blank: bool = False
     fault: str = ""
-    notes: tuple[tuple[int, str], ...] = ()
     held: tuple[str, ...] = ()
+    checked: bool = False
 
 
-def checked_reply(told: Any, cells: int, most: Sequence[int], results: int) -> Reply:
+def checked_reply(told: Any, most: Sequence[int], results: int) -> Reply:
     """The reply as a ``Reply``; raises ``Unreadable`` where a part is not what it should be."""
     if not isinstance(told, dict):
         raise wire.Unreadable("no table of results")
-    notes = tuple(
-        (note[0], clean(note[1], TEXT_LIMIT * 3))
-        for note in _list(told.get("notes", []))[:cells]
-        if isinstance(note, list)
-        and len(note) == 2
-        and type(note[0]) is int
-        and 0 <= note[0] < cells
-    )
     held = tuple(word for word in LIMIT_WORDS if word in _list(told.get("held", [])))
+    more: dict[str, Any] = {"held": held, "checked": told.get("checked") is True}
     if told.get("missing") is True:
-        return Reply(missing=True, notes=notes, held=held)
+        return Reply(missing=True, **more)
     if told.get("blank") is True:
-        return Reply(blank=True, notes=notes, held=held)
+        return Reply(blank=True, **more)
     if "fault" in told:
-        return Reply(
-            fault=clean(told["fault"], TEXT_LIMIT * 3) or "it stopped",
-            notes=notes,
-            held=held,
-        )
+        fault = clean(told["fault"], TEXT_LIMIT * 3) or "it stopped"
+        return Reply(fault=fault, **more)
     listed = _list(told.get("outcomes"))
     if len(listed) != len(most):
         raise wire.Unreadable(f"{len(listed)} results for {len(most)} cases")
     outcomes = tuple(map(_outcome, listed, most, [results] * len(most)))
-    return Reply(outcomes, notes=notes, held=held)
+    return Reply(outcomes, **more)
 
 
 def _outcome(told: Any, most: int, results: int) -> Outcome:

@@ -28,12 +28,20 @@ from course.sandbox.box import Isolation, Start, bubblewrap, start_in_box, start
 from course.sandbox.ending import ENDS, End, end_of
 from course.sandbox.limits import Limits
 from course.sandbox.reply import Reply, checked_reply, clean
-from course.sandbox.watching import START_SECONDS, Seen, watches_memory
+from course.sandbox.watching import START_SECONDS, watches_memory
 
 #: For a notebook to be read, once its process has started; a lesson of fifty cells takes a hundredth of that.
 READ_SECONDS = 10.0
 #: Beyond the limits of a run, for its process to tell of it.
 GRACE_SECONDS = 15.0
+#: Messages that wait to be looked at; a process that sends more waits itself.
+MOST_WAITING = 4
+#: Numbers and text of a reply but its arrays [bytes]: for each case and each cell.
+REPLY_HEADER = 20_000
+#: Exit codes of a process that somebody else ended, of a box (128 and the signal) too.
+KILLED = frozenset(n for s in (1, 9, 15) for n in (-s, 128 + s))
+#: For a process to take what it is sent.
+SEND_SECONDS = 60.0
 #: Without forks a process answers one question.
 FORKS = sys.platform != "win32"
 
@@ -62,13 +70,12 @@ class Question:
 
 @dataclass(frozen=True)
 class Found:
-    """What reading found of an exercise: "blank", "fault" (with why), or "run", with how many cells."""
+    """What reading found of an exercise: "blank", "fault" (with why), or "run"."""
 
     state: str
     fault: str = ""
     nearest: str = ""
     needs_person: bool = False
-    cells: int = 0
 
 
 @dataclass(frozen=True)
@@ -81,17 +88,29 @@ class Reading:
 
 @dataclass(frozen=True)
 class Run:
-    """How the run of an exercise ended, where it stood then (``stage`` "cell" or "case", and its index), the reply if
-    one came, what it tried and was refused, and for a run that was "blocked", ``by`` which exercise's."""
+    """How one answer to an exercise ended, the case it stood at then (-1: none), and the reply if one came."""
 
     end: End
-    stage: str = ""
-    index: int = 0
+    case: int = -1
     reply: Reply | None = None
     detail: str = ""
     seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class Answers:
+    """What a notebook gave for an exercise: a run for every time it was checked, or one at the notebook's end.
+
+    ``own`` is how the exercise's own cell was stopped, ``others`` whether other cells were (end, detail); ``notes``
+    are what cells raised, each with whether it is the exercise's own; ``refused`` what was tried and refused.
+    """
+
+    runs: tuple[Run, ...] = ()
+    own: tuple[End, str] | None = None
+    others: tuple[tuple[End, str], ...] = ()
+    notes: tuple[tuple[bool, str], ...] = ()
     refused: tuple[str, ...] = ()
-    by: int = -1
+    whole: bool = True
 
 
 @dataclass(frozen=True)
@@ -139,6 +158,7 @@ class Session:
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, close_fds=True, **own_group,
         )  # fmt: skip
         self._inbox: queue.SimpleQueue[tuple[bytes, bytes] | None] = queue.SimpleQueue()
+        self._room = threading.Semaphore(MOST_WAITING)
         self._listener = threading.Thread(target=self._listen, daemon=True)
         self._listener.start()
         self._ready = False
@@ -149,34 +169,45 @@ class Session:
         if self._next(START_SECONDS) != (messages.READY, b""):
             raise SandboxFailure(f"the process did not start: {self._last_words()}")
         self._ready = True
-        outlines = [[lesson.number, list(lesson.exercises)] for lesson in lessons]
+        outlines = [
+            [o.number, list(o.exercises), sorted(o.handed_out)] for o in lessons
+        ]
         request = {"notebook": np.frombuffer(content, np.uint8), "file": file,
                    "lessons": outlines, "limits": list(asdict(self._sandbox.limits).values())}  # fmt: skip
         self._send(request)
         message = self._next(READ_SECONDS)
         if message is None:
-            why = "it takes too long" if self._process.poll() is None else "its reader ended"  # fmt: skip
-            raise UnusableNotebook(f"cannot be read within its limits: {why}")
+            raise self._unread()
         letter, payload = message
         if letter == messages.UNUSABLE:
             raise UnusableNotebook(clean(payload.decode("utf-8", "replace"), 300))
         self.reading = _reading(wire.unpack(payload), lessons)
 
-    def answers(self, questions: Sequence[Question]) -> Iterator[Run]:
-        """Run the exercises and give how each ended, in their order.
+    def _unread(self) -> Exception:
+        """Why there is no answer to a notebook: its own fault, or somebody's who ended the process."""
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(1.0)
+        code = self._process.poll()
+        if code in KILLED:
+            return SandboxFailure("the process was ended from outside")
+        why = "it takes too long" if code is None else "its reader ended"
+        return UnusableNotebook(f"cannot be read within its limits: {why}")
 
-        Those after one that took the whole process with it are "killed".
+    def answers(self, questions: Sequence[Question]) -> Iterator[Answers]:
+        """Run the notebook and give what came of each exercise, in their order.
+
+        Those that were not heard of, because the process went, have a run that was "killed".
         """
         if not questions:
             return
         self._send({"questions": [_told(q) for q in questions]})
-        patience = START_SECONDS + self._sandbox.limits.seconds + GRACE_SECONDS
-        gone = False
+        # A notebook is begun at most a few times, and each time has its limit.
+        once = self._sandbox.limits.seconds * (len(questions) + 2)
+        patience = 4 * (START_SECONDS + once) + GRACE_SECONDS
         for question in questions:
-            cells = self.reading.exercises[question.index].cells
-            seen = None if gone else self._seen(patience)
-            gone = gone or seen is None
-            yield _run(seen, question, cells)
+            seen = self._seen(question, patience)
+            patience = GRACE_SECONDS if seen is not None else 0.0
+            yield _answers(seen, question)
 
     def close(self) -> None:
         """End the process and all that it started.
@@ -194,32 +225,53 @@ class Session:
                 os.killpg(self._process.pid, signal.SIGKILL)
         self._process.kill()
         self._process.wait()
+        self._room.release(1_000_000)  # what it still reads is nobody's any more
         self._listener.join(1.0)
         if not self._listener.is_alive():  # to close what it reads would wait for it
             for pipe in (self._process.stdout, self._process.stderr):
                 if pipe:
                     pipe.close()
 
-    def _seen(self, patience: float) -> dict[str, Any] | None:
-        """What the process tells of a run; None where it is gone."""
-        seen, deadline = Seen(), time.monotonic() + patience
-        while True:
-            message = self._next(deadline - time.monotonic())
-            if message is None:
-                if FORKS:
-                    return None
-                over = self._process.poll() is None
-                seen.end, seen.detail = ("time", "") if over else end_of(self._process.returncode)  # fmt: skip
-            elif message[0] == messages.END:
+    def _seen(self, question: Question, patience: float) -> dict[str, Any] | None:
+        """What the process tells of an exercise; None where it is gone."""
+        if not FORKS:
+            return self._watched(question)
+        while (message := self._next(patience)) is not None:
+            if message[0] == messages.END:
                 try:
                     return dict(wire.unpack(message[1]))
                 except (wire.Unreadable, ValueError, TypeError):
                     return None
-            elif not seen.take(*message):
-                if seen.stage == "ready 0":
-                    deadline = time.monotonic() + self._sandbox.limits.seconds
-                continue
-            return {**vars(seen), "reply": np.frombuffer(seen.reply, np.uint8)}
+        return None
+
+    def _watched(self, question: Question) -> dict[str, Any]:
+        """The same without forks: the notebook runs in the process itself, and is watched from here."""
+        seconds = self._sandbox.limits.seconds
+        one: dict[str, Any] = {
+            "end": "ended",
+            "detail": "",
+            "stage": "",
+            "seconds": 0.0,
+        }
+        refused: list[str] = []
+        deadline, reply = time.monotonic() + START_SECONDS + seconds, b""
+        while not reply:
+            message = self._next(deadline - time.monotonic())
+            if message is None:
+                over = self._process.poll() is None
+                code = self._process.returncode
+                one["end"], one["detail"] = ("time", "") if over else end_of(code)
+                break
+            letter, payload = message
+            if letter == messages.STAGE:
+                one["stage"] = payload[:32].decode("ascii", "replace")
+                deadline = time.monotonic() + seconds
+            elif letter == messages.TRIED and len(refused) < 20:
+                refused.append(payload[:400].decode("utf-8", "replace"))
+            elif letter == messages.REPLY:
+                reply, one["end"] = payload[4:], "replied"
+        run = {**one, "reply": np.frombuffer(reply, np.uint8)}
+        return {"runs": [run], "refused": refused, "whole": True}
 
     def _next(self, patience: float) -> tuple[bytes, bytes] | None:
         """The next message; None where none comes in time or the process is gone."""
@@ -228,7 +280,9 @@ class Session:
             if self._sandbox.cancel is not None and self._sandbox.cancel.is_set():
                 raise Cancelled
             with contextlib.suppress(queue.Empty):
-                return self._inbox.get(timeout=min(left, 0.2))
+                message = self._inbox.get(timeout=min(left, 0.2))
+                self._room.release()
+                return message
         return None
 
     def _listen(self) -> None:
@@ -238,15 +292,22 @@ class Session:
         with contextlib.suppress(OSError, ValueError):
             while (message := messages.receive(pipe.read)) is not None:
                 self._inbox.put(message)
+                self._room.acquire()
         self._inbox.put(None)
 
     def _send(self, request: Mapping[str, Any]) -> None:
         pipe = self._process.stdin
         assert pipe is not None
-        with contextlib.suppress(
-            BrokenPipeError
-        ):  # that it is gone is found out when its answer is missed
-            messages.send(pipe.fileno(), messages.ASK, wire.pack(dict(request)))
+        packed = wire.pack(dict(request))
+        # One that takes nothing would be waited for without end.
+        late = threading.Timer(SEND_SECONDS, self._process.kill)
+        late.start()
+        try:
+            messages.send(pipe.fileno(), messages.ASK, packed)
+        except BrokenPipeError:
+            pass  # that it is gone is found out when its answer is missed
+        finally:
+            late.cancel()
 
     def _last_words(self) -> str:
         self._process.kill()
@@ -280,9 +341,10 @@ def _probe(sandbox: Sandbox) -> tuple[str, ...]:
     outline, question = Outline("00", ("probe",)), Question(0, "probe", "function", (), 1, ({},), (1,))  # fmt: skip
     try:
         with sandbox.submission(notebook.encode(), "probe.ipynb", [outline]) as session:
-            (run,) = session.answers([question])
+            (answers,) = session.answers([question])
     except UnusableNotebook as error:
         raise SandboxFailure(str(error)) from error
+    run = answers.runs[-1] if answers.runs else Run("ended", detail="no answer")
     if run.reply is None or [o.kind for o in run.reply.outcomes] != ["value"]:
         raise SandboxFailure(f"a plain answer could not be run: {run.end} {run.detail}")
     return ("clock", *run.reply.held)
@@ -301,42 +363,62 @@ def _reading(told: Any, lessons: Sequence[Outline]) -> Reading:
         raise SandboxFailure("what came of reading is not of this lesson")
     found = tuple(
         Found(one["state"], clean(one["fault"], 300), clean(one["nearest"], 100),
-              bool(one["person"]), int(one["cells"]))
+              bool(one["person"]))
         for one in told["exercises"]
     )  # fmt: skip
     return Reading(lesson.number, found)
 
 
-def _run(seen: Mapping[str, Any] | None, question: Question, cells: int) -> Run:
-    """A run out of what was told of it; whatever a stranger's data may bring about, it is their reply that is wrong."""
+def _answers(seen: Mapping[str, Any] | None, question: Question) -> Answers:
+    """Answers out of what was told of them; whatever a stranger's data may bring about, it is theirs that is wrong."""
     if seen is None:
-        return Run("killed", detail="its process was ended from outside")
-    end: End = next((e for e in ENDS if e == seen.get("end")), "unreadable")
-    if end == "blocked":
-        return Run("blocked", by=int(seen["by"]))
-    stage, index = _stage(str(seen.get("stage", "")), cells, len(question.cases))
+        gone = Run("killed", detail="its process was ended from outside")
+        return Answers((gone,), whole=False)
+    try:
+        return Answers(
+            tuple(_run(one, question) for one in seen.get("runs", [])),
+            _stopped(seen.get("own")),
+            tuple(filter(None, map(_stopped, seen.get("others", [])))),
+            tuple(
+                (bool(own), clean(text, 3000)) for own, text in seen.get("notes", [])
+            ),
+            tuple(clean(r, 200) for r in seen.get("refused", [])[:20]),
+            seen.get("whole") is True,
+        )
+    except Exception as error:
+        told = clean(str(error), 200)
+        return Answers((Run("unreadable", detail=told),), whole=False)
+
+
+def _run(one: Mapping[str, Any], question: Question) -> Run:
+    end = _end(one.get("end"))
+    stage, _, number = str(one.get("stage", "")).partition(" ")
+    there = stage == "case" and number.isdecimal() and len(number) < 9
+    case = int(number) if there else -1
     run = Run(
-        end, stage, index, detail=clean(seen.get("detail"), 200),
-        seconds=float(seen.get("seconds", 0.0)), refused=tuple(clean(r, 200) for r in seen.get("refused", [])[:20]),
-    )  # fmt: skip
+        end,
+        case if case < len(question.cases) else -1,
+        detail=clean(one.get("detail"), 200),
+        seconds=float(one.get("seconds", 0.0)),
+    )
     if end != "replied":
         return run
     try:
-        told = wire.unpack(seen["reply"].tobytes())
-        reply = checked_reply(told, cells, question.most, question.results)
-        return replace(run, reply=reply)
+        room = REPLY_HEADER * (1 + len(question.cases))
+        told = wire.unpack(one["reply"].tobytes(), header=room)
+        return replace(run, reply=checked_reply(told, question.most, question.results))
     except Exception as error:
         return replace(run, end="unreadable", detail=clean(str(error), 200))
 
 
-def _stage(told: str, cells: int, cases: int) -> tuple[str, int]:
-    """Where the run stood; a student's code can say so too, so nothing in it is taken unseen."""
-    words = told.split()
-    if len(words) == 2 and words[0] in ("cell", "case") and words[1].isdigit():
-        index = int(words[1]) if len(words[1]) < 9 else cells + cases
-        if index < (cells if words[0] == "cell" else cases):
-            return words[0], index
-    return ("ready", 0) if words else ("", 0)
+def _end(told: Any) -> End:
+    return next((e for e in ENDS if e == told), "unreadable")
+
+
+def _stopped(told: Any) -> tuple[End, str] | None:
+    if not told:
+        return None
+    return _end(told[0]), clean(told[1], 200)
 
 
 @contextlib.contextmanager

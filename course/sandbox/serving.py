@@ -1,4 +1,4 @@
-"""The process of a submission: reads the notebook, then forks once an exercise and tells the grader what came of it.
+"""The process of a submission: reads the notebook, forks a process that runs it, and tells the grader what came of it.
 
 It runs nothing that a student wrote. It talks through its standard input and output; when the first closes, the grader
 is gone, and it ends with all that it started.
@@ -11,22 +11,33 @@ import gc
 import importlib
 import os
 import shutil
+import socket
 import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, NoReturn
 
 import numpy as np
 
-from course.exercises.notebook_file import Outline, UnusableNotebook, parse_notebook
-from course.exercises.source import modules_used
-from course.sandbox import messages, runner, stand_ins, wire
+from course.exercises.notebook_file import (
+    NotebookFile,
+    Outline,
+    UnusableNotebook,
+    parse_notebook,
+)
+from course.exercises.source import modules_used, python_only
+from course.sandbox import messages, notebook_shell, stand_ins, wire
+from course.sandbox.forks import take_over
 from course.sandbox.limits import Limits, memory_limited
-from course.sandbox.plan import Planned, plan_of
-from course.sandbox.seccomp import filter_installer
-from course.sandbox.watching import Abandoned, watch
+from course.sandbox.notebook_shell import Task
+from course.sandbox.plan import Planned, Step, plan_of, steps_of
+from course.sandbox.seccomp import filter_for_this_machine
+from course.sandbox.watching import Abandoned, Seen, Watch
 
 #: Seconds are lost on these: an answer that uses one finds it loaded when its clock starts.
 SLOW = stand_ins.SLOW
+#: How often a notebook is begun anew without the cells that took its process with them.
+RESTARTS = 4
+MOST_RUNS, MOST_NOTES = 10, 20
 
 
 def serve(where: Mapping[str, Any]) -> NoReturn:
@@ -50,115 +61,179 @@ class _Server:
 
     def __init__(self, where: Mapping[str, Any], asked: int, told: int) -> None:
         self._where, self._asked, self._told = where, asked, told
-        # Cells that ended a run before, and whose run it was: none is waited for twice.
-        self._culprits: dict[str, int] = {}
 
     def submission(self) -> None:
-        """Read the notebook, then run what is asked for."""
+        """Read the notebook, then run it for what is asked."""
         request = _asked(self._asked)
         limits = Limits(*request["limits"])
         try:
             with memory_limited(limits):
-                plan, told = _read(request)
+                notebook, plan = _read(request)
+                steps = steps_of(notebook)
         except UnusableNotebook as error:
             return self._unusable(str(error))
         except (MemoryError, RecursionError) as error:
             words = f"cannot be read within its limits ({type(error).__name__})"
             return self._unusable(words)
-        messages.send(self._told, messages.TOLD, wire.pack(told))
-        questions = _asked(self._asked)["questions"]
-        _load_slow_packages([plan[q["index"]] for q in questions], questions)
-        around = runner.Surroundings(
+        messages.send(self._told, messages.TOLD, wire.pack(_found(notebook, plan)))
+        tasks = [_task(q) for q in _asked(self._asked)["questions"]]
+        _load_packages(steps, tasks)
+        around = notebook_shell.Surroundings(
             self._where["work"],
             tuple(self._where["closed"]),
             tuple(self._where["path"]),
             limits,
-            filter_installer() if self._where["boxed"] else None,
+            filter_for_this_machine() if self._where["boxed"] else None,
         )
-        for question in questions:
-            if not hasattr(
-                os, "fork"
-            ):  # one question a process, and the grader watches
-                runner.run(_task(plan, question), around, self._told)
-            ended = self._ask(_task(plan, question), question["index"], around)
-            messages.send(self._told, messages.END, wire.pack(ended))
+        if not hasattr(os, "fork"):  # one question a process, and the grader watches
+            notebook_shell.run(steps, tasks, around, self._told, None)
+        seen = self._run(steps, tasks, around)
+        for task in tasks:
+            told = _ended(seen, task, plan[task.index])
+            messages.send(self._told, messages.END, wire.pack(told))
 
     def _unusable(self, words: str) -> None:
         messages.send(self._told, messages.UNUSABLE, words.encode("utf-8", "replace"))
 
-    def _ask(
-        self, task: runner.Task, index: int, around: runner.Surroundings
-    ) -> dict[str, Any]:
-        """Run one exercise in a fork, and what became of it."""
-        earlier = (self._culprits.get(source) for source, _ in task.cells[:-1])
-        blocked = next((by for by in earlier if by is not None), None)
-        if blocked is not None:
-            return {"index": index, "end": "blocked", "by": blocked}
+    def _run(
+        self,
+        steps: Sequence[Step],
+        tasks: Sequence[Task],
+        around: notebook_shell.Surroundings,
+    ) -> Seen:
+        """Run the notebook; where a cell takes the process with it, once more without that cell."""
+        whole = Seen()
+        for _ in range(RESTARTS):
+            steps = [s for s in steps if s.index not in whole.stopped]
+            left = [t for t in tasks if t.index not in whole.answers]
+            seen = self._once(steps, left, around)
+            whole.answers |= seen.answers
+            whole.notes |= seen.notes
+            whole.refused += [r for r in seen.refused if r not in whole.refused]
+            before = len(whole.stopped)
+            whole.stopped |= seen.stopped
+            whole.whole, whole.lost = seen.whole, seen.lost
+            if seen.whole or (len(whole.stopped) == before and not seen.answers):
+                break
+        return whole
+
+    def _once(
+        self,
+        steps: Sequence[Step],
+        tasks: Sequence[Task],
+        around: notebook_shell.Surroundings,
+    ) -> Seen:
         _clear(around.work)
         outlet, inlet = os.pipe()
+        here, there = socket.socketpair() if around.filter else (None, None)
         process = os.fork()
         if process == 0:
-            _become_runner(task, around, inlet, (outlet, self._asked, self._told))
+            others = [outlet, self._asked, self._told]
+            _become_notebook(steps, tasks, around, inlet, others, here, there)
         os.close(inlet)
+        forks = None
+        if here is not None and there is not None:
+            there.close()
+            forks = take_over(here, _checks(tasks))
+            here.close()
+        seconds = around.limits.seconds * (len(tasks) + 2)
         boxed = self._where["boxed"]
         try:
-            seen = watch(
-                process, outlet, self._asked, around.work, around.limits, boxed=boxed
-            )
+            return Watch(
+                process, outlet, self._asked, forks, around.work, around.limits,
+                boxed=boxed, seconds=seconds,
+            ).follow()  # fmt: skip
         finally:
             os.close(outlet)
-        stage, _, number = seen.stage.partition(" ")
-        if seen.end != "replied" and stage == "cell" and number.isdigit():
-            culprit = task.cells[min(int(number), len(task.cells) - 1)][0]
-            self._culprits[culprit] = index
-        return {
-            "index": index,
-            "end": seen.end,
-            "stage": seen.stage,
-            "detail": seen.detail,
-            "refused": seen.refused,
-            "seconds": seen.seconds,
-            "reply": np.frombuffer(seen.reply, np.uint8),
-        }
+            if forks is not None:
+                forks.close()
 
 
-def _read(request: Mapping[str, Any]) -> tuple[tuple[Planned, ...], dict[str, Any]]:
-    """The plan of a notebook, and what the grader is told: the lesson, and of each exercise whether it is run."""
-    lessons = [Outline(number, tuple(names)) for number, names in request["lessons"]]
+def _read(request: Mapping[str, Any]) -> tuple[NotebookFile, tuple[Planned, ...]]:
+    lessons = [Outline(n, tuple(e), frozenset(h)) for n, e, h in request["lessons"]]
     content = request["notebook"].tobytes()
     notebook = parse_notebook(content, request["file"], lessons)
-    plan = plan_of(notebook)
+    return notebook, plan_of(notebook)
+
+
+def _found(notebook: NotebookFile, plan: Sequence[Planned]) -> dict[str, Any]:
+    """What the grader is told of a notebook: the lesson, and of each exercise what its source tells."""
     told = [
         {
             "state": p.state,
             "fault": p.cell.fault,
             "nearest": p.cell.nearest,
             "person": p.cell.needs_person,
-            "cells": len(p.cells),
         }
         for p in plan
     ]
-    return plan, {"lesson": notebook.lesson, "exercises": told}
+    return {"lesson": notebook.lesson, "exercises": told}
 
 
-def _task(plan: Sequence[Planned], question: Mapping[str, Any]) -> runner.Task:
-    cells = plan[question["index"]].cells
-    told = {k: v for k, v in question.items() if k != "index"}
-    lists = {k: tuple(v) for k, v in told.items() if isinstance(v, list)}
-    return runner.Task(cells, **{**told, **lists})
+def _task(question: Mapping[str, Any]) -> Task:
+    lists = {k: tuple(v) for k, v in question.items() if isinstance(v, list)}
+    return Task(**{**question, **lists})
 
 
-def _become_runner(
-    task: runner.Task,
-    around: runner.Surroundings,
+def _checks(tasks: Sequence[Task]) -> int:
+    """How many processes a notebook may make: a student checks an exercise more than once."""
+    return 8 + 4 * len(tasks)
+
+
+def _ended(seen: Seen, task: Task, planned: Planned) -> dict[str, Any]:
+    """What the grader is told of an exercise."""
+    runs = [
+        {
+            "end": one.end,
+            "detail": one.detail,
+            "stage": one.stage,
+            "reply": np.frombuffer(one.reply, np.uint8),
+            "seconds": one.seconds,
+        }
+        for one in seen.answers.get(task.index, [])
+    ]
+    if not runs and not seen.whole:
+        lost = {"end": seen.lost[0], "detail": seen.lost[1], "stage": ""}
+        runs = [{**lost, "reply": np.zeros(0, np.uint8), "seconds": 0.0}]
+    stopped = [seen.stopped[i] for i in planned.own if i in seen.stopped]
+    notes = [[int(i in planned.own), _text(n)] for i, n in sorted(seen.notes.items())]
+    return {
+        "index": task.index,
+        "runs": runs[-MOST_RUNS:],
+        "own": list(stopped[0]) if stopped else [],
+        "others": [list(s) for i, s in seen.stopped.items() if i not in planned.own],
+        "notes": notes[:MOST_NOTES],
+        "refused": seen.refused,
+        "whole": seen.whole,
+    }
+
+
+def _text(note: bytes) -> str:
+    """What a cell said that it raised."""
+    try:
+        told = wire.unpack(note)
+    except wire.Unreadable:
+        return ""
+    whole = isinstance(told, list) and len(told) == 2 and isinstance(told[1], str)
+    return told[1][:3000] if whole else ""
+
+
+def _become_notebook(
+    steps: Sequence[Step],
+    tasks: Sequence[Task],
+    around: notebook_shell.Surroundings,
     inlet: int,
     others: Sequence[int],
+    here: socket.socket | None,
+    there: socket.socket | None,
 ) -> NoReturn:
     try:
         os.setpgid(0, 0)
         for pipe in others:
             os.close(pipe)
-        runner.run(task, around, inlet)
+        if here is not None:
+            here.close()
+        notebook_shell.run(steps, tasks, around, inlet, there)
     except Exception as error:
         told = f"{type(error).__name__}: {error}"
         messages.send(inlet, messages.FAULT, told.encode("utf-8", "replace"))
@@ -166,14 +241,12 @@ def _become_runner(
         os._exit(70)
 
 
-def _load_slow_packages(
-    plan: Sequence[Planned], questions: Sequence[Mapping[str, Any]]
-) -> None:
-    """Their seconds of loading are not the student's, and are spent once for all exercises."""
-    preamble = [s for p in plan for s, tolerant in p.cells if tolerant]
-    answers = [s for p in plan for s, tolerant in p.cells if not tolerant]
-    wanted = set(modules_used(preamble, answers, SLOW))
-    if any(q["kind"] == "expression" for q in questions):
+def _load_packages(steps: Sequence[Step], tasks: Sequence[Task]) -> None:
+    """IPython, and what takes seconds to load: they are not the student's, and are spent once for all exercises."""
+    preamble = [python_only(s.source) for s in steps if s.tolerant]
+    answers = [python_only(s.source) for s in steps if not s.tolerant]
+    wanted = {"IPython.core.interactiveshell", *modules_used(preamble, answers, SLOW)}
+    if any(task.kind == "expression" for task in tasks):
         wanted.add("sympy")
     for name in sorted(wanted):
         with contextlib.suppress(Exception):  # the run will find out for itself

@@ -1,8 +1,9 @@
-"""What student code sees in place of the course, and of packages that only pictures need.
+"""What student code sees instead of the course, and of packages that only plot.
 
-``course`` and everything in it is a stand-in: import cells run, ``check`` and ``hint`` do nothing, ``use`` gives
-back what it got, and the reference is not there. ``import matplotlib.pyplot as plt`` and its like load nothing until
-the name is used, because a lesson's import cell names them and an answer hardly ever does.
+``course`` and everything in it is a stand-in: import cells run, ``check`` answers its
+exercise, ``use`` returns its argument, and the reference is not there. ``import
+matplotlib.pyplot as plt`` and the like load nothing until the name is used, because a
+lesson's import cell names them and an answer rarely uses them.
 """
 
 from __future__ import annotations
@@ -20,12 +21,16 @@ LATER = frozenset(
     {"IPython", "cvxpy", "ipywidgets", "k3d", "matplotlib", "pandas", "scipy", "sympy"}
 )
 LATER_NAME = "__import_later__"
-#: What takes seconds to load: an answer that uses it finds it loaded when its clock starts.
+#: Packages that take seconds to import: an answer that uses one finds it loaded when
+#: its clock starts.
 SLOW = frozenset({"cvxpy"})
 
 
 class StandInForCourse:
-    """Anything of the course. Called or asked for an attribute it gives itself, so that cells run; it is no number."""
+    """Anything of the course: calls and attributes return it again.
+
+    It is not a number.
+    """
 
     def __call__(self, *_: Any, **__: Any) -> Any:
         return self
@@ -44,6 +49,7 @@ class StandInForCourse:
 
 class _Module(ModuleType):
     __path__: list[str] = []
+    _check: Callable[..., None]
 
     def __getattr__(self, name: str) -> Any:
         if name == "__all__":
@@ -52,11 +58,15 @@ class _Module(ModuleType):
             raise AttributeError(name)
         if name == "use":
             return _same
+        if name == "check":
+            return _Module._check
         return _nothing if name in WORKBOOK else StandInForCourse()
 
 
 class _Finder:
-    """A finder and a loader; their base classes are left out, because they take time at every start."""
+    """A finder and a loader, without their base classes, whose import would slow every
+    start.
+    """
 
     def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
         if name == "course" or name.startswith("course."):
@@ -88,15 +98,18 @@ class Later:
         setattr(importlib.import_module(self._shown), name, value)
 
 
-def install_stand_ins() -> None:
-    """Put the stand-in in the course's place; what was imported of it before stays with those who hold it."""
+def install_stand_ins(check: Callable[..., None]) -> None:
+    """Put the stand-in in the course's place, with this ``check``; what was imported of it stays with who holds it."""
+    _Module._check = staticmethod(check)
     for name in [n for n in sys.modules if n == "course" or n.startswith("course.")]:
         del sys.modules[name]
     sys.meta_path.insert(0, _Finder())
 
 
 def with_later_imports(tree: ast.Module) -> ast.Module:
-    """The cell with its plain imports of heavy packages put off; ``from`` imports stay as they are."""
+    """The cell with its plain imports of heavy packages deferred; ``from`` imports
+    stay.
+    """
     body: list[ast.stmt] = []
     for node in tree.body:
         body += _put_off(node) if isinstance(node, ast.Import) else [node]
@@ -119,7 +132,10 @@ def _put_off(node: ast.Import) -> list[ast.stmt]:
 
 
 def answer_nobody(asked: Callable[[str], None]) -> None:
-    """Have ``input`` and ``getpass`` give an empty line, and tell ``asked``: there is nobody who could answer."""
+    """Make ``input`` and ``getpass`` return an empty line, and report it to ``asked``.
+
+    Nobody is there to answer.
+    """
     import builtins
     import getpass
 

@@ -37,21 +37,25 @@ def pack(value: Any) -> bytes:
     return _LENGTH.pack(len(head)) + head + bytes(body)
 
 
-def unpack(message: bytes) -> Any:
-    """The tree of a message; raises ``Unreadable`` for anything that ``pack`` does not write."""
+def unpack(message: bytes, header: int = HEADER_LIMIT) -> Any:
+    """The tree of a message; raises ``Unreadable`` for anything that ``pack`` does not write.
+
+    ``header`` is the most bytes of all but its arrays: what is read of them takes a
+    hundred times their number.
+    """
     if len(message) < _LENGTH.size:
         raise Unreadable("too short")
     (length,) = _LENGTH.unpack_from(message)
     body = message[_LENGTH.size + length :]
     if (
-        length > HEADER_LIMIT
+        length > header
         or length > len(message) - _LENGTH.size
         or len(body) > BODY_LIMIT
     ):
         raise Unreadable("lengths out of bounds")
     try:
         tree = json.loads(message[_LENGTH.size : _LENGTH.size + length].decode("utf-8"))
-        return _decoded(tree, body)
+        return _Decoder(body).decoded(tree)
     except RecursionError:
         raise Unreadable("nested too deeply") from None
     except Unreadable:
@@ -79,22 +83,39 @@ def _encoded(value: Any, body: bytearray) -> Any:
     )
 
 
-def _decoded(tree: Any, body: bytes) -> Any:
-    if isinstance(tree, list):
-        return [_decoded(part, body) for part in tree]
-    if not isinstance(tree, dict):
-        return tree
-    if len(tree) != 1:
-        raise Unreadable("an object with other than one key")
-    ((kind, inside),) = tree.items()
-    if kind in ("array", "scalar"):
-        array = _array(inside, body)
-        return array[()] if kind == "scalar" else array
-    if kind == "tuple" and isinstance(inside, list):
-        return tuple(_decoded(part, body) for part in inside)
-    if kind == "dict" and isinstance(inside, dict):
-        return {name: _decoded(part, body) for name, part in inside.items()}
-    raise Unreadable(f"an object of unknown kind {kind[:40]!r}")
+class _Decoder:
+    """Decodes a tree whose arrays lie in ``body`` end to end.
+
+    Each byte belongs to one array: many that shared the same bytes would be copied to
+    many times the length of the message.
+    """
+
+    def __init__(self, body: bytes) -> None:
+        self._body, self._used = body, 0
+
+    def decoded(self, tree: Any) -> Any:
+        if isinstance(tree, list):
+            return [self.decoded(part) for part in tree]
+        if not isinstance(tree, dict):
+            return tree
+        if len(tree) != 1:
+            raise Unreadable("an object with other than one key")
+        ((kind, inside),) = tree.items()
+        if kind in ("array", "scalar"):
+            array = self._array(inside)
+            return array[()] if kind == "scalar" else array
+        if kind == "tuple" and isinstance(inside, list):
+            return tuple(self.decoded(part) for part in inside)
+        if kind == "dict" and isinstance(inside, dict):
+            return {name: self.decoded(part) for name, part in inside.items()}
+        raise Unreadable(f"an object of unknown kind {kind[:40]!r}")
+
+    def _array(self, spec: Any) -> np.ndarray:
+        array = _array(spec, self._body)
+        if spec[2] != self._used:
+            raise Unreadable("an array that does not follow the one before it")
+        self._used += array.nbytes
+        return array
 
 
 def _array(spec: Any, body: bytes) -> np.ndarray:

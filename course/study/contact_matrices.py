@@ -130,8 +130,8 @@ def matrix_cost(bodies: Bodies, contacts: Contacts) -> MatrixCost:
         np.bincount(jacobian.indices, minlength=6 * n) @ np.diff(moved.tocsr().indptr)
     )
     meetings = np.zeros((c, n), dtype=int)
-    meetings[np.arange(c), contacts.body_a] += 1
-    meetings[np.arange(c), contacts.body_b] += 1
+    for side in contacts.sides:
+        meetings[np.arange(c), side.body] += 1
     shared = int(np.sum(meetings.sum(axis=0) ** 2))
     return MatrixCost(
         c, n, 30 * shared, 6 * n * c * c + 36 * n * c, first + second,

@@ -1,4 +1,6 @@
-"""What a notebook calls: check, hint, predict, use, progress, show, and the plots and demos."""
+"""What a notebook calls: check, hint, predict, use, progress, show, and the plots and
+demos.
+"""
 
 from course.workbook.checking import check, predict, use
 from course.workbook.hints import hint

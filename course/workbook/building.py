@@ -1,7 +1,8 @@
-"""Make lessons/ from solutions/: the answers become ``...``, the outputs go.
+"""Make lessons/ from solutions/: answers become ``...``, outputs are removed.
 
-``solutions/NN-name.ipynb`` is the one source. What stands between ``# BEGIN SOLUTION`` and ``# END SOLUTION`` in a
-code cell becomes a single ``...`` at the marker's indentation.
+``solutions/NN-name.ipynb`` is the one source. What stands between ``# BEGIN SOLUTION``
+and ``# END SOLUTION`` in a code cell becomes a single ``...`` at the marker's
+indentation.
 """
 
 from __future__ import annotations
@@ -16,19 +17,22 @@ BEGIN = re.compile(r"^(\s*)# BEGIN SOLUTION\s*$")
 END = re.compile(r"^\s*# END SOLUTION\s*$")
 ALMOST = re.compile(
     r"#.*\b(begin|end)\s+solution\b", re.IGNORECASE
-)  # a marker misspelt would hand the answer out
+)  # a misspelt marker would hand out the answer
 ROOT = Path(__file__).resolve().parents[2]
 
 
 class BrokenSource(ValueError):
-    """A solution notebook that no lesson can be made from; the message names the file and the cell."""
+    """A solution notebook that no lesson can be made from.
+
+    Names the file and the cell.
+    """
 
 
 def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
-    """Make every lesson from its solution; return what differed before, a line each (empty: nothing did).
+    """Make every lesson from its solution; return what differed before, a line each.
 
-    With ``check`` nothing is written. A lesson without a solution is reported too (and left: it may be somebody's).
-    Raises ``BrokenSource`` for unpaired markers.
+    With ``check`` nothing is written. A lesson without a solution is reported too, but
+    never deleted: it may be somebody's. Raises ``BrokenSource`` for unpaired markers.
     """
     drift = []
     sources = sorted((root / "solutions").glob("*.ipynb"))
@@ -41,11 +45,11 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
         drift.append(f"lessons/{source.name}: {what}")
         if not check:
             _write(target, wanted)
-    strangers = {p.name for p in (root / "lessons").glob("*.ipynb")} - {
+    orphans = {p.name for p in (root / "lessons").glob("*.ipynb")} - {
         p.name for p in sources
     }
     return drift + [
-        f"lessons/{name}: has no solution to be made from" for name in sorted(strangers)
+        f"lessons/{name}: has no solution to be made from" for name in sorted(orphans)
     ]
 
 
@@ -70,12 +74,15 @@ def lesson_text(source: Path) -> str:
 
 
 def blank(code: str, *, where: str = "the cell") -> str:
-    """Code with each marked solution replaced by ``...``; raises ``BrokenSource`` for markers unpaired or misspelt."""
+    """Code with each marked solution replaced by ``...``.
+
+    Raises ``BrokenSource`` for unpaired or misspelt markers.
+    """
     kept: list[str] = []
     inside = False
     for line in code.replace("\r\n", "\n").split(
         "\n"
-    ):  # splitlines would cut texts at other separators too
+    ):  # splitlines would split strings at other separators too
         begin, end = BEGIN.match(line), END.match(line)
         if ALMOST.search(line) and not (begin or end):
             wanted = "# BEGIN SOLUTION or # END SOLUTION alone in a line"
@@ -99,7 +106,9 @@ def blank(code: str, *, where: str = "the cell") -> str:
 
 
 def execute(source: Path, *, seconds_per_cell: int = 60) -> None:
-    """Run a solution from top to bottom and store its outputs; on an error the file stays as it was."""
+    """Run a solution from top to bottom and store its outputs; on error the file is
+    kept.
+    """
     import nbformat
     from nbclient import NotebookClient
 
@@ -121,7 +130,7 @@ def execute(source: Path, *, seconds_per_cell: int = 60) -> None:
 
 
 def _metadata(metadata: Any) -> Any:
-    """What a notebook says of itself, without what differs from machine to machine."""
+    """The notebook's metadata, without what differs from machine to machine."""
     import nbformat
 
     kept = {

@@ -30,15 +30,17 @@ from course.workbook.notebook import display_message, in_notebook
 from course.workbook.numbers import show
 
 MARK = "__from_use__"
-#: Seconds after which a check says that the answer is still running; the longest right one takes a fifth of one.
+#: Seconds until a check says that the answer is still running; the longest right one
+#: takes a fifth of a second.
 RUNS_ON = 10
-_lent: list[Any] = []  # reference expressions that use() has given out
+_lent: list[Any] = []  # reference expressions that use() has returned
 
 
 def check(answer: Any, name: str | None = None) -> None:
-    """Judge a function you wrote (or a SymPy expression, with the exercise's ``name``) and show the verdict.
+    """Judge a function you wrote (or a SymPy expression) and show the verdict.
 
-    Raises ``ValueError`` when no exercise has this name, and for functions that are not your own.
+    An expression needs the exercise's ``name``. Raises ``ValueError`` when no exercise
+    has this name, and for functions that are not your own.
     """
     name = _name_of(answer, name)
     lesson, exercise = find_exercise(name)
@@ -100,7 +102,7 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
                 function, [c.arguments for c in cases], len(exercise.results)
             )
     except KeyboardInterrupt:
-        told = "Stopped by hand: it ran on. Look for a loop whose end is never reached."
+        told = "Stopped by hand: it was still running. Look for a loop that never ends."
         display_message(Message("error", f"{exercise.name}: {told}", ()))
         raise
     return judge(exercise, cases, outcomes)
@@ -108,11 +110,13 @@ def judge_here(exercise: Exercise, answer: Any) -> Verdict:
 
 @contextlib.contextmanager
 def _told_if_it_runs_on(name: str) -> Iterator[None]:
-    """A word in the notebook after some seconds: a cell that only stays busy tells a student nothing."""
+    """After some seconds, say that the answer is still running: a busy cell alone says
+    nothing.
+    """
     way = Part(
         "stop it", "with the square button in the toolbar (interrupt the kernel)"
     )
-    look = Part("look for", "a loop whose end is never reached")
+    look = Part("look for", "a loop that never ends")
     message = Message(
         "error", f"{name}: still running after {RUNS_ON} seconds", (way, look)
     )
@@ -129,7 +133,7 @@ def _told_if_it_runs_on(name: str) -> Iterator[None]:
 def _unfinished_before(
     lesson: Lesson, exercise: Exercise, answer: Any
 ) -> tuple[str, ...]:
-    """One line for each earlier exercise of the lesson whose function the answer calls and that is not right yet."""
+    """A line for each earlier exercise that the answer calls and that is not right."""
     if not inspect.isfunction(answer):
         return ()
     called = {
@@ -144,18 +148,20 @@ def _unfinished_before(
         if e.name in called and e.name in answer.__globals__
     ]
     return tuple(
-        f"It calls your {e.name}, which does not pass its own check yet: mend that first."
+        f"It calls your {e.name}, which does not pass its own check yet: fix that first."
         for e, function in own
         if not _is_lent(function) and not judge_here(e, function).passed
     )
 
 
 def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) -> Any:
-    """Your function (or expression) where its check passes, otherwise the reference; a line says which.
+    """Your function (or expression) if it passes its check, otherwise the reference.
 
-    The rest of the lesson runs on what this returns. ``check`` refuses it, as it refuses functions of ``course``;
-    ``use`` gives it back as it is, so that ``f = use(f)`` can be run twice. For an expression give its ``name`` and
-    the ``symbols`` it is written in, in the exercise's order, so that the reference can be written in the same ones.
+    A line says which. The rest of the lesson runs on what this returns. ``check``
+    refuses it, as it refuses functions of ``course``; ``use`` returns it unchanged, so
+    that ``f = use(f)`` can be run twice. For an expression give its ``name`` and the
+    ``symbols`` it is written in, in the exercise's order, so that the reference can be
+    written in the same ones.
     """
     name = _name_of(answer, name)
     _, exercise = find_exercise(name)
@@ -178,7 +184,8 @@ def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) ->
             raise ValueError(
                 f"symbols: expected those for {wanted}, in this order; got {len(symbols)} of them"
             )
-        # A copy: SymPy keeps what it built, and a student's equal expression would be the very same object.
+        # A copy: SymPy caches what it built, and a student's equal expression would be
+        # the very same object.
         _lent.append(copy.copy(exercise.reference(*symbols)))
         return _lent[-1]
     chosen = answer if yours else exercise.reference
@@ -193,11 +200,12 @@ def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) ->
 
 
 def predict(name: str, answer: Any = None) -> None:
-    """Commit to an answer, then see the outcome. Nothing is shown before an answer is given.
+    """Commit to an answer, then see the outcome. Nothing is shown before an answer is
+    given.
 
-    Where the lesson answers a question only later, the answer is noted, and ``predict(name)`` shows the outcome
-    there. An answer that is neither a number nor a choice is sent back with what is expected. Raises ``ValueError``
-    for an unknown name.
+    Where the lesson answers a question only later, the answer is recorded, and
+    ``predict(name)`` shows the outcome there. An answer that is neither a number nor a
+    choice is rejected with what is expected. Raises ``ValueError`` for an unknown name.
     """
     _, prediction = find_prediction(name)
     if answer is Ellipsis or (answer is None and recording.predicted(name) is None):
@@ -233,7 +241,7 @@ def predict(name: str, answer: Any = None) -> None:
 
 
 def _outcome_message(prediction: Prediction, given: Any) -> Message:
-    """What came of a prediction."""
+    """How a prediction turned out."""
     outcome, unit = prediction.outcome(), _unit(prediction)
     right = _close(prediction, given, outcome)
     parts = [
@@ -276,7 +284,7 @@ def _given(prediction: Prediction, answer: Any) -> Any:
         raise ValueError(
             f"expected {_wanted(prediction)}; got {written(answer)}"
         ) from None
-    if np.isnan(number):  # infinity is an answer: never, for ever
+    if np.isnan(number):  # infinity is an answer: never, forever
         raise ValueError(f"expected {_wanted(prediction)}; got {written(answer)}")
     return number
 

@@ -15,10 +15,11 @@ TIERS = ("where to look", "the formula in words", "the line with a hole in it")
 
 
 def hint(name_or_function: str | Callable[..., Any]) -> None:
-    """Show the next hint for an exercise: where to look, the formula in words, a line with a hole, the reference.
+    """Show the next hint: where to look, the formula in words, a line with a hole, the
+    code.
 
-    Each call goes one tier further and shows the tiers before it again (the first call after a restart only shows
-    what was seen before); opening the reference is recorded.
+    Each call goes one tier further and shows the earlier tiers again (the first call
+    after a restart only shows what was seen before); opening the reference is recorded.
     Raises ``ValueError`` for an unknown name.
     """
     name = (
@@ -31,7 +32,8 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
         raise ValueError(f"name: {words}; got {name_or_function!r}")
     _, exercise = find_exercise(name)
     taken = recording.state().hints.get(name, 0)
-    # In a new kernel the first call shows again what was seen before: running a whole notebook opens nothing new.
+    # In a new kernel the first call only repeats what was seen before: running a whole
+    # notebook opens nothing new.
     tier = (
         taken
         if taken and not recording.hinted_in_this_session(name)
@@ -55,7 +57,9 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
 
 
 def answer_source(exercise: Exercise) -> str:
-    """The formula as a student would have written it, with the equation and the source above its lines."""
+    """The formula as a student would write it, with its equation and source above the
+    lines.
+    """
     if exercise.kind == "expression":
         return f"{exercise.name} = {expression(exercise.reference)}"
     return source_of(exercise.reference).rstrip()

@@ -1,9 +1,10 @@
-"""JupyterLab over this workbook: rooted at the project, opened at a notebook, quiet, with this Python's kernel only.
+"""JupyterLab for this workbook: rooted at the project, opened at a notebook, quiet.
 
-What JupyterLab is told to leave out (the question about news, Voila's button) stands in the folder ``jupyter`` beside
-this file. Nothing of ours is written outside work/: the arrangement of tabs is kept in work/.jupyter, so that the
-tabs of other projects do not turn up here. Jupyter's own files (the student's settings, run-time files) stay where
-they are.
+It offers this Python's kernel only. The folder ``jupyter`` beside this file turns off
+the rest (the question about news, Voila's button). Nothing of ours is written outside
+work/: the arrangement of tabs is kept in work/.jupyter, so that tabs of other projects
+do not appear here. Jupyter's own files (the student's settings, runtime files) stay
+where they are.
 """
 
 from __future__ import annotations
@@ -21,14 +22,18 @@ CONFIGURATION = Path(__file__).with_name("jupyter")
 
 
 class ThisPython(KernelSpecManager):
-    """Knows one kernel, ``python3``: the running interpreter, whatever kernels the user has installed elsewhere."""
+    """Knows one kernel, ``python3``: the running interpreter, whatever the user
+    installed.
+    """
 
     @default("kernel_dirs")
     def _no_other_kernels(self) -> list[str]:
         return []
 
     def get_kernel_spec(self, kernel_name: str) -> KernelSpec:
-        """The kernel, told to keep remarks about its own transport off the student's terminal."""
+        """The kernel, with remarks about its own transport kept off the student's
+        terminal.
+        """
         spec = super().get_kernel_spec(kernel_name)
         spec.argv = [*spec.argv, "--log-level=ERROR"]
         return spec
@@ -37,8 +42,12 @@ class ThisPython(KernelSpecManager):
 def start(
     root: Path, notebook: Path | None, *, port: int | None, browser: bool
 ) -> None:
-    """Serve JupyterLab until Ctrl-C. ``notebook`` (below ``root``) is opened; a taken port gets the next one."""
-    # While it loads there is nothing to tidy up, and an interrupt in the midst of imports can get lost.
+    """Serve JupyterLab until Ctrl-C. ``notebook`` (below ``root``) is opened.
+
+    If the port is taken, the next free one is used.
+    """
+    # While it loads there is nothing to clean up, and an interrupt during imports can
+    # get lost.
     signal.signal(signal.SIGINT, lambda number, frame: os._exit(130))
     from jupyterlab.labapp import LabApp
 
@@ -49,13 +58,14 @@ def start(
     server = LabApp.initialize_server(
         argv=options(root, notebook, port=port, browser=browser)
     )
-    # Jupyter's own handler asks back, and without a terminal it leaves the interrupt to wherever it strikes.
+    # Jupyter's own handler asks first; without a terminal the interrupt then hits an
+    # arbitrary place.
     signal.signal(signal.SIGINT, lambda number, frame: server.stop(from_signal=True))
     server.start()
 
 
 def put_first(variable: str, folder: Path) -> None:
-    """Put a folder before the others that an environment variable lists."""
+    """Put a folder before the others in an environment variable's list."""
     others = [
         path
         for path in os.environ.get(variable, "").split(os.pathsep)
@@ -67,7 +77,7 @@ def put_first(variable: str, folder: Path) -> None:
 def options(
     root: Path, notebook: Path | None, *, port: int | None = None, browser: bool = True
 ) -> list[str]:
-    """JupyterLab's command line; what stands there is stronger than the user's own configuration files."""
+    """JupyterLab's command line, which overrides the user's own configuration files."""
     chosen: dict[str, Any] = {
         "Application.log_level": "ERROR",  # the address is logged above that
         "ServerApp.root_dir": root,

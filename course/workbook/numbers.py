@@ -9,7 +9,7 @@ import numpy as np
 from course.arrays import written
 
 NOISE = 1e-12
-SETTLING = 3  # digits more for the first rounding
+SETTLING = 3  # additional digits of the first rounding
 
 
 class Shown(str):
@@ -22,14 +22,19 @@ class Shown(str):
 
 
 def show(value: Any, digits: int, *, noise: float = NOISE) -> Shown:
-    """A number or an array as text, rounded to ``digits`` significant digits of its largest entry; integers whole.
+    """A number or an array as text, rounded to significant digits of its largest entry.
 
-    Rounding must stay well above the tolerance of the computation, or another processor prints something else.
-    Numbers are rounded twice, first to some digits more, so that one whose exact value lies on the edge (a half, an
-    eighth) or whose largest entry is a power of ten prints the same whichever way its last bit fell.
-    Minus zero never shows; a number below ``noise`` in magnitude shows as "below 1e-12",
-    an entry of an array as 0. A larger ``noise`` is for errors whose size depends on the
-    processor: the bound that they keep is printed, and an error that breaks it as it is.
+    Integers stay whole. Rounding must stay well above the tolerance of the computation,
+    or another processor prints something else. Numbers are rounded twice, first to some
+    digits more, so that one whose exact value lies on the edge (a half, an eighth) or
+    whose largest entry is a power of ten prints the same whichever way its last bit
+    fell.
+
+    Minus zero never shows; a number below ``noise`` in magnitude shows as "below
+    1e-12", an entry of an array as 0. A larger ``noise`` is for errors whose size
+    depends on the processor: their bound is printed, and an error that exceeds it as it
+    is.
+
     Raises ``ValueError`` for digits outside 1..15 and for what is not numeric.
     """
     if not isinstance(digits, int) or isinstance(digits, bool) or not 1 <= digits <= 15:
@@ -58,7 +63,7 @@ def show(value: Any, digits: int, *, noise: float = NOISE) -> Shown:
     )  # + 0.0: no minus zero
     precision = max(
         decimals, digits - 1
-    )  # the second for numbers so large that they are shown with an exponent
+    )  # the second is for numbers so large that they are shown with an exponent
     return Shown(
         np.array2string(
             rounded,

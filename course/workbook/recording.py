@@ -1,8 +1,9 @@
-"""What a student has done: events appended to one file in work/, and the table read from them.
+"""What a student has done: events appended to one file in work/, and their summary.
 
-Events are only ever appended, one JSON line each, so two notebooks open at once cannot lose each other's. They are
-recorded only by a notebook that lies in work/; tests and graders run elsewhere and write nothing. In one session
-(a notebook's kernel) the events are also kept in memory, so that a lesson opened elsewhere still knows what passed.
+Events are only ever appended, one JSON line each, so two notebooks open at once cannot
+lose each other's. They are recorded only by a notebook that lies in work/; tests and
+graders run elsewhere and write nothing. In one session (a notebook's kernel) the events
+are also kept in memory, so that a lesson opened elsewhere still knows what passed.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ _session: list[dict[str, Any]] = []
 
 @dataclass(frozen=True)
 class State:
-    """What the events add up to: exercises passed, hints taken, predictions made."""
+    """The summary of the events: exercises passed, hints taken, predictions made."""
 
     passed: frozenset[str] = frozenset()
     hints: dict[str, int] = field(default_factory=dict)
@@ -33,7 +34,7 @@ class State:
 
 
 def recording_folder(start: Path | None = None) -> Path | None:
-    """The work/ folder that ``start`` (default: the current folder, a notebook's own) lies in, or None."""
+    """The work/ folder that contains ``start`` (default: the current one), or None."""
     here = (start or Path.cwd()).resolve()
     for folder in (here, *here.parents):
         if folder.name == "work" and (folder.parent / "lessons").is_dir():
@@ -42,7 +43,10 @@ def recording_folder(start: Path | None = None) -> Path | None:
 
 
 def record(kind: str, name: str, **details: Any) -> None:
-    """Append one event; a folder that cannot be written is not worth stopping a student for."""
+    """Append one event.
+
+    A folder that cannot be written is no reason to stop a student.
+    """
     event = {
         "time": time.strftime("%Y-%m-%dT%H:%M:%S"),
         "kind": kind,
@@ -56,7 +60,11 @@ def record(kind: str, name: str, **details: Any) -> None:
 
 
 def record_unrecognised(name: str, source: str, message: str) -> None:
-    """Keep a wrong answer that matches no planted mistake, so that it can be planted later. Stays on this machine."""
+    """Keep a wrong answer that matches no planted mistake, so that one can be planted
+    later.
+
+    It stays on this machine.
+    """
     folder = recording_folder()
     kept = {"exercise": name, "source": source, "message": message}
     if folder is not None and json.dumps(kept) not in _lines(
@@ -87,7 +95,10 @@ def state(folder: Path | None = None) -> State:
 
 
 def predicted(name: str, folder: Path | None = None) -> Any:
-    """The last answer given to a prediction, here or in this session; None where none was."""
+    """The last answer given to a prediction, here or in this session.
+
+    None if none was.
+    """
     folder = folder or recording_folder()
     events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
     return next(
@@ -108,7 +119,9 @@ def hinted_in_this_session(name: str) -> bool:
 def next_exercise(
     lesson: Lesson, after: str, passed: frozenset[str]
 ) -> Exercise | None:
-    """The first exercise of the lesson, from the one after ``after`` on and then round, that has not passed."""
+    """The first exercise not passed yet, searched from the one after ``after`` and
+    around.
+    """
     names = [e.name for e in lesson.exercises]
     start = names.index(after) + 1 if after in names else 0
     order = [*lesson.exercises[start:], *lesson.exercises[:start]]
@@ -116,12 +129,15 @@ def next_exercise(
 
 
 def minutes_left(lesson: Lesson, passed: frozenset[str]) -> int:
-    """The minutes that the core exercises not yet passed are reckoned at."""
+    """The estimated minutes of the core exercises not yet passed."""
     return sum(e.minutes for e in lesson.core if e.name not in passed)
 
 
 def first_unfinished(folder: Path | None = None) -> Lesson | None:
-    """The first lesson with a core exercise that has not passed; None when all is done."""
+    """The first lesson with a core exercise that has not passed.
+
+    None when all is done.
+    """
     passed = state(folder).passed
     return next(
         (le for le in all_lessons() if any(e.name not in passed for e in le.core)), None
@@ -147,7 +163,9 @@ class Table:
 
 
 def progress(folder: Path | None = None) -> Table:
-    """How far you are: core exercises done by lesson, minutes left, and what comes next."""
+    """How far you are: core exercises done by lesson, minutes left, and what comes
+    next.
+    """
     passed = state(folder).passed
     rows = []
     for lesson in all_lessons():
@@ -167,9 +185,10 @@ def progress(folder: Path | None = None) -> Table:
 
 
 def _append(path: Path, event: dict[str, Any]) -> None:
-    """Add a line in one write; after a line that was cut off (a crash, a full disk) begin a new one.
+    """Add a line in one write; after an incomplete line (a crash, a full disk) begin a
+    new one.
 
-    Under a lock: what another notebook has half written looks like a line that was cut off.
+    Under a lock: another notebook's half-written line looks like an incomplete one.
     """
     line = (json.dumps(event) + "\n").encode()
     try:
@@ -193,7 +212,7 @@ def _wait_for_others(number: int) -> None:
 
 
 def _read(path: Path) -> Iterator[dict[str, Any]]:
-    """The events in a file; a line cut off by a crash is passed over, the rest counts."""
+    """The events in a file; a line cut off by a crash is skipped, the others count."""
     try:
         lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:

@@ -1,7 +1,8 @@
-"""The syllabus: each topic of the lecture with its lesson section, reference code, exercise and test.
+"""The syllabus: each topic of the lecture with its lesson section, code, exercise,
+test.
 
-The data is ``syllabus.toml`` beside this file. ``problems`` tells what a topic lacks whose lesson is built;
-nothing is asked of the others.
+The data is ``syllabus.toml`` beside this file. ``problems`` says what is missing for a
+topic whose lesson is built; other topics are not checked.
 """
 
 from __future__ import annotations
@@ -25,7 +26,11 @@ NEEDED = ("section", "code", "exercise", "test")
 
 @dataclass(frozen=True)
 class Topic:
-    """One topic: in words, its lesson (file name without ending), and where it is found; "" where not built yet."""
+    """One topic: in words, its lesson (file name without ending), and where it is
+    found.
+
+    "" where not built yet.
+    """
 
     what: str
     lesson: str
@@ -37,7 +42,10 @@ class Topic:
 
 @dataclass(frozen=True)
 class Row:
-    """A row of the syllabus and the slide it stands on; row 0 is the loop that uses all the others."""
+    """A row of the syllabus and its slide.
+
+    Row 0 is the loop that uses all the others.
+    """
 
     number: int
     slide: int
@@ -45,7 +53,9 @@ class Row:
 
 
 def read_syllabus(data: Path = DATA) -> tuple[Row, ...]:
-    """The rows in order. Raises ``ValueError`` that names the row for a key that is missing or unknown."""
+    """The rows in order. Raises ``ValueError`` naming the row of a missing or unknown
+    key.
+    """
     rows = []
     for entry in tomllib.loads(data.read_text(encoding="utf-8"))["row"]:
         try:
@@ -60,7 +70,7 @@ def read_syllabus(data: Path = DATA) -> tuple[Row, ...]:
 
 
 def syllabus_table(root: Path = ROOT, data: Path = DATA) -> str:
-    """The syllabus as text, a topic a line below its row; what is missing is said where it is missing."""
+    """The syllabus as text, a topic a line below its row, with what is missing."""
     lines = []
     for row in read_syllabus(data):
         lines.append(
@@ -77,7 +87,7 @@ def syllabus_table(root: Path = ROOT, data: Path = DATA) -> str:
 
 
 def problems(root: Path = ROOT, data: Path = DATA) -> list[str]:
-    """What is missing, a line each, in the topics whose lesson is built."""
+    """What is missing, a line each, for the topics whose lesson is built."""
     return [
         f"row {row.number}, {topic.what}: {fault}"
         for row in read_syllabus(data)
@@ -88,12 +98,12 @@ def problems(root: Path = ROOT, data: Path = DATA) -> list[str]:
 
 
 def is_built(topic: Topic, root: Path = ROOT) -> bool:
-    """Whether the topic's lesson stands in solutions/."""
+    """Whether the topic's lesson exists in solutions/."""
     return _solution(topic, root).exists()
 
 
 def faults(row: Row, topic: Topic, root: Path = ROOT) -> Iterator[str]:
-    """What a built topic lacks."""
+    """What is missing for a built topic."""
     yield from (f"no {key} is named" for key in NEEDED if not getattr(topic, key))
     if topic.section and topic.section.casefold() not in headings(
         _solution(topic, root)
@@ -108,7 +118,9 @@ def faults(row: Row, topic: Topic, root: Path = ROOT) -> Iterator[str]:
 
 
 def headings(notebook: Path) -> set[str]:
-    """The headings of a notebook's text cells, without marks of emphasis, in lower case."""
+    """The headings of a notebook's text cells, without marks of emphasis, in lower
+    case.
+    """
     found = set()
     for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]:
         if cell["cell_type"] != "markdown":
@@ -131,7 +143,7 @@ def code_exists(name: str) -> bool:
 
 
 def has_test(name: str, root: Path = ROOT) -> bool:
-    """Whether "file::function" (or "file::Class::method") stands in the tests."""
+    """Whether "file::function" (or "file::Class::method") exists in the tests."""
     file, *path = name.split("::")
     try:
         scope: Any = ast.parse((root / file).read_text(encoding="utf-8"))

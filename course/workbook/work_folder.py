@@ -1,8 +1,10 @@
-"""The place to work: a lesson that is opened is copied from lessons/ to work/, and nothing there is ever overwritten.
+"""The place to work: opening a lesson copies it from lessons/ to work/.
 
-Every file is created exclusively, whole or not at all, so that even two starts at once cannot replace what a student
-saved. ``work/.started-from`` is only ever appended to: one line a copy, the SHA-256 of the lesson it was made from.
-A lesson counts as newer when its content is one that no copy was made from; dates and line endings do not matter.
+Nothing there is ever overwritten. Every file is created exclusively, whole or not at
+all, so that even two starts at once cannot replace what a student saved.
+``work/.started-from`` is only ever appended to: one line per copy, the SHA-256 of the
+lesson it was made from. A lesson counts as newer when its content is one that no copy
+was made from; dates and line endings do not matter.
 """
 
 from __future__ import annotations
@@ -21,7 +23,9 @@ RECORD = ".started-from"
 
 @dataclass(frozen=True)
 class Opened:
-    """A lesson opened for work: the notebook, a newer one laid beside it (or None), and what to tell the student."""
+    """A lesson opened for work: the notebook, a newer one beside it (or None), a
+    message.
+    """
 
     path: Path
     newer: Path | None = None
@@ -34,9 +38,10 @@ def lesson_files(root: Path = ROOT) -> list[Path]:
 
 
 def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
-    """The lesson that ``name`` means: "10", "10-impulse", "impulse", "imp", or a path to the lesson or to a copy.
+    """The lesson that ``name`` means.
 
-    Raises ``ValueError`` that names the nearest lesson where there is none.
+    "10", "10-impulse", "impulse", "imp", or a path to the lesson or to a copy. Raises
+    ``ValueError`` naming the nearest lesson where there is none.
     """
     wanted = re.sub(r" \(new \d+\)$", "", Path(name).name.removesuffix(".ipynb"))
     known = {path.stem: path for path in lesson_files(root)}
@@ -63,10 +68,12 @@ def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
 
 
 def open_lesson(name: str | Path, root: Path = ROOT) -> Opened:
-    """Copy a lesson to work/ unless it is there; where the lesson has changed since, lay the new one beside.
+    """Copy a lesson to work/ unless it is there; put a changed lesson beside the old
+    copy.
 
-    A copy that the student deleted is made again; a newer one that they deleted is not offered again.
-    Raises ``ValueError`` for a lesson that is not there and ``OSError`` where work/ cannot be written.
+    A copy that the student deleted is made again; a newer one that they deleted is not
+    offered again. Raises ``ValueError`` for an unknown lesson and ``OSError`` where
+    work/ cannot be written.
     """
     lesson = find_lesson(name, root)
     work = root / "work"
@@ -77,7 +84,7 @@ def open_lesson(name: str | Path, root: Path = ROOT) -> Opened:
     if not target.exists():
         _note(
             work, version, target.name
-        )  # first, so that no copy is ever without its version
+        )  # first, so that no copy ever lacks its version
         if create_exclusively(target, content):
             return Opened(
                 target,
@@ -90,7 +97,7 @@ def open_lesson(name: str | Path, root: Path = ROOT) -> Opened:
 
 
 def _offer(work: Path, target: Path, content: bytes, *, known_start: bool) -> Opened:
-    """Lay a newer lesson beside the student's copy, under the first number that is free."""
+    """Put a newer lesson beside the student's copy, under the first free number."""
     number = 2
     while True:
         beside = work / f"{target.stem} (new {number}).ipynb"
@@ -112,7 +119,10 @@ def _offer(work: Path, target: Path, content: bytes, *, known_start: bool) -> Op
 
 
 def create_exclusively(path: Path, content: bytes) -> bool:
-    """Create a file whole or not at all; False, and nothing touched, where something of that name is there."""
+    """Create a file whole or not at all.
+
+    False, changing nothing, if the name is taken.
+    """
     beside = path.with_name(f".{secrets.token_hex(8)}.part")
     try:
         with open(beside, "xb") as file:
@@ -133,7 +143,7 @@ def create_exclusively(path: Path, content: bytes) -> bool:
 
 
 def _link(source: Path, target: Path) -> None:
-    """Give a finished file its name; the name is taken at once or not at all."""
+    """Give a finished file its name, all at once, unless the name is taken."""
     try:
         os.link(source, target)
     except FileExistsError:
@@ -157,7 +167,9 @@ def _note(work: Path, version: str, name: str) -> None:
 
 
 def _versions(work: Path, stem: str) -> set[str]:
-    """The versions of a lesson that copies were made from; a line that cannot be read is passed over."""
+    """The versions of a lesson that copies were made from; unreadable lines are
+    skipped.
+    """
     try:
         text = (work / RECORD).read_text(encoding="utf-8", errors="replace")
     except OSError:

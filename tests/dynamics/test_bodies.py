@@ -2,7 +2,7 @@
 
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -124,6 +124,65 @@ def test_refuses_momentum_in_a_fixed_body(field):
         match=rf"{field}: expected zero in a body of infinite mass; .* in entry 1",
     ):
         replace(wall, **{field: np.ones((2, 3))})
+
+
+@pytest.mark.parametrize(
+    "which, chosen",
+    [
+        (1, [1]),
+        (np.int64(-1), [5]),
+        (slice(None, None, -2), [5, 3, 1]),
+        ([4, 0, 4], [4, 0, 4]),
+        (np.array([True, False, True, False, False, True]), [0, 2, 5]),
+        ([], []),
+    ],
+)
+def test_indexing_selects_rows_of_every_field(which, chosen):
+    wall = Bodies.balls(np.inf, 0.5, [[0, 0, -1.0]])
+    bodies = Bodies.concatenate([tumbling(), wall])
+    picked = bodies[which]
+    assert len(picked) == len(chosen)
+    for field in fields(Bodies):
+        rows = getattr(bodies, field.name)[np.array(chosen, dtype=int)]
+        assert np.array_equal(getattr(picked, field.name), rows)
+        assert not np.shares_memory(
+            getattr(picked, field.name), getattr(bodies, field.name)
+        )
+        with pytest.raises(ValueError, match="read-only"):
+            getattr(picked, field.name)[...] = 0
+
+
+def test_concatenating_single_bodies_restores_the_set():
+    bodies = tumbling()
+    again = Bodies.concatenate(bodies)  # iterating gives one body at a time
+    for field in fields(Bodies):
+        assert np.array_equal(getattr(again, field.name), getattr(bodies, field.name))
+
+
+@pytest.mark.parametrize(
+    "which, error, message",
+    [
+        (5, IndexError, r"bodies\[...\]: expected an index below 5; got 5"),
+        ([0, -6], IndexError, r"bodies\[...\]: expected an index below 5; got -6"),
+        (0.5, ValueError, r"bodies\[...\]: expected a mask, whole numbers or a slice"),
+        ([[0], [1]], ValueError, r"shape \(k,\); got shape \(2, 1\)"),
+        (
+            [True],
+            ValueError,
+            r"bodies\[mask\]: expected shape \(5,\); got shape \(1,\)",
+        ),
+    ],
+)
+def test_refuses_an_index(which, error, message):
+    with pytest.raises(error, match=message):
+        tumbling()[which]
+
+
+def test_concatenate_refuses_nothing_and_other_types():
+    with pytest.raises(ValueError, match="parts: expected at least one Bodies; got no"):
+        Bodies.concatenate([])
+    with pytest.raises(ValueError, match=r"parts\[1\]: expected Bodies; got float"):
+        Bodies.concatenate([tumbling(), 1.0])
 
 
 def test_no_bodies_are_a_valid_set():

@@ -4,6 +4,7 @@ import itertools
 import re
 import warnings
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 import pytest
@@ -297,6 +298,54 @@ def test_inputs_are_not_written_and_results_cannot_be():
     assert np.array_equal(points, before)
     with pytest.raises(ValueError, match="read-only"):
         hull.inertia[0, 0] = 1
+
+
+AXES = Rotation.from_rotvec([0.3, -0.5, 0.7]).as_matrix()
+SOLIDS = {
+    "sphere": partial(sphere_mass_properties, [1, 2, 3], 0.3),
+    "box": partial(box_mass_properties, [1, 2, 3], AXES, [0.1, 0.2, 0.4]),
+    "capsule": partial(capsule_mass_properties, [0, 1, 0], [2, 1, 1], 0.3),
+    "hull": partial(hull_mass_properties, box_corners([0.1, 0.2, 0.4]) + [1, 2, 3]),
+}
+
+
+@pytest.mark.parametrize("solid", SOLIDS.values(), ids=SOLIDS)
+def test_a_mass_stands_for_the_density_that_gives_it(solid):
+    unit = solid(density=1.0)
+    given = solid(mass=[2.5, 7.0])
+    assert given.mass.tolist() == [2.5, 7.0]  # as given, to the last digit
+    for i, mass in enumerate(given.mass):
+        dense = solid(density=mass / unit.mass)
+        assert np.allclose(given.centre[i], dense.centre, rtol=0, atol=1e-14)
+        assert np.allclose(given.inertia[i], dense.inertia, rtol=1e-13)
+
+
+def test_a_ball_of_given_mass():
+    ball = sphere_mass_properties([0, 0, 0], [0.5, 2.0], mass=3.0)
+    # 2/5 m r^2 (Goldstein, section 5.3)
+    assert np.allclose(ball.inertia[:, 0, 0], [0.4 * 3 * 0.25, 0.4 * 3 * 4])
+
+
+@pytest.mark.parametrize("solid", SOLIDS.values(), ids=SOLIDS)
+@pytest.mark.parametrize(
+    "given, message",
+    [
+        ({}, "density: expected exactly one of density and mass; got neither"),
+        ({"density": 1, "mass": 1}, "exactly one of density and mass; got both"),
+        ({"mass": 0.0}, "mass: expected positive numbers; got 0.0"),
+        ({"mass": np.inf}, "mass: expected finite positive numbers; got inf"),
+    ],
+)
+def test_exactly_one_of_density_and_mass_is_needed(solid, given, message):
+    with pytest.raises(ValueError, match=message):
+        solid(**given)
+
+
+def test_what_float64_cannot_hold_is_refused_by_the_argument_at_fault():
+    with pytest.raises(ValueError, match="radius: expected a solid whose mass"):
+        sphere_mass_properties([0, 0, 0], 1e-120, mass=1.0)  # its volume is 0
+    with pytest.raises(ValueError, match="mass: expected a solid whose mass"):
+        sphere_mass_properties([0, 0, 0], 1e3, mass=1e308)  # its inertia overflows
 
 
 CUBE = box_corners([1.0, 1.0, 1.0])

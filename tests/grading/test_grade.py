@@ -27,9 +27,12 @@ from grading.toy_lessons import (
 
 from course.exercises.notebook_file import UnusableNotebook
 from course.grading import judge as judging
-from course.grading.grade import check_notebook, grade_folder
+from course.grading.batch import standing
+from course.grading.grade import _isolation, check_notebook, grade_folder
+from course.grading.identity import Student
+from course.grading.submissions import Task
 from course.sandbox import running
-from course.sandbox.box import Start
+from course.sandbox.box import Isolation, Start
 from course.sandbox.running import SandboxFailure
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
@@ -355,7 +358,7 @@ def test_a_fault_of_ours_in_one_submission_stops_no_other(
     assert (told.marked, told.needs_person, told.again) == (4, 1, 1)
     reason = rows_in(told.out)["ben.ipynb"]["reason"]
     assert "not its author's fault: RuntimeError: a bug" in reason
-    assert "the same command tries them again" in str(told)
+    assert "the same command retries them" in str(told)
     monkeypatch.undo()
     told = grade_folder(folder, tmp_path / "grades.csv", lessons=LESSONS)
     assert (told.kept, told.marked, told.again) == (4, 5, 0)
@@ -457,3 +460,23 @@ def test_in_a_download_nobody_sees_another_s_marks(tmp_path):
         assert len(shown) == 1, page
     overviews = [p.name.split("--")[1] for p in told.feedback.glob("student--*.html")]
     assert sorted(overviews) == ["Ana_1", "Ana_2", "Dan_3"]
+
+
+TRUSTED_ROW = {"key": "k", "file": "a", "isolation": "trusted: audit hook"}
+
+
+def test_what_was_trusted_before_is_told_though_all_is_boxed_now():
+    boxed = {"isolation": "bubblewrap"}
+    assert _isolation(None, [boxed, TRUSTED_ROW]) == "trusted: audit hook"
+    now = Isolation(True, ("bubblewrap", "clock"))
+    assert _isolation(now, [boxed, TRUSTED_ROW]) == "trusted: audit hook"
+    assert _isolation(now, [boxed]) == "bubblewrap, clock"
+
+
+def test_no_trusted_row_stands_where_a_box_is_required(tmp_path):
+    page = tmp_path / "a.html"
+    page.touch()
+    task = Task("a", tmp_path / "a", Student("Ann", b"a"), page, b"a")
+    rows, keys = [TRUSTED_ROW], {"k": task}
+    assert [len(part) for part in standing(rows, keys, [task])] == [1, 0]
+    assert [len(part) for part in standing(rows, keys, [task], boxed=True)] == [0, 1]

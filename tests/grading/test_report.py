@@ -23,7 +23,7 @@ KEY = "0" * 64
         ("\n\r =cmd", "'=cmd"),
         ("\uff1d1", "'\uff1d1"), ("plain", "plain"), ("a\nb", "a b"), (-3, "-3"), (0, "0"),
         ("\x00\x1b[", "\ufffd\ufffd["),
-        ("", ""),
+        ("", ""), ("a;=1+1", "a;'=1+1"), ("a; -1", "a; '-1"), ("a; b", "a; b"),
     ],
 )  # fmt: skip
 def test_no_cell_is_a_formula(value, cell):

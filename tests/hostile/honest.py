@@ -63,6 +63,26 @@ FAMILY = [
     honest("pip-magic", _then("%pip install numpy", "%%capture")),
     honest("help-lines", _then("np.dot?\nnp.dot??\n?np.dot", "help(twice)")),
     honest("magic-in-block", _then("if True:\n    %pwd\n    !ls")),
+    honest("pasted-with-its-indentation", "    def twice(x):\n        return 2 * x"),
+    honest("pasted-prompts", ">>> def twice(x):\n...     return 2 * x\n... "),
+    honest("pasted-ipython", "In [1]: def twice(x):\n   ...:     return 2 * x"),
+    honest("shell-over-two-lines", _then("!ls \\\n  -l\n%pip install \\\n numpy")),
+    honest("time-binds", "%time k = 2\ndef twice(x):\n    return k * x"),
+    honest("magic-into-a-table", _then("d = {}\nd['here'] = %pwd\nnp.*dot*?")),
+    honest(
+        "no-magic-in-a-text",
+        _then("s = '''\n%pwd\n'''\ny = (7\n% 4)\n%pwd\nassert len(s) == 6 and y == 3"),
+    ),
+    honest("other-line-ends", _then("s = 'a\x0c%b \u2028!c'\n%pwd")),
+    honest("defined-in-a-block", "if True:\n    def twice(x):\n        return 2 * x"),
+    honest(
+        "defined-in-with",
+        "with np.errstate(all='ignore'):\n    def twice(x):\n        return 2 * x",
+    ),
+    honest(
+        "pickles-its-class",
+        _then("import pickle\nclass A: pass\npickle.loads(pickle.dumps(A()))"),
+    ),
     honest(
         "percent-in-text", _then("s = '''\n%d of 100\n!no shell\n'''\nt = 7 \\\n% 4")
     ),

@@ -1,5 +1,7 @@
 """The Contacts class: its fields, its checks, picking and joining."""
 
+from dataclasses import fields
+
 import numpy as np
 import pytest
 
@@ -45,6 +47,37 @@ def test_picking_by_mask_indices_slice_and_int():
         contacts[[True, False]]
     with pytest.raises(ValueError, match="a mask, whole numbers or a slice"):
         contacts[0.5]
+
+
+def test_an_index_selects_the_optional_fields_too():
+    rng = np.random.default_rng(0)
+    curvature = rng.normal(size=(3, 3, 3))
+    contacts = some(
+        feature=["edges", "curved", "face_a"],
+        edge_a=rng.normal(size=(3, 3)),
+        edge_b=rng.normal(size=(3, 3)),
+        curvature_a=curvature + np.swapaxes(curvature, 1, 2),
+        curvature_b=np.zeros((3, 3, 3)),
+        pair=[7, 8, 9],
+    )
+    picked = contacts[[2, 0]]
+    for field in fields(Contacts):
+        rows = getattr(contacts, field.name)[[2, 0]]
+        assert np.array_equal(getattr(picked, field.name), rows)
+    everything = contacts[:]
+    assert not np.shares_memory(everything.point, contacts.point)
+    with pytest.raises(IndexError, match=r"contacts\[...\]: expected an index below 3"):
+        contacts[3]
+
+
+def test_sides_are_those_of_a_and_of_b():
+    contacts = some()
+    side_a, side_b = contacts.sides
+    assert np.array_equal(side_a.body, contacts.body_a) and side_a.sign == 1.0
+    assert np.array_equal(side_b.body, contacts.body_b) and side_b.sign == -1.0
+    # d = (p_A - p_B).N, syllabus row 19
+    apart = sum(sign * point for _, point, sign in contacts.sides)
+    assert np.allclose(apart, contacts.separation[:, None] * contacts.normal)
 
 
 def test_concatenate_fills_what_a_part_lacks_with_nan():

@@ -3,13 +3,22 @@
 import json
 import subprocess
 import sys
+from dataclasses import dataclass
 
 import pytest
 
 from course.exercises.notebook_file import Outline
 from course.sandbox.box import bubblewrap
 from course.sandbox.limits import Limits
-from course.sandbox.running import Question, Sandbox, SandboxFailure, find_isolation
+from course.sandbox.reply import Reply
+from course.sandbox.running import (
+    Answers,
+    Question,
+    Run,
+    Sandbox,
+    SandboxFailure,
+    find_isolation,
+)
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="POSIX processes")
 LINUX = pytest.mark.skipif(
@@ -53,27 +62,57 @@ def is_running(process):
     return told.strip()[:1] not in ("", "Z")
 
 
+def _imports(source):
+    return all(line.startswith("import ") for line in source.splitlines())
+
+
 def notebook_of(*sources):
+    """A notebook of code cells; one that only imports is the lesson's import cell."""
     cells = [
-        {"cell_type": "code", "source": source, "metadata": {}} for source in sources
+        {
+            "cell_type": "code",
+            "source": source,
+            "metadata": {"course": {"role": "imports"}} if _imports(source) else {},
+        }
+        for source in sources
     ]
     return json.dumps({"nbformat": 4, "cells": cells}).encode()
 
 
-def run(
+@dataclass(frozen=True)
+class Ended:
+    """How the notebook's last answer, or the cell that it is in, ended."""
+
+    end: str
+    detail: str
+    reply: Reply | None
+    answers: Answers
+
+    @property
+    def refused(self):
+        return self.answers.refused
+
+
+def answers_of(
     *sources, case=None, results=1, seconds=5.0, memory_mb=2000, file_mb=100,
     boxed=False, cancel=None, name="f", most=10**6,
 ):  # fmt: skip
-    """The run of the function f(x), which the last cell defines; cells before it are helpers."""
+    """What a notebook of these cells gives for the function f(x), which one of them defines."""
     cases = ({"x": 1.0} if case is None else case,)
     question = Question(0, name, "function", tuple(cases[0]), results, cases, (most,))
     sandbox = Sandbox(Limits(seconds, memory_mb, file_mb), boxed, cancel)
     with sandbox.submission(
         notebook_of(*sources), "f.ipynb", [Outline("90", (name,))]
     ) as session:
-        assert session.reading.exercises[0].state == "run", session.reading
-        (ended,) = session.answers([question])
-    return ended
+        (answers,) = session.answers([question])
+    return answers
+
+
+def run(*sources, **options):
+    answers = answers_of(*sources, **options)
+    last = answers.runs[-1] if answers.runs else Run("ended")
+    end, detail = answers.own or (last.end, last.detail)
+    return Ended(end, detail, last.reply, answers)
 
 
 def outcome(source, **options):

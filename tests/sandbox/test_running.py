@@ -19,17 +19,27 @@ from sandbox.runs import (
     POSIX,
     descendants,
     is_running,
+    notebook_of,
     outcome,
     run,
     value,
 )
 
 from course.exercises.notebook_file import UnusableNotebook
-from course.sandbox import box, running, watching
+from course.sandbox import box, running, watching, wire
 from course.sandbox.box import Start
 from course.sandbox.ending import end_of
 from course.sandbox.limits import Limits
-from course.sandbox.running import Cancelled, SandboxFailure, find_isolation
+from course.sandbox.running import (
+    MOST_WAITING,
+    Cancelled,
+    Question,
+    Sandbox,
+    SandboxFailure,
+    Session,
+    _run,
+    find_isolation,
+)
 
 
 @pytest.fixture(autouse=True)
@@ -320,7 +330,7 @@ def test_limits_are_set_on_the_process():
     )
     command = [sys.executable, "-c", source]
     told = subprocess.run(command, capture_output=True, text=True, timeout=60).stdout
-    assert told.strip() == "[(7, 9), (7000000, 7000000), (0, 0)]"
+    assert told.strip() == "[(7, 9), (7000000, 7000000), (1, 1)]"
 
 
 @POSIX
@@ -400,14 +410,16 @@ def test_memory_is_watched_where_it_cannot_be_limited(monkeypatch, tmp_path):
     """As on macOS: the memory that ps tells of is looked at while the answer runs."""
     assert 10 < watching._resident_mb(os.getpid()) < 100_000
     assert watching._resident_mb(2**22 + 1) == 0.0
-    seen = watching._Limits(os.getpid(), str(tmp_path), Limits(seconds=99.0), False)
-    seen.begun = time.monotonic()
+    limits, place = Limits(seconds=99.0), str(tmp_path)
+    seen = watching.Watch(
+        os.getpid(), 0, 0, None, place, limits, boxed=False, seconds=99.0
+    )
     seen._looked -= 1.0
-    assert seen.passed() is None
+    assert seen._passed() is None
     monkeypatch.setattr(watching, "watches_memory", lambda: True)
     monkeypatch.setattr(watching, "_resident_mb", lambda pid: 2001.0)
     seen._looked -= 1.0
-    assert seen.passed() == "memory"
+    assert seen._passed() == "memory"
 
 
 @pytest.mark.parametrize("way", ["start_plain", "start_in_box"])
@@ -485,3 +497,80 @@ def test_the_box_holds_what_the_child_imports_and_no_more():
     told = subprocess.run(command, capture_output=True, text=True).stdout
     loaded = [Path(p).relative_to(box.ROOT).as_posix() for p in json.loads(told)]
     assert tuple(loaded) == box.CHILD_FILES
+
+
+@BOXED
+def test_thousands_of_threads_are_ended_before_the_machine_has_no_numbers_left():
+    source = """import _thread
+_thread.stack_size(32768)
+lock = _thread.allocate_lock()
+lock.acquire()
+for _ in range(20_000): _thread.start_new_thread(lock.acquire, ())
+def f(x): return x"""
+    assert run(source, boxed=True).end == "threads"
+
+
+@BOXED
+def test_some_hundred_threads_are_nobodys_business():
+    source = """import threading, time
+def f(x):
+    for _ in range(300):
+        t = threading.Thread(target=time.sleep, args=(0.002,))
+        t.start()
+        t.join()
+    return x"""
+    assert run(source, boxed=True).end == "replied"
+
+
+class Compromised(Sandbox):
+    """A process that is a stranger's from its start."""
+
+    def _start(self, stack):
+        return Start((sys.executable, "-c", self.program), dict(os.environ), "/")
+
+
+def compromised(program):
+    sandbox = Compromised(Limits(1.0))
+    object.__setattr__(sandbox, "program", BEGIN + program)
+    return sandbox
+
+
+BEGIN = """
+import os, struct, sys, time
+def send(letter, payload): os.write(1, struct.pack('<cI', letter, len(payload)) + payload)
+send(b'A', b'')
+"""
+
+
+@POSIX
+def test_a_process_that_never_stops_sending_fills_no_memory():
+    sandbox = compromised("while True: send(b'N', bytes(50_000))")
+    session = Session(sandbox, sandbox._start(None))
+    time.sleep(0.5)
+    assert session._inbox.qsize() <= MOST_WAITING + 1
+    session.close()
+    assert not session._listener.is_alive()
+
+
+@POSIX
+def test_a_process_that_takes_nothing_is_not_waited_for(monkeypatch):
+    monkeypatch.setattr("course.sandbox.running.SEND_SECONDS", 0.5)
+    large = notebook_of("#" * 1_000_000)
+    with pytest.raises((UnusableNotebook, SandboxFailure)):
+        with compromised("time.sleep(30)").submission(large, "f.ipynb", []):
+            pass
+
+
+@POSIX
+def test_a_reader_that_somebody_ends_is_no_fault_of_the_notebook():
+    with pytest.raises(SandboxFailure, match="ended from outside"):
+        program = "os.read(0, 100); os.kill(os.getpid(), 9)"
+        with compromised(program).submission(notebook_of("1"), "f.ipynb", []):
+            pass
+
+
+def test_a_reply_of_a_million_nothings_is_not_taken_apart():
+    question = Question(0, "f", "function", ("x",), 1, ({"x": 1.0},), (1,))
+    reply = np.frombuffer(wire.pack([[]] * 1_000_000), np.uint8)
+    ended = _run({"end": "replied", "reply": reply}, question)
+    assert (ended.end, ended.detail) == ("unreadable", "lengths out of bounds")

@@ -103,7 +103,7 @@ GOOD = {
 
 
 def test_a_good_reply_is_read():
-    reply = checked_reply(GOOD, cells=1, most=[9], results=1)
+    reply = checked_reply(GOOD, most=[9], results=1)
     assert reply.outcomes == (Outcome("value", (np.array(1.0),)),) and reply.held == (
         "memory",
     )
@@ -114,25 +114,14 @@ def test_a_good_reply_is_read():
     [
         {"outcomes": []}, {"outcomes": None}, {"outcomes": [1]}, {"outcomes": [{"kind": "passed"}]},
         {"outcomes": [{"kind": "value", "values": [1.0]}]}, {"outcomes": [{"kind": "value", "values": []}]},
-        {"outcomes": [{"kind": "value", "values": np.array(1.0)}]}, {"notes": 3}, {"held": {"memory": 1}},
+        {"outcomes": [{"kind": "value", "values": np.array(1.0)}]}, {"held": {"memory": 1}},
         {"outcomes": [{"kind": "value", "values": [np.zeros(10)]}]},
     ],
     ids=repr,
 )  # fmt: skip
 def test_a_reply_that_is_none_is_refused(change):
     with pytest.raises(wire.Unreadable):
-        checked_reply(GOOD | change, cells=1, most=[9], results=1)
-
-
-def test_notes_are_taken_only_where_they_name_a_cell():
-    notes = [[0, "NameError"], [5, "x"], [True, "x"], ["0", "x"], [0], "no", [0, 7]]
-    reply = checked_reply(GOOD | {"notes": notes[:1]}, 1, [9], 1)
-    assert reply.notes == ((0, "NameError"),)
-    assert [i for i, _ in checked_reply(GOOD | {"notes": notes}, 7, [9], 1).notes] == [
-        0,
-        5,
-        0,
-    ]
+        checked_reply(GOOD | change, most=[9], results=1)
 
 
 def test_text_of_a_stranger_is_made_plain():
@@ -141,3 +130,10 @@ def test_text_of_a_stranger_is_made_plain():
         == "a\N{REPLACEMENT CHARACTER}[31mb\n?\N{REPLACEMENT CHARACTER}"
     )
     assert clean("x" * 50, 10) == "x" * 10 and clean(3, 10) == ""
+
+
+def test_no_two_arrays_share_bytes():
+    # Each is a copy: 40 of them would be 40 times the message in the reader's memory.
+    one = {"array": ["|u1", [1000], 0]}
+    with pytest.raises(wire.Unreadable, match="does not follow"):
+        wire.unpack(message([one] * 40, bytes(1000)))

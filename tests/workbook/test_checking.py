@@ -85,7 +85,7 @@ def test_an_answer_that_runs_on_is_told_of_while_it_runs(monkeypatch):
     assert (
         len(told) == 1
         and "still running after" in told[0]
-        and "loop whose end is never reached" in told[0]
+        and "loop that never ends" in told[0]
     )
 
 

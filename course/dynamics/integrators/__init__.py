@@ -1,4 +1,6 @@
-"""Steps in time with one signature, batched over bodies: (bodies, wrench, step, *, time=0.0) -> Bodies."""
+"""Steps in time with one signature, batched over bodies: (bodies, wrench, step, *,
+time=0.0) -> Bodies.
+"""
 
 from course.dynamics.integrators.motion import Wrench, uniform_gravity
 from course.dynamics.integrators.reference import dop853, reference_motion

@@ -1,8 +1,9 @@
-"""Vectors (3, n) and quaternions (4, n) with their components first: the arithmetic inside a step.
+"""Vectors (3, n) and quaternions (4, n), components first: the arithmetic inside a
+step.
 
-With a component a row, one NumPy call treats that component of all bodies,
-and no call gathers across rows. Nothing is checked here: what comes in was
-checked when the ``Bodies`` were made.
+With one component per row, a NumPy call handles that component of all bodies, and no
+call gathers across rows. Nothing is checked here: the input was checked when the
+``Bodies`` were made.
 """
 
 from __future__ import annotations
@@ -13,7 +14,8 @@ from course.arrays import Array
 
 _SECOND, _THIRD = np.array([1, 2, 0]), np.array([2, 0, 1])
 
-#: Up to here a NumPy call costs more than its arithmetic, so that few calls count and not few copies.
+#: Up to this size a NumPy call costs more than its arithmetic: fewer calls matter, not
+#: fewer copies.
 _FEW = 256
 
 
@@ -29,7 +31,7 @@ def cross(a: Array, b: Array) -> Array:
 
 
 def multiplied(first: Array, second: Array) -> Array:
-    """The product of quaternions, first after second: R(first) R(second), (4, n)."""
+    """The product of quaternions, R(first) R(second), (4, n)."""
     result = first[3] * second
     vector = result[:3]
     vector += second[3] * first[:3]
@@ -39,14 +41,16 @@ def multiplied(first: Array, second: Array) -> Array:
 
 
 def conjugated(q: Array) -> Array:
-    """The opposite turn, (4, n)."""
+    """The inverse rotation, (4, n)."""
     result = -q
     result[3] = q[3]
     return result
 
 
 def rotated(q: Array, v: Array) -> Array:
-    """R(q) v for unit quaternions: v + 2 w (u x v) + 2 u x (u x v) with q = (u, w), (3, n)."""
+    """R(q) v for unit quaternions: v + 2 w (u x v) + 2 u x (u x v) with q = (u, w), (3,
+    n).
+    """
     twice = cross(q, v)
     twice += twice
     result = cross(q, twice)
@@ -57,9 +61,10 @@ def rotated(q: Array, v: Array) -> Array:
 
 
 def turn_about(rotation_vector: Array) -> Array:
-    """A quaternion that turns by |theta| about theta, (theta tan(|theta|/2)/|theta|, 1): of any length but 0, (4, n).
+    """A quaternion that turns by |theta| about theta, of any length but 0, (4, n).
 
-    One trigonometric function instead of two; ``normalized`` after the product makes the length 1.
+    (theta tan(|theta|/2)/|theta|, 1): one trigonometric function instead of two;
+    ``normalized`` after the product makes the length 1.
     """
     half = 0.5 * np.sqrt(np.einsum("in,in->n", rotation_vector, rotation_vector))
     np.maximum(half, 1e-150, out=half)  # where nothing turns the factor below is 1/2

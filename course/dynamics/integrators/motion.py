@@ -1,4 +1,4 @@
-"""The moving part of n bodies while a step works on it, and the principal frames it turns in."""
+"""The moving part of n bodies during a step, and the principal frames it turns in."""
 
 from __future__ import annotations
 
@@ -28,12 +28,13 @@ Wrench = Callable[[Bodies, float], tuple[Array, Array]]
 
 @dataclass(frozen=True)
 class PrincipalFrames:
-    """What turning needs to know of n inertias, once for a whole motion.
+    """What rotation needs to know about n inertias, once for a whole motion.
 
     Args:
         inverse_moments: (3, n), 1/I1 >= 1/I2 >= 1/I3; zero for a fixed body.
         moments: (3, n), I1 <= I2 <= I3; 1 for a fixed body.
-        axes: (4, n) quaternions, principal axes to body axes; None where all of them are the same axes.
+        axes: (4, n) quaternions, principal axes to body axes; None where all of them
+            are the identity.
     """
 
     inverse_moments: Array
@@ -47,7 +48,9 @@ _known_frames: dict[
 
 
 def principal_frames(bodies: Bodies) -> PrincipalFrames:
-    """The frames of these bodies, worked out once for each pair of (read-only) inertia and mass arrays."""
+    """The frames of these bodies, computed once per pair of (read-only) inertia and
+    mass.
+    """
     inertia, mass = bodies.inertia, bodies.mass
     key = id(inertia), id(mass)
     found = _known_frames.get(key)
@@ -71,7 +74,9 @@ def principal_frames(bodies: Bodies) -> PrincipalFrames:
 
 @dataclass(frozen=True)
 class Motion:
-    """Position, orientation and momenta of n bodies with the components first: (3, n) or (4, n)."""
+    """Position, orientation and momenta of n bodies, components first: (3, n) or (4,
+    n).
+    """
 
     bodies: Bodies
     frames: PrincipalFrames
@@ -84,7 +89,10 @@ class Motion:
 
     @classmethod
     def of(cls, bodies: Bodies) -> Motion:
-        """The motion of these bodies; views of their arrays, which are never written to."""
+        """The motion of these bodies.
+
+        Views of their arrays, which are never written to.
+        """
         if not isinstance(bodies, Bodies):
             raise failure("bodies", "Bodies", type(bodies).__name__)
         fixed = np.isinf(bodies.mass)
@@ -116,7 +124,7 @@ class Motion:
 
     @property
     def angular_velocity(self) -> Array:
-        """omega = R I^-1 R' L, worked out in the principal axes, (3, n)."""
+        """omega = R I^-1 R' L, computed in the principal axes, (3, n)."""
         q = self.principal_orientation
         return rotated(
             q,
@@ -124,12 +132,16 @@ class Motion:
         )
 
     def turned(self, rotation_vector: Array) -> Array:
-        """The orientations turned by a rotation vector in world axes, exp(theta/2) q, (4, n)."""
+        """The orientations turned by a rotation vector in world axes, exp(theta/2) q,
+        (4, n).
+        """
         q = normalized(multiplied(turn_about(rotation_vector), self.orientation))
         return q if self.fixed is None else np.where(self.fixed, self.orientation, q)
 
     def wrench(self, wrench: Wrench | None, time: float) -> tuple[Array, Array]:
-        """Force and torque, (3, n) or (3, 1) for all; what is said of fixed bodies is not read."""
+        """Force and torque, (3, n) or (3, 1) for all; those of fixed bodies are not
+        read.
+        """
         if wrench is None:
             return np.zeros((3, 1)), np.zeros((3, 1))
         answer = wrench(self.to_bodies(), time)
@@ -174,7 +186,7 @@ class Motion:
 
 
 def step_and_time(step: ArrayLike, time: ArrayLike) -> tuple[float, float]:
-    """Both as floats; a step below 0 goes back in time."""
+    """Both as floats; a negative step goes back in time."""
     return scalar("step", step), scalar("time", time)
 
 

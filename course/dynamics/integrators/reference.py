@@ -1,4 +1,4 @@
-"""SciPy's DOP853 as the truth where there is no closed form."""
+"""SciPy's DOP853 as the reference where there is no closed form."""
 
 from __future__ import annotations
 
@@ -20,12 +20,11 @@ def dop853(
     time: float = 0.0,
     relative_tolerance: float = 1e-13,
 ) -> Bodies:
-    """The bodies one step on, however long, by as many smaller steps as the tolerance asks for.
+    """The bodies one step later, by as many smaller steps as the tolerance requires.
 
-    The method of order 8 of Dormand and Prince with the error control of
-    Hairer, Norsett and Wanner (*Solving Ordinary Differential Equations I*,
-    section II.5), from ``scipy.integrate``; quaternions as four numbers,
-    brought back to unit length where they are read.
+    The method of order 8 of Dormand and Prince with the error control of Hairer,
+    Norsett and Wanner (*Solving Ordinary Differential Equations I*, section II.5), from
+    ``scipy.integrate``; quaternions are four numbers, normalized where they are read.
 
     Args:
         bodies, wrench, step, time: as in ``explicit_euler``.
@@ -52,7 +51,7 @@ def reference_motion(
     """The bodies at each of these times, by ``dop853``.
 
     Args:
-        times: (t,) [s], one after the other in one direction from ``time``.
+        times: (t,) [s], monotonic, in one direction from ``time``.
     """
     from scipy.integrate import solve_ivp
 
@@ -75,7 +74,8 @@ def reference_motion(
     motion, reached, states = Motion.of(bodies), start, []
     for end in at:
         if end != reached and len(bodies):
-            # A run to each time: between its own steps DOP853 only interpolates, to order 7.
+            # A separate run to each time: between its own steps DOP853 interpolates,
+            # only to order 7.
             solution = solve_ivp(
                 partial(_rates, motion, wrench),
                 (reached, end),
@@ -93,7 +93,9 @@ def reference_motion(
 
 
 def _scales(motion: Motion) -> tuple[Array, Array]:
-    """Mass and middle moment: momenta are integrated as velocities, so that one tolerance fits all bodies."""
+    """Mass and middle moment, which scale momenta to velocities: one tolerance fits all
+    bodies.
+    """
     mass = np.where(np.isfinite(motion.bodies.mass), motion.bodies.mass, 1.0)
     return mass, motion.frames.moments[1]
 

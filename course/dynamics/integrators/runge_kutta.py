@@ -1,15 +1,16 @@
-"""Explicit steps: Euler, symplectic Euler, midpoint and the classical Runge-Kutta method, turning included.
+"""Explicit steps: Euler, symplectic Euler, midpoint and classical Runge-Kutta.
 
-Orientations are no vectors, and adding to a quaternion leaves the rotations.
-So each step writes R(t) = exp([theta(t)]) R0 and integrates the rotation
-vector theta, whose rate is omega only to first order:
+Orientations are not vectors: adding to a quaternion leaves the rotation group. So each
+step writes R(t) = exp([theta(t)]) R0 and integrates the rotation vector theta, whose
+rate is omega only to first order:
+
 theta' = omega - theta x omega / 2 + theta x (theta x omega) / 12 + ...
-(H. Munthe-Kaas, "Runge-Kutta methods on Lie groups", BIT 38, 1998; Hairer,
-Lubich and Wanner, *Geometric Numerical Integration*, section IV.8, where two
-correcting terms are shown to suffice for order 4). Every stage is a rotation,
-so the wrench meets unit quaternions only. The other way, a quaternion in R^4
-brought back to unit length after the step, has order 4 too, but its stages
-are none.
+
+(H. Munthe-Kaas, "Runge-Kutta methods on Lie groups", BIT 38, 1998; Hairer, Lubich and
+Wanner, *Geometric Numerical Integration*, section IV.8, where two correcting terms are
+shown to suffice for order 4). Every stage is a rotation, so the wrench only sees unit
+quaternions. The alternative, a quaternion in R^4 normalized after the step, has order 4
+too, but its stages are not rotations.
 """
 
 from __future__ import annotations
@@ -49,7 +50,8 @@ def explicit_euler(
 def symplectic_euler(
     bodies: Bodies, wrench: Wrench | None, step: float, *, time: float = 0.0
 ) -> Bodies:
-    """One step of symplectic Euler: momenta first, then positions with the new momenta, order 1.
+    """One step of symplectic Euler: momenta first, then positions with the new momenta,
+    order 1.
 
     p' = p + h F, L' = L + h tau, x' = x + h v', q' = exp(h omega' / 2) q with
     omega' = I^-1 L' at the old orientation. Stable on an oscillator to
@@ -111,7 +113,10 @@ def _runge_kutta(
     nodes: Sequence[float],
     weights: Sequence[float],
 ) -> Bodies:
-    """Stage i + 1 lies ``nodes[i]`` h along the rates of stage i; the step along their weighted mean."""
+    """Stage i + 1 lies ``nodes[i]`` h along the rates of stage i.
+
+    The step along their weighted mean.
+    """
     h, t = step_and_time(step, time)
     start = Motion.of(bodies)
     slopes = [_slopes(start, start, None, wrench, t)]
@@ -129,7 +134,9 @@ def _runge_kutta(
 def _slopes(
     start: Motion, here: Motion, theta: Array | None, wrench: Wrench | None, time: float
 ) -> tuple[Array, ...]:
-    """Rates of position, rotation vector and both momenta; theta is the turn since the start."""
+    """Rates of position, rotation vector and both momenta; theta is the rotation so
+    far.
+    """
     force, torque = here.wrench(wrench, time)
     rate = here.angular_velocity
     if theta is not None:

@@ -1,21 +1,20 @@
 """Splitting: the motion in pieces that are each solved exactly, symmetrically composed.
 
-With the principal moments I1 <= I2 <= I3 and the angular momentum l = R'L in
-those axes, the energy of turning is
+With the principal moments I1 <= I2 <= I3 and the angular momentum l = R'L in those
+axes, the rotational energy is
 
     T = |l|^2/(2 I2) + (1/I3 - 1/I2) l3^2/2 + (1/I1 - 1/I2) l1^2/2.
 
-Each term alone turns the body evenly: the first about L in space by
-h |L| / I2, the others about axes 3 and 1 of the body. The first commutes with
-the other two, so the pieces that must alternate are only two (J. Touma and
-J. Wisdom, Astron. J. 107, 1994, split a body into a symmetric top and a rest;
-A. Dullweber, B. Leimkuhler and R. McLachlan, J. Chem. Phys. 107, 1997; F.
-Fasso, J. Comput. Phys. 189, 2003, compares the ways to split). A symmetric
-top has one of the two, and is turned exactly whatever the step.
+Each term alone rotates the body uniformly: the first about L in space by h |L| / I2,
+the others about axes 3 and 1 of the body. The first commutes with the other two, so
+only two pieces must alternate (J. Touma and J. Wisdom, Astron. J. 107, 1994, split a
+body into a symmetric top and a rest; A. Dullweber, B. Leimkuhler and R. McLachlan, J.
+Chem. Phys. 107, 1997; F. Fasso, J. Comput. Phys. 189, 2003, compares the ways to
+split). A symmetric top has one of the two, and is rotated exactly whatever the step.
 
-A step is a chain of small steps "free motion: axis 3, axis 1; then the kick"
-and their mirror images. R. McLachlan (SIAM J. Sci. Comput. 16, 1995) shows
-that one list of lengths serves any number of pieces.
+A step is a chain of small steps "free motion: axis 3, axis 1; then the kick" and their
+mirror images. R. McLachlan (SIAM J. Sci. Comput. 16, 1995) shows that one list of
+lengths serves any number of pieces.
 """
 
 from __future__ import annotations
@@ -42,7 +41,9 @@ from course.dynamics.integrators.motion import (
 
 
 def _chain(outer: Sequence[float], inner: Sequence[float]) -> tuple[float, ...]:
-    """The lengths of a chain, from what its outer and inner pieces last in the first half of a step."""
+    """The lengths of a chain, from those of its outer and inner pieces in the first
+    half.
+    """
     lengths: list[float] = []
     for joined in (x for pair in zip(outer, inner, strict=True) for x in pair):
         lengths.append(joined - (lengths[-1] if lengths else 0.0))
@@ -50,13 +51,13 @@ def _chain(outer: Sequence[float], inner: Sequence[float]) -> tuple[float, ...]:
 
 
 def _of_steps(parts: Sequence[float]) -> tuple[float, ...]:
-    """The chain of steps of order 2, of which the first and the middle ones are given."""
+    """The chain of steps of order 2 whose first and middle ones are given."""
     return tuple(0.5 * part for part in (*parts, *parts[-2::-1]) for _ in range(2))
 
 
-#: Chains by order: S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142, 2002 (S6 and S10, order 4 and 6);
-#: W. Kahan and R.-C. Li, Math. Comp. 66, 1997 (s17odr8a, order 8; Hairer, Lubich and Wanner,
-#: *Geometric Numerical Integration*, section V.3.2).
+#: Chains by order: S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142, 2002 (S6 and
+#: S10, order 4 and 6); W. Kahan and R.-C. Li, Math. Comp. 66, 1997 (s17odr8a, order 8;
+#: Hairer, Lubich and Wanner, *Geometric Numerical Integration*, section V.3.2).
 _CHAINS = {
     2: (0.5, 0.5),
     4: _chain(
@@ -94,14 +95,16 @@ _CHAINS = {
     ),
 }
 
-#: Bodies worked on together: few enough that their arrays stay in a processor's second cache, many enough
-#: that a NumPy call costs little beside its arithmetic.
+#: Bodies per block: few enough that their arrays fit a processor's second-level cache,
+#: enough that a NumPy call costs little beside its arithmetic.
 _BLOCK = 4096
 
-#: Steps without a kick after which l is taken afresh from the orientation, and that is brought to length 1.
+#: Steps without a kick after which l is recomputed from the orientation, and that is
+#: normalized.
 _ROUND = 16
 
-#: One even turn: about which principal axis (0 or 2), and for what part of the step.
+#: One uniform rotation: about which principal axis (0 or 2), and for what part of the
+#: step.
 Turn = tuple[int, float]
 
 
@@ -114,12 +117,13 @@ def splitting(
     order: int = 2,
     velocity_dependent: bool = True,
 ) -> Bodies:
-    """One step of the splitting method: free motion in even turns, the wrench as a kick in the middle.
+    """One step of the splitting method: free motion in uniform rotations, the wrench as
+    a kick.
 
-    Half the free motion, p += h F and L += h tau, half the free motion. The
-    step is its own inverse with -h, keeps L of a torque-free body untouched
-    and its energy without drift, and takes a parabola and a symmetric top
-    exactly. Source: the head of this module.
+    Half the free motion, p += h F and L += h tau, half the free motion. The step is its
+    own inverse with -h, leaves L of a torque-free body unchanged and its energy without
+    drift, and is exact for a parabola and a symmetric top. Source: the module
+    docstring.
 
     Args:
         bodies, wrench, step, time: as in ``explicit_euler``.
@@ -127,18 +131,19 @@ def splitting(
             where the wrench reads only positions, orientations and time.
         velocity_dependent: the kick reads the wrench twice, the second time
             with half the kick done, which order 2 needs where the wrench
-            depends on velocities. False reads it once, and says that it does not.
+            depends on velocities. False reads it once, for a wrench that does not.
     Returns:
         The bodies at time + step.
     Raises:
-        ValueError: as ``explicit_euler``, and an order that is not there.
+        ValueError: as ``explicit_euler``, and an unknown order.
     """
     h, t = step_and_time(step, time)
     if wrench is None:
         return free_flight(bodies, h, 1, order=order)
     motion, chain, before = Motion.of(bodies), _chain_of(order), 0.0
     for first, second in zip(chain[::2], chain[1::2], strict=True):
-        # Free motion since the last kick: the end of one link and the beginning of the next.
+        # Free motion since the last kick: the end of one link and the beginning of the
+        # next.
         turns = [
             turn for turn in ((0, before), (2, before + first), (0, first)) if turn[1]
         ]
@@ -150,7 +155,9 @@ def splitting(
 
 
 def free_flight(bodies: Bodies, step: float, count: int, *, order: int = 2) -> Bodies:
-    """``count`` steps of ``splitting`` without a wrench, but for rounding; block after block of bodies."""
+    """``count`` steps of ``splitting`` without a wrench, up to rounding, block by
+    block.
+    """
     chain, motion = _chain_of(order), Motion.of(bodies)
     rounds = [
         (_turns(chain * size), float(size)) for size in (_ROUND, count % _ROUND) if size
@@ -166,7 +173,9 @@ def _chain_of(order: int) -> tuple[float, ...]:
 
 
 def _turns(chain: Sequence[float]) -> list[Turn]:
-    """The turns of a step without kicks: axis 3 and axis 1 by turns, neighbours joined."""
+    """The rotations of a step without kicks: axes 3 and 1 alternating, neighbours
+    merged.
+    """
     joined = [
         chain[0],
         *(a + b for a, b in zip(chain, chain[1:], strict=False)),
@@ -193,7 +202,7 @@ def _kicked(
 def _free(
     motion: Motion, rounds: Sequence[tuple[Sequence[Turn], float]], step: float
 ) -> Motion:
-    """Free motion in rounds of turns; each has its length in steps."""
+    """Free motion in rounds of rotations; each has its length in steps."""
     q, frames = np.empty(motion.orientation.shape), motion.frames
     for first in range(0, len(motion.bodies), _BLOCK):
         here = slice(first, first + _BLOCK)
@@ -237,10 +246,11 @@ def _turned(
 def _turn_evenly(
     axis: int, half_rate: Array, body: Array, q: Array, work: Array
 ) -> None:
-    """Turn bodies about one of their axes by 2 half_rate l_axis, in place; body is l, work is room for (4, n).
+    """Turn bodies about one of their axes by 2 half_rate l_axis, in place.
 
-    The quaternion is multiplied by (tan(angle/2) e, 1): one trigonometric
-    function in place of two, and its length is put right at the end of the step.
+    ``body`` is l, ``work`` is room for (4, n). The quaternion is multiplied by
+    (tan(angle/2) e, 1): one trigonometric function instead of two; it is normalized at
+    the end of the step.
     """
     tangent, sine, one, other = work
     np.multiply(half_rate, body[axis], out=half_rate)

@@ -91,12 +91,12 @@ SPEED_ALONG = Exercise(
                 "np.sum(velocity * normal, axis=-1)",
                 "np.linalg.norm(velocity, axis=-1)",
             ),
-            "This is the whole speed |v|. Asked is the part of it along the normal, which has a sign.",
+            "This is the whole speed |v|. What is asked for is the part of it along the normal, which has a sign.",
         ),
         Mistake(
             "sign",
             slip(formulas.speed_along, "np.sum", "-np.sum"),
-            "The sign is turned round: a box that falls onto the floor has v.n below 0, because n points out of the "
+            "The sign is reversed: a box that falls onto the floor has v.n below 0, because n points out of the "
             "floor.",
         ),
     ),

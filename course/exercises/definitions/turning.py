@@ -1,7 +1,8 @@
 """Inputs and small algebra for exercises on bodies that turn.
 
-Turned bodies whose inertia is not diagonal, L off omega, a step that is not small: each of them tells apart mistakes
-that agree where it is missing. Rotations have few decimals: those of whole quaternions of squared length 25.
+Turned bodies whose inertia is not diagonal, L off omega, a step that is not small: each
+of them tells apart mistakes that agree where it is missing. Rotations have few
+decimals: those of whole quaternions of squared length 25.
 """
 
 from __future__ import annotations
@@ -26,12 +27,15 @@ def rotation_matrices(rng: np.random.Generator, shape: tuple[int, ...]) -> np.nd
     return np.moveaxis(np.array(rows), (0, 1), (-2, -1)) / 25.0
 
 
-# An inertia is drawn by its second moments S, positive definite: I = tr(S) 1 - S (Goldstein, section 5.3). A positive
-# matrix drawn as I itself may have a principal moment above the sum of the other two, and no body has that.
+# An inertia is drawn by its second moments S, positive definite: I = tr(S) 1 - S
+# (Goldstein, section 5.3). A positive matrix drawn as I itself may have a principal
+# moment above the sum of the other two, and no body has that.
 
 
 def inertias(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
-    """Symmetric, two decimals, unlike moments of 1.3 to 3.7 and products that are not zero."""
+    """Symmetric, two decimals, unlike moments of 1.3 to 3.7 and products that are not
+    zero.
+    """
     upper = np.triu(rng.uniform(0.1, 0.3, (*shape, 3, 3)), 1).round(2)
     second = (np.array([1.8, 0.9, 0.4]) + rng.uniform(0.0, 0.5, (*shape, 3))).round(2)
     return (
@@ -40,7 +44,7 @@ def inertias(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
 
 
 def inverse_moments(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
-    """1/I about three principal axes, two decimals, from about 0.5 to 2 and all unlike."""
+    """1/I about three principal axes, two decimals, from about 0.5 to 2, all unlike."""
     return np.asarray(
         np.round(
             1 / _moments(rng.uniform([0.1, 0.4, 0.8], [0.2, 0.6, 1.2], (*shape, 3))), 2

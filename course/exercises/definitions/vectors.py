@@ -1,4 +1,6 @@
-"""Two things that the exercises of many lessons need: a drawn direction, and the dot product of batches."""
+"""Two things that the exercises of many lessons need: a drawn direction, and the dot
+product of batches.
+"""
 
 from __future__ import annotations
 

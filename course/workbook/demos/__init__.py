@@ -1,4 +1,6 @@
-"""Widgets to play with: in a lesson ``demos.impulse()``, in front of a room ``course demo impulse``."""
+"""Widgets to play with: in a lesson ``demos.impulse()``, in front of a room ``course
+demo impulse``.
+"""
 
 from course.workbook.demos.contact_forces import plank
 from course.workbook.demos.contact_matrix import pushed_table

@@ -8,7 +8,9 @@ from course.workbook.plots import contact_forces
 
 
 def plank() -> Panel:
-    """A plank on two feet: drag the load, and see the forces, the programme they minimise, and a foot that lifts."""
+    """A plank on two feet: drag the load, and see the forces, the programme they
+    minimise, and a foot that lifts.
+    """
     return Panel(
         lambda **chosen: contact_forces.plank_and_forces(plank_forces(**chosen)),
         {"load_at": slider("place of the load", 0.3, -1.5, 1.5, 0.05, "m")},

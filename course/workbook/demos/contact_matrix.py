@@ -8,7 +8,9 @@ from course.workbook.plots import contact_matrix
 
 
 def pushed_table() -> Panel:
-    """A table pushed up with 1 N: move the push and the centre of mass, and see which feet feel it, and how."""
+    """A table pushed up with 1 N: move the push and the centre of mass, and see which
+    feet feel it, and how.
+    """
     return Panel(
         lambda **chosen: contact_matrix.pushed_table(study.pushed_table(**chosen)),
         {

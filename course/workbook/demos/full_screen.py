@@ -34,7 +34,10 @@ def notebook_of(demo: Demo) -> nbformat.NotebookNode:
 
 
 def serve(name: str, *, browser: bool = True, port: int | None = None) -> int:
-    """Serve the demo of this name until interrupted; returns Voila's exit code. A taken port gets the next one."""
+    """Serve the demo of this name until interrupted.
+
+    Returns Voila's exit code. A taken port gets the next one.
+    """
     demo = find_demo(name)
     with tempfile.TemporaryDirectory(prefix="course-demo-") as folder:
         path = Path(folder) / f"{demo.name}.ipynb"

@@ -8,7 +8,9 @@ from course.workbook.plots import bounces, impacts
 
 
 def impulse() -> Panel:
-    """Two balls on one line: masses, speeds and restitution, and what the impulse makes of them."""
+    """Two balls on one line: masses, speeds and restitution, and what the impulse makes
+    of them.
+    """
     return Panel(
         lambda **chosen: impacts.impact(central_impact(**chosen)),
         {
@@ -23,7 +25,7 @@ def impulse() -> Panel:
 
 
 def wall() -> Panel:
-    """A ball meets a wall: turn the wall and the ball, and choose how much comes back."""
+    """A ball meets a wall: turn both, and choose how much of the speed comes back."""
     return Panel(
         lambda **chosen: bounces.reflection(wall_reflection(**chosen)),
         {

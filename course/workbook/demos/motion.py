@@ -1,4 +1,6 @@
-"""The widget for lesson 09: a body that tumbles with no torque on it, L, omega, and where its energy is."""
+"""The widget for lesson 09: a body that tumbles with no torque on it, L, omega, and
+where its energy is.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,9 @@ STILL, PLACE = 1.56, (0.16, 0.3, 0.8, 0.61)
 def tumbling_scene(
     tumble: Tumble, *, arrows: bool = True, camera: str = "corner", caption: str = ""
 ) -> viewer.Scene:
-    """The handle in three dimensions as it moves, with L and omega as arrows from its centre."""
+    """The handle in three dimensions as it moves, with L and omega as arrows from its
+    centre.
+    """
     center = handle_mass_properties().centre
     bar, stem = (
         viewer.box(size, center=place - center, color=color)
@@ -63,12 +67,16 @@ def tumbling_scene(
 
 
 def _scale(vectors: Any, length: float) -> float:
-    """Metres for one unit, to two digits, that draw a vector about so long [m]: longer than the handle is wide."""
+    """Metres for one unit, to two digits, that draw a vector about this long [m]:
+    longer than the handle is wide.
+    """
     return float(f"{length / np.linalg.norm(vectors):.1e}")
 
 
 class TumblingDemo(ipywidgets.VBox):
-    """The start on sliders, the motion in three dimensions, and the energy about each axis over time."""
+    """The start on sliders, the motion in three dimensions, and the energy about each
+    axis over time.
+    """
 
     def __init__(self) -> None:
         axes = list(zip(motion.AXIS_NAMES, range(3), strict=True))
@@ -157,7 +165,8 @@ class TumblingDemo(ipywidgets.VBox):
             ax.set_ylim(0.0, 1.12 * float(tumble.turning_energy[0].sum()))
             ax.set_xlim(0.0, SECONDS)  # the bar below runs over the same time
             ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
-        # As wide as its column also where a page's style makes pictures as large as the screen.
+        # As wide as its column also where a page's style makes pictures as large as the
+        # screen.
         size = "width: 100% !important; height: auto !important; max-width: 100%"
         shown = figure_html(figure, dots_per_inch=130)
         plt.close(figure)
@@ -174,5 +183,7 @@ class TumblingDemo(ipywidgets.VBox):
 
 
 def tumbling() -> TumblingDemo:
-    """A handle that spins about one of its axes, a little tilted: which spins last, and where the energy goes."""
+    """A handle that spins about one of its axes, a little tilted: which spins last, and
+    where the energy goes.
+    """
     return TumblingDemo()

@@ -1,4 +1,6 @@
-"""A figure that redraws as sliders move: in JupyterLab, in Voila, and as a still picture where no widget runs."""
+"""A figure that redraws as sliders move: in JupyterLab, in Voila, and as a still
+picture where no widget runs.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +18,13 @@ Draw = Callable[..., Axes]
 
 
 class Panel(ipywidgets.VBox):
-    """Controls above a figure drawn by ``draw(**values)``; ``values`` are the controls' by name.
+    """Controls above a figure drawn by ``draw(**values)``.
 
-    The figure is one HTML image, so that it keeps its alternative text, and is drawn anew at each change.
-    A saved notebook holds it as a still picture of the controls' first values.
+    ``values`` are the controls' by name.
+
+    The figure is one HTML image, so that it keeps its alternative text, and is redrawn
+    at each change. A saved notebook holds it as a still picture of the controls' first
+    values.
     """
 
     def __init__(

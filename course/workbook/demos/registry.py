@@ -1,4 +1,6 @@
-"""The demos by name, with the syllabus rows they go with and how long they take in front of a room."""
+"""The demos by name, with the syllabus rows they go with and how long they take in
+front of a room.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,9 @@ from course.workbook.syllabus import read_syllabus
 
 @dataclass(frozen=True)
 class Demo:
-    """A demo for a lecture: its name, what it shows, its syllabus rows, minutes, and what to try."""
+    """A demo for a lecture: its name, what it shows, its syllabus rows, minutes, and
+    what to try.
+    """
 
     name: str
     make: Callable[[], ipywidgets.Widget]
@@ -109,7 +113,7 @@ def find_demo(name: str) -> Demo:
 
 
 def table() -> str:
-    """The demos, a line each, with the slides they go with and the minutes they take."""
+    """The demos, a line each, with their slides and the minutes they take."""
     slides = {row.number: row.slide for row in read_syllabus()}
     lines = [f"{'name':12} {'slides':10} {'minutes':8} what it shows"]
     for demo in DEMOS:

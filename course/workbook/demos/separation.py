@@ -8,7 +8,7 @@ from course.workbook.plots import separation, separation_acceleration
 
 
 def gap_rate() -> Panel:
-    """A bar over a plank: let each rise and turn, and see which motion closes the gap."""
+    """A bar over a plank: let each rise and turn, and see what closes the gap."""
     return Panel(
         lambda **chosen: separation.contact_velocities(study.gap_rate(**chosen)),
         {
@@ -23,7 +23,9 @@ def gap_rate() -> Panel:
 
 
 def dome() -> Panel:
-    """A particle let go on a dome, a moment ahead: its gap, and the gap from the point that it touched."""
+    """A particle let go on a dome, a moment ahead: its gap, and the gap from the point
+    that it touched.
+    """
     return Panel(
         lambda **chosen: separation_acceleration.old_point(study.old_point(**chosen)),
         {

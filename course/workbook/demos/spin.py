@@ -8,7 +8,9 @@ from course.workbook.plots import spin
 
 
 def rod() -> Panel:
-    """A falling rod before and after it is hit: its angle, the restitution, and where the floor meets it."""
+    """A falling rod before and after it is hit: its angle, the restitution, and where
+    the floor meets it.
+    """
     return Panel(
         lambda **chosen: spin.rod_impact(rod_landing(**chosen)),
         {

@@ -1,7 +1,9 @@
-"""Pictures of results: ``plots.<what>(result, *, ax=None) -> Axes``, then ``plots.show()``.
+"""Pictures of results: ``plots.<what>(result, *, ax=None) -> Axes``, then
+``plots.show()``.
 
-Every function draws into ``ax`` (a new one in the house's style when none is given), writes the alternative text of
-what it drew, and returns the Axes, so that a student can go on drawing.
+Every function draws into ``ax`` (a new one in the house's style when none is given),
+writes the alternative text of what it drew, and returns the Axes, so that a student can
+go on drawing.
 """
 
 from course.workbook.plots.bounces import (

@@ -1,4 +1,6 @@
-"""Pictures of a ball and a wall: the reflection, the bounces in time, the published energy errors."""
+"""Pictures of a ball and a wall: the reflection, the bounces in time, the published
+energy errors.
+"""
 
 from __future__ import annotations
 
@@ -82,7 +84,10 @@ def heights(
     rest: float | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Height over time of one ball computed in several ways; ``rest`` marks the time it comes to rest."""
+    """Height over time of one ball computed in several ways.
+
+    ``rest`` marks the time it comes to rest.
+    """
     with style():
         ax = axes(ax)
         for i, (name, motion) in enumerate(motions.items()):
@@ -109,7 +114,9 @@ def heights(
 
 
 def bouncing_errors(errors: BouncingErrors, *, ax: Axes | None = None) -> Axes:
-    """The 49 balls' energy error over the step size: ours, the published figures, and the event-driven ball's."""
+    """The 49 balls' energy error over the step size: ours, the published figures, and
+    the event-driven ball's.
+    """
     with style():
         ax = axes(ax, size=(7.6, 4.6))
         published = PUBLISHED_BOUNCING

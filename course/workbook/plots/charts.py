@@ -1,4 +1,6 @@
-"""Charts every lesson draws: error against cost, and a sweep past a predicted threshold."""
+"""Charts every lesson draws: error against cost, and a sweep past a predicted
+threshold.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +43,8 @@ def work_precision(
     tolerance: float | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Error against cost, both logarithmic, the whole curve of each method, the front ringed.
+    """Error against cost, both logarithmic, the whole curve of each method, the front
+    ringed.
 
     With ``tolerance`` the cheapest run within it is marked and named. An error of
     exactly 0 has no logarithm: it is drawn at the foot of the chart and labelled so.
@@ -121,10 +124,12 @@ def stability_sweep(
     log: str = "",
     ax: Axes | None = None,
 ) -> Axes:
-    """A quantity over a knob, past the threshold the theory predicts, with the theory and the cure beside it.
+    """A quantity over a knob, past the threshold the theory predicts, with the theory
+    and the cure beside it.
 
-    ``also`` is another measurement to compare with, named in place of the cure. ``labels`` are the x label,
-    the y label (with units) and the title; ``log`` holds the axes that are logarithmic.
+    ``also`` is another measurement to compare with, named in place of the cure.
+    ``labels`` are the x label, the y label (with units) and the title; ``log`` holds
+    the axes that are logarithmic.
     """
     given = {"measured": measured, "predicted": predicted, "cure": cure, "also": also}
     named = dict(zip(given, (*names, names[2]), strict=True))
@@ -161,8 +166,8 @@ def stability_sweep(
 def label_decades(axis: Axis) -> None:
     """Label the powers of ten of a logarithmic axis, and 2 and 5 where it has only one.
 
-    Left alone, matplotlib labels 2, 3, 4 and 6 of an axis under two decades, one over the
-    other. An axis with not even two of 1, 2 and 5 gets a few evenly spaced labels.
+    Left alone, matplotlib labels 2, 3, 4 and 6 of an axis under two decades, one over
+    the other. An axis with not even two of 1, 2 and 5 gets a few evenly spaced labels.
     """
     low, high = np.log10(axis.get_view_interval())
     ticks: ticker.Locator = ticker.LogLocator()
@@ -180,9 +185,11 @@ def label_decades(axis: Axis) -> None:
 def _sweep_in_words(
     knob: np.ndarray, series: Sequence[tuple[str, np.ndarray]], threshold: float | None
 ) -> str:
-    """The threshold between its neighbours, and each series at both ends, beside the threshold and at its extremes.
+    """The threshold between its neighbours, and each series at both ends, beside the
+    threshold and at its extremes.
 
-    The first series chooses the places; one that reads the same there is not read out twice.
+    The first series chooses the places; one that reads the same there is not read out
+    twice.
     """
     order = np.argsort(knob)
     x, ordered = knob[order], [(name, y[order]) for name, y in series]
@@ -206,7 +213,9 @@ def _sweep_in_words(
 
 
 def _beside(x: np.ndarray, threshold: float) -> tuple[list[int], str]:
-    """The last place below the threshold and the first above it (one that lies on it is neither), and that in words."""
+    """The last place below the threshold and the first above it (one that lies on it is
+    neither), and that in words.
+    """
     near = 1e-9 * (abs(threshold) or float(np.ptp(x)))
     below, above = (
         np.flatnonzero(x < threshold - near)[-1:],
@@ -222,7 +231,9 @@ def _beside(x: np.ndarray, threshold: float) -> tuple[list[int], str]:
 
 
 def _with_extremes(y: np.ndarray, places: list[int]) -> list[int]:
-    """The places, and those of the least and the largest value where they lie clearly outside what is told already."""
+    """The places, and those of the least and the largest value where they lie clearly
+    outside what has been said already.
+    """
     finite = np.flatnonzero(np.isfinite(y))
     told = y[[i for i in places if np.isfinite(y[i])]]
     if not told.size:

@@ -1,4 +1,6 @@
-"""Pictures of contact forces: what solvers answer, the plane of two forces, a ladder's slide, and what solvers cost."""
+"""Pictures of contact forces: what solvers answer, the plane of two forces, a ladder's
+slide, and what solvers cost.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,10 @@ from course.workbook.plots.figure import (
 
 
 def leg_forces(forces: Mapping[str, ArrayLike], *, ax: Axes | None = None) -> Axes:
-    """The forces at each leg side by side, as several solvers answer them; ``forces`` are (c,) each, [N]."""
+    """The forces at each leg side by side, as several solvers answer them.
+
+    ``forces`` are (c,) each, [N].
+    """
     values = {name: np.asarray(f, dtype=float) for name, f in forces.items()}
     count = len(next(iter(values.values())))
     with style():
@@ -177,7 +182,8 @@ def ladder_forces(
     leaving: float,
     ax: Axes | None = None,
 ) -> Axes:
-    """Forces of floor and wall over a ladder's angle: the closed form as lines, what was solved for as marks.
+    """Forces of floor and wall over a ladder's angle: the closed form as lines, what
+    was solved for as marks.
 
     Args:
         angles: (k,) [rad].
@@ -227,7 +233,9 @@ def ladder_forces(
 
 
 def solver_growth(result: SolverGrowth, *, ax: Axes | None = None) -> Axes:
-    """Time and counted steps of contact solvers over the number of contacts, both logarithmic."""
+    """Time and counted steps of contact solvers over the number of contacts, both
+    logarithmic.
+    """
     panels: list[tuple[Axes, Any, str]] = []
     if ax is None:
         _, (ax, right) = side_by_side(2, size=(9.6, 4.2))
@@ -266,7 +274,7 @@ def _level_sets(
     through: np.ndarray,
     ends: tuple[float, float],
 ) -> None:
-    """Ellipses of f'A f/2 + b.f around its least value, the one through a point darker."""
+    """Ellipses of f'A f/2 + b.f around its minimum, the one through a point darker."""
     grid = np.linspace(*ends, 160)
     f_1, f_2 = np.meshgrid(grid, grid)
     off = np.stack([f_1, f_2], axis=-1) - least
@@ -282,7 +290,9 @@ def _level_sets(
 def _zero_line(
     row: np.ndarray, bias: float, ends: tuple[float, float]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where row.f + bias = 0 crosses the picture: solved for the force that the row weighs more."""
+    """Where row.f + bias = 0 crosses the picture: solved for the force with the larger
+    coefficient.
+    """
     along = np.array(ends)
     if abs(row[1]) > abs(row[0]):
         return along, -(bias + row[0] * along) / row[1]
@@ -290,7 +300,7 @@ def _zero_line(
 
 
 def _foot(ax: Axes, y: float, force: float, colour: str) -> None:
-    """A foot of the plank, and the force that pushes it up as an arrow with its number."""
+    """A foot of the plank, and the force on it as an arrow with its number."""
     ax.plot([y, y], [-0.12, 0], color="0.3", lw=3, marker="", ls="-")
     arrow(ax, (y, -0.15 - max(force, 0) / 400), (y, -0.15), colour, lw=2.4)
     below = -0.15 - max(force, 0) / 400 - 0.03

@@ -1,4 +1,6 @@
-"""Pictures of the contact matrix: a table that is pushed, the pattern of A, and what A costs."""
+"""Pictures of the contact matrix: a table that is pushed, the pattern of A, and what A
+costs.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +30,8 @@ from course.workbook.plots.figure import (
 def pushed_table(
     result: PushedTable, *, answer: bool = True, ax: Axes | None = None
 ) -> Axes:
-    """The table of 1 kg from above, pushed up from below with 1 N at (x, y): how its four feet begin to move.
+    """The table of 1 kg from above, pushed up from below with 1 N at (x, y): how its
+    four feet begin to move.
 
     The dashed line is where nothing moves at first. Without ``answer`` only the push is shown; with ``ax`` only the
     picture from above.
@@ -104,8 +107,8 @@ def matrix_costs(
 ) -> Axes:
     """Seconds and counted multiplications over the number of contacts.
 
-    The counts come with the exponent fitted to their end; that of seconds differs from machine
-    to machine, so they are told as they were measured.
+    The counts come with the exponent fitted to their end; that of seconds differs from
+    machine to machine, so they are given as measured.
     """
     with style():
         _, panels = side_by_side(2, size=(10.4, 4.0))
@@ -154,7 +157,10 @@ def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
 
 
 def _moving_feet(ax: Axes, feet: Array, response: Array) -> None:
-    """The feet that begin to rise and those that are driven down; one that feels nothing keeps its plain mark."""
+    """The feet that begin to rise and those that are driven down.
+
+    One that feels nothing keeps its plain mark.
+    """
     for chosen, mark, colour, word in (
         (response > 1e-9, "^", "blue", "begins to rise"),
         (response < -1e-9, "v", "vermillion", "is driven down"),

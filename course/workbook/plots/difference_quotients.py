@@ -1,4 +1,6 @@
-"""Pictures of what differences of a gap are worth: errors over the step, and by how often one looks."""
+"""Pictures of what differences of a gap are worth: errors over the step, and by how
+often one looks.
+"""
 
 from __future__ import annotations
 
@@ -29,10 +31,11 @@ def difference_errors(
     expected: Mapping[str, Sequence[float]] | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Error of difference quotients over their step, both logarithmic: a V for each stencil.
+    """Error of difference quotients over their step, both logarithmic: a V for each
+    stencil.
 
-    ``formula`` is the error of the closed formula, drawn as a level line; ``expected`` holds predicted curves by
-    stencil. An error of exactly 0 is drawn at 1e-17.
+    ``formula`` is the error of the closed formula, drawn as a level line; ``expected``
+    holds predicted curves by stencil. An error of exactly 0 is drawn at 1e-17.
     """
     colours = list(PALETTE.values())
     with style():
@@ -88,7 +91,8 @@ def errors_by_looks(
 ) -> Axes:
     """Errors of ways to get a rate, a column for each way and a mark for each step.
 
-    ``result`` counts how often a way looks at the gap, which does not depend on the step.
+    ``result`` counts how often a way looks at the gap, which does not depend on the
+    step.
     """
     names = list(dict.fromkeys(result.method))
     errors, looks = {}, {}

@@ -1,6 +1,7 @@
 """Figures in the house's style, with alternative text, shown as one HTML image each.
 
-JupyterLab shows a PNG output without its alternative text, so figures are shown as ``<img alt=...>``.
+JupyterLab shows a PNG output without its alternative text, so figures are shown as
+``<img alt=...>``.
 """
 
 from __future__ import annotations
@@ -40,14 +41,19 @@ _ALT = "_course_alternative_text"
 
 
 def style() -> AbstractContextManager[None]:
-    """The house's style, for as long as the ``with`` block lasts; a student's own settings are left alone."""
+    """The house's style, for as long as the ``with`` block lasts.
+
+    A student's own settings are left alone.
+    """
     return mpl.rc_context(fname=str(STYLE))
 
 
 def axes(
     ax: Axes | None = None, *, size: tuple[float, float] | None = None, **options: Any
 ) -> Axes:
-    """``ax`` itself, or the Axes of a new figure (``size`` in inches; options as for ``plt.subplots``)."""
+    """``ax`` itself, or the Axes of a new figure (``size`` in inches; options as for
+    ``plt.subplots``).
+    """
     if ax is not None:
         return ax
     with style():
@@ -56,7 +62,9 @@ def axes(
 
 
 def side_by_side(columns: int, *, size: tuple[float, float]) -> tuple[Figure, Any]:
-    """A figure with several Axes in a row, in the house's style: (figure, array of Axes)."""
+    """A figure with several Axes in a row, in the house's style: (figure, array of
+    Axes).
+    """
     with style():
         figure, several = plt.subplots(1, columns, figsize=size)
     return figure, several
@@ -138,7 +146,10 @@ def alternative_text(figure: Figure) -> str:
 
 
 def figure_html(figure: Figure, *, dots_per_inch: int = 160) -> str:
-    """A figure as one ``<img>`` with its alternative text. Raises ``ValueError`` for a figure that has none."""
+    """A figure as one ``<img>`` with its alternative text.
+
+    Raises ``ValueError`` for a figure that has none.
+    """
     text = alternative_text(figure)
     if not text:
         raise ValueError(
@@ -161,7 +172,9 @@ def figure_html(figure: Figure, *, dots_per_inch: int = 160) -> str:
 
 
 def show() -> None:
-    """Show every open figure with its alternative text, and close it, also one that has none and is refused."""
+    """Show every open figure with its alternative text, and close it, also one that has
+    none and is refused.
+    """
     for number in plt.get_fignums():
         figure = plt.figure(number)
         try:

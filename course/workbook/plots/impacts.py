@@ -1,4 +1,6 @@
-"""Pictures of impacts: one pair, a row of balls, a rack of balls, two blocks and a wall."""
+"""Pictures of impacts: one pair, a row of balls, a rack of balls, two blocks and a
+wall.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,9 @@ def impact(result: CentralImpact, *, ax: Axes | None = None) -> Axes:
 def _two_balls(
     ax: Axes, height: float, masses: np.ndarray, speeds: np.ndarray, scale: float
 ) -> None:
-    """Body 2 left of the contact, body 1 right of it, radius growing with the cube root of the mass."""
+    """Body 2 left of the contact, body 1 right of it, radius growing with the cube root
+    of the mass.
+    """
     radii = np.clip(0.32 * np.cbrt(masses), 0.14, 0.62)
     for side, index, colour in ((1, 0, "blue"), (-1, 1, "vermillion")):
         centre = side * radii[index]
@@ -107,7 +111,9 @@ def ball_row(
     radius: float = 0.5,
     ax: Axes | None = None,
 ) -> Axes:
-    """Balls in a row under several laws: one row a law, each ball with its velocity [m/s] as an arrow and a number."""
+    """Balls in a row under several laws: one row a law, each ball with its velocity
+    [m/s] as an arrow and a number.
+    """
     with style():
         ax = axes(ax, size=(7.6, 0.85 * len(outcomes) + 0.5))
         for row, (name, velocities) in enumerate(outcomes.items()):
@@ -199,7 +205,9 @@ def _signed(velocity: float) -> str:
 
 
 def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
-    """Two blocks and a wall in space and time: where each block is, and every collision."""
+    """Two blocks and a wall in space and time: where each block is, and every
+    collision.
+    """
     with style():
         ax = axes(ax, size=(7.2, 4.2))
         last = motion.time[-1]
@@ -252,7 +260,8 @@ def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
 
 
 def velocity_circle(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
-    """The same collisions in the plane of sqrt(m) v: equal energy is a circle, each collision a chord.
+    """The same collisions in the plane of sqrt(m) v: equal energy is a circle, each
+    collision a chord.
 
     The grey wedge holds the states after which nothing meets any more: 0 <= v1 <= v2.
     """

@@ -20,7 +20,10 @@ from course.workbook.plots.figure import (
 
 
 def falling_boxes(boxes: FallingBoxes, *, asked: bool = True, frames: int = 5) -> Axes:
-    """The boxes at several times side by side, as a strip of pictures; returns the last one's Axes."""
+    """The boxes at several times side by side, as a strip of pictures.
+
+    Returns the last one's Axes.
+    """
     heights = boxes.stacked if asked else boxes.unasked
     chosen = np.linspace(0, len(boxes.time) - 1, frames).round().astype(int)
     top = float(heights[0].max() + boxes.side + 0.2)

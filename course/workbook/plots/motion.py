@@ -1,4 +1,6 @@
-"""Pictures of motion: energies over time, and the constant L as a turning body sees it. All flat."""
+"""Pictures of motion: energies over time, and the constant L as a turning body sees it.
+All flat.
+"""
 
 from __future__ import annotations
 
@@ -74,7 +76,10 @@ def energies(
 
 
 def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
-    """The parts of L along a body's own three axes, over |L|, in time; each turning over is marked."""
+    """The parts of L along a body's own three axes, over |L|, in time.
+
+    Each turning over is marked.
+    """
     with style():
         ax = axes(ax, size=(7.6, 3.6))
         share = tumble.seen_from_body / np.linalg.norm(tumble.angular_momentum)
@@ -109,7 +114,8 @@ def seen_from_body(tumble: Tumble, *, ax: Axes | None = None) -> Axes:
 
 
 def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
-    """The sphere |l| = |L| seen along each principal axis: lines of equal energy, and where l runs.
+    """The sphere |l| = |L| seen along each principal axis: lines of equal energy, and
+    where l runs.
 
     ``l = R'L`` is L as the body sees it. Returns the last of three Axes.
     """
@@ -121,7 +127,8 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
     with style():
         figure, three = plt.subplots(1, 3, figsize=(9.6, 3.7))
         for toward, panel in enumerate(three):
-            # Right-handed: the axis toward the reader, the next to the right, the one after it up.
+            # Right-handed: the axis toward the reader, the next to the right, the one
+            # after it up.
             right, up = (toward + 1) % 3, (toward + 2) % 3
             x, y = np.meshgrid(grid, grid)
             inside = x**2 + y**2 <= 1
@@ -145,7 +152,8 @@ def energy_contours(tumble: Tumble, *, ax: None = None) -> Axes:
             panel.plot(
                 np.cos(turn), np.sin(turn), color="0.3", lw=1.2, ls="-", marker=""
             )
-            # Near and far side in one line: the orbit is symmetric, and its two sides cover each other.
+            # Near and far side in one line: the orbit is symmetric, and its two sides
+            # cover each other.
             panel.plot(
                 path[:, right],
                 path[:, up],

@@ -236,7 +236,9 @@ def passing_a_corner(
     step: float = 0.1,
     ax: Axes | None = None,
 ) -> Axes:
-    """A point passes over the corner of a box at two heights: the nearest-point normal at equal times."""
+    """A point passes over the corner of a box at two heights: the nearest-point normal
+    at equal times.
+    """
     with style():
         ax = axes(ax, size=(7.2, 3.4))
         ax.add_patch(Rectangle((-1.0, -0.5), 1.0, 0.5, fc="0.85", ec="0.3"))
@@ -307,7 +309,10 @@ def _written_gaps(ax: Axes, pair: Scene, times: Sequence[float]) -> None:
 
 
 def _point_velocities(ax: Axes, points: Array, speeds: Array) -> None:
-    """The points of A and B that meet, (2, 3), each with the arrow of its velocity; the longest has 0.75 m at most."""
+    """The points of A and B that meet, (2, 3), each with the arrow of its velocity.
+
+    The longest has 0.75 m at most.
+    """
     scale = 0.75 / max(2.0, *np.linalg.norm(speeds, axis=-1).tolist())
     for point, speed, colour, mark, name in zip(
         points, speeds, ("blue", "vermillion"), "os", "AB", strict=True

@@ -1,4 +1,6 @@
-"""Pictures of accelerating gaps: a particle on a dome, what is counted twice there, and the terms of b."""
+"""Pictures of accelerating gaps: a particle on a dome, what is counted twice there, and
+the terms of b.
+"""
 
 from __future__ import annotations
 
@@ -32,7 +34,8 @@ TERMS = {
 
 
 def dome(scene: Dome, *, ax: Axes | None = None) -> Axes:
-    """A dome, the particle on it, where it leaves and where the printed formula lets it leave; an inset looks closer.
+    """A dome, the particle on it, where it leaves and where the printed formula lets it
+    leave; an inset looks closer.
 
     The inset shows where the path of the printed formula runs deepest inside the dome.
     """
@@ -93,10 +96,11 @@ def dome_bias(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """The second rate of the gap without a force over the angle: measured points, and up to three formulas as lines.
+    """The second rate of the gap without a force over the angle: measured points, and
+    up to three formulas as lines.
 
-    ``measured`` holds the values at ``angles`` [rad] of the gap itself, then those from the old point, then those from
-    the old plane, under any names.
+    ``measured`` holds the values at ``angles`` [rad] of the gap itself, then those from
+    the old point, then those from the old plane, under any names.
     """
     theta = np.linspace(scene.start, np.radians(70), 200)
     formulas = (
@@ -211,7 +215,9 @@ def _both_gaps(
     gaps: tuple[float, float],
     half: float,
 ) -> None:
-    """The gap of a particle at p to a dome of 1 m, and beside it that from the level of the old point p_b."""
+    """The gap of a particle at p to a dome of 1 m, and beside it that from the level of
+    the old point p_b.
+    """
     across, (true, old) = np.array([n[1], -n[0]]), gaps
     reach, aside = 0.34 * half * across, 0.26 * half * across
     look: dict[str, Any] = {
@@ -253,7 +259,8 @@ def bias_terms(
 ) -> Axes:
     """The terms of b of up to four contacts side by side, and their sum.
 
-    ``terms`` are those of ``course.contact.separation_acceleration_terms``, (c,) each; ``labels`` name the contacts.
+    ``terms`` are those of ``course.contact.separation_acceleration_terms``, (c,) each;
+    ``labels`` name the contacts.
     """
     values = {
         word: np.asarray(terms[name], dtype=float) for name, word in TERMS.items()

@@ -1,4 +1,6 @@
-"""Pictures of impacts that make bodies turn: a rod on a peg or on the floor, a box on its four corners."""
+"""Pictures of impacts that make bodies turn: a rod on a peg or on the floor, a box on
+its four corners.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,9 @@ PIN = 0.45  # how far the lower end stands above the floor
 
 
 def rod_on_pegs(*, ax: Axes | None = None) -> Axes:
-    """The scene of the question: a rod that falls flat on a peg under its middle, and on one under its end."""
+    """The scene of the question: a rod that falls flat on a peg under its middle, and
+    on one under its end.
+    """
     with style():
         ax = axes(ax, size=(8.4, 2.9))
         for middle, peg, impulse, words in (
@@ -119,7 +123,9 @@ def _rod(
     floor: float,
     velocity: np.ndarray,
 ) -> None:
-    """The rod in the x-z plane with the velocities of its ends and its middle, and the pin that meets the floor."""
+    """The rod in the x-z plane with the velocities of its ends and its middle, and the
+    pin that meets the floor.
+    """
     x, z = middle + 0.5 * axis[0] * np.array([-1, 1]), 0.5 * axis[2] * np.array([-1, 1])
     ax.plot(x, z, color=PALETTE["sky"], lw=7, ls="-", marker="", solid_capstyle="butt")
     hit = 0.5 * place * axis
@@ -153,7 +159,8 @@ def rod_impulses(
     without_spin: float,
     ax: Axes | None = None,
 ) -> Axes:
-    """The impulse on a rod dropped on its end over its angle: the closed form as a line, measurements as marks.
+    """The impulse on a rod dropped on its end over its angle: the closed form as a
+    line, measurements as marks.
 
     Args:
         angle: of the line, from the horizontal [degrees].
@@ -304,7 +311,8 @@ def spins_by_order(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """The spin that each order of the same contacts gives the same box, as one point an outcome.
+    """The spin that each order of the same contacts gives the same box, as one point an
+    outcome.
 
     Args:
         outcomes: of ``study.outcomes_by_order``.
@@ -366,7 +374,8 @@ def spin_by_pegs(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """The spin of a level rod after it fell on two pegs, over where they stand: by the order of the pegs, and at once.
+    """The spin of a level rod after it fell on two pegs, over where they stand: by the
+    order of the pegs, and at once.
 
     Args:
         place: of the pegs, left and right of the middle [m].
@@ -414,7 +423,8 @@ def spin_by_pegs(
 def mass_over_face(
     x: np.ndarray, y: np.ndarray, ratio: np.ndarray, *, ax: Axes | None = None
 ) -> Axes:
-    """Effective mass over mass where a box is hit on its upper face, and where leaving out spin errs by how much.
+    """Effective mass over mass where a box is hit on its upper face, and where leaving
+    out spin errs by how much.
 
     Args:
         x, y: of the face, from its middle, (k,) and (l,) [m].

@@ -1,4 +1,5 @@
-"""Bodies in three dimensions: ``viewer.show(...)`` is a film to turn where widgets run, and a picture elsewhere.
+"""Bodies in three dimensions: ``viewer.show(...)`` is a film to turn where widgets run,
+and a picture elsewhere.
 
 Everything flat is drawn by ``course.workbook.plots``.
 """
@@ -35,25 +36,29 @@ def show(
 ) -> Viewer:
     """Show bodies that stand or move; the last line of a cell.
 
-    In JupyterLab and Voila a widget: turn it with the mouse, play it, drag its time, choose a view. In a saved
-    notebook a picture of one moment, with alternative text. ``viewer.draw`` gives that picture for any moment,
-    ``viewer.film`` several side by side.
+    In JupyterLab and Voila a widget: turn it with the mouse, play it, drag its time,
+    choose a view. In a saved notebook a picture of one moment, with alternative text.
+    ``viewer.draw`` gives that picture for any moment, ``viewer.film`` several side by
+    side.
 
     Args:
-        solids: what the n bodies look like (``viewer.box``, ``sphere``, ``capsule``, ``mesh``, ``joined``); or a
-            whole ``Scene``, and then nothing up to ``caption``.
+        solids: what the n bodies look like (``viewer.box``, ``sphere``, ``capsule``,
+            ``mesh``, ``joined``); or a whole ``Scene``, and then nothing up to
+            ``caption``.
         position: of their centres, (n, 3), or (t, n, 3) where they move [m].
-        orientation: unit quaternions, scalar last, (n, 4) or (t, n, 4); none: not turned.
+        orientation: unit quaternions, scalar last, (n, 4) or (t, n, 4); none: not
+            turned.
         times: (t,) [s], ascending; needed where anything moves.
-        arrows: ``viewer.Arrows``; their scale is told below the picture.
-        ground: height z of a ground plane [m]; none where nothing is said.
+        arrows: ``viewer.Arrows``; their scale is given below the picture.
+        ground: height z of a ground plane [m]; default: none.
         camera: "corner", "front", "side" or "top".
         caption: a sentence on what there is to see; it begins the alternative text.
-        still: the time of the picture [s]; the first where nothing is said.
+        still: the time of the picture [s]; default: the first.
         speed: seconds of motion shown in a second.
         height: of the widget [pixels].
     Raises:
-        ValueError: shapes that do not fit together, times that do not ascend, an unknown camera or colour.
+        ValueError: shapes that do not fit together, times that do not ascend, an
+            unknown camera or colour.
     """
     if not scalar("speed", speed) > 0:
         raise failure("speed", "a number above 0", written(speed))

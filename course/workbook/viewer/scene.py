@@ -1,4 +1,6 @@
-"""What the viewer is given: bodies that stand or move, arrows, a camera and a ground, checked and in words."""
+"""What the viewer is given: bodies that stand or move, arrows, a camera and a ground,
+checked and in words.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,8 @@ from course.arrays import (
 from course.workbook.plots.figure import PALETTE
 from course.workbook.viewer.solids import Solid
 
-#: The presets: where the camera looks from (a direction), and what is up in its picture.
+#: The presets: where the camera looks from (a direction), and what is up in its
+#: picture.
 CAMERAS = {
     "corner": ((0.62, -0.72, 0.42), (0.0, 0.0, 1.0)),
     "front": ((0.0, -1.0, 0.0), (0.0, 0.0, 1.0)),
@@ -42,10 +45,10 @@ class Arrows:
         name: as the legend has it, "L".
         vector: (m, 3), or (t, m, 3) where they change, in ``unit``.
         unit: of the vector, "kg m²/s"; empty for a unit vector.
-        at: where they start, (m, 3) or (t, m, 3) [m]; the bodies' centres where nothing is said.
-        scale: how many metres are drawn for one unit; chosen so that the longest arrow fits the scene where
-            nothing is said. The legend tells it.
-        color: a name of the palette; the next of a list where nothing is said.
+        at: where they start, (m, 3) or (t, m, 3) [m]; default: the bodies' centres.
+        scale: how many metres are drawn for one unit; default: such that the longest
+            arrow fits the scene. The legend shows it.
+        color: a name of the palette; default: the next of a list.
     """
 
     name: str
@@ -113,7 +116,10 @@ class Scene:
 
     @property
     def reach(self) -> float:
-        """How far from its centre anything is ever to be seen [m]; less than ``radius`` where a body turns."""
+        """How far from its centre anything is ever to be seen [m].
+
+        Less than ``radius`` where a body turns.
+        """
         far = [
             a.origin + part * a.length - self.center
             for a in self.arrows
@@ -151,7 +157,10 @@ class Scene:
         return [(a.color, f"{a.name}: {_scale_in_words(a)}") for a in self.arrows]
 
     def description(self, index: int | None = 0) -> str:
-        """Alternative text for the picture of a moment; None: of no moment in particular."""
+        """Alternative text for the picture of a moment.
+
+        None: of no moment in particular.
+        """
         counted = Counter(s.what for s in self.solids)
         bodies = (
             " and ".join(
@@ -273,7 +282,9 @@ def _place(arrows: Arrows, number: int, scene: Scene) -> PlacedArrows:
 
 
 def _nice_scale(vector: Array, scene: Scene) -> float:
-    """Metres for one unit, 1, 2 or 5 times a power of ten, such that the longest is at most half the scene."""
+    """Metres for one unit, 1, 2 or 5 times a power of ten, such that the longest is at
+    most half the scene.
+    """
     longest = float(np.linalg.norm(vector, axis=-1).max(initial=0.0))
     if longest == 0.0:
         return 1.0
@@ -292,7 +303,8 @@ def _several(what: str) -> str:
 def _scale_in_words(arrows: PlacedArrows) -> str:
     if not arrows.unit:
         return f"unit vectors, drawn {arrows.scale:.3g} m long"
-    # For one unit, or for a tenth, a hundredth ... where all arrows are far less than one.
+    # For one unit, or for a tenth, a hundredth ... where all arrows are far less than
+    # one.
     longest = (
         float(np.linalg.norm(arrows.length, axis=-1).max(initial=0.0)) / arrows.scale
     )

@@ -1,4 +1,6 @@
-"""What the viewer draws, as triangles in body axes: boxes, spheres, capsules, any mesh, several joined, and arrows."""
+"""What the viewer draws, as triangles in body axes: boxes, spheres, capsules, any mesh,
+several joined, and arrows.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +39,8 @@ class Solid:
         what: one word for alternative text, "box".
         smooth: whether shading hides the edges between triangles.
     Raises:
-        ValueError: shapes that do not fit, a vertex that is not there, an unknown colour.
+        ValueError: shapes that do not fit, a vertex that is not there, an unknown
+            colour.
     """
 
     vertices: Array
@@ -79,7 +82,8 @@ def box(
     rotation: ArrayLike | None = None,
     color: str | tuple[str, str, str] = "blue",
 ) -> Solid:
-    """A box; three colours paint the pairs of faces across its axes 1, 2 and 3, so that its turning shows.
+    """A box; three colours paint the pairs of faces across its axes 1, 2 and 3, so that
+    its turning shows.
 
     Args:
         half_extents: (3,) [m].
@@ -134,7 +138,9 @@ def sphere(
 def capsule(
     start: ArrayLike, end: ArrayLike, radius: float, *, color: str = "blue"
 ) -> Solid:
-    """A capsule: all points within ``radius`` [m] of the segment from ``start`` to ``end``, each (3,) [m]."""
+    """A capsule: all points within ``radius`` [m] of the segment from ``start`` to
+    ``end``, each (3,) [m].
+    """
     a, b, size = (
         vectors("start", start),
         vectors("end", end),
@@ -165,13 +171,18 @@ def mesh(
     color: str = "blue",
     smooth: bool = False,
 ) -> Solid:
-    """Any surface of triangles: vertices (v, 3) [m] in body axes, triangles (f, 3), anticlockwise from outside."""
+    """Any surface of triangles: vertices (v, 3) [m] in body axes, triangles (f, 3),
+    anticlockwise from outside.
+    """
     array = vectors("vertices", vertices)
     return Solid(array, np.asarray(triangles), (color,) * len(array), "mesh", smooth)
 
 
 def joined(*solids: Solid, what: str = "body") -> Solid:
-    """Several solids as the parts of one body, in the same body axes; ``what`` is one word for alternative text."""
+    """Several solids as the parts of one body, in the same body axes.
+
+    ``what`` is one word for alternative text.
+    """
     if not solids:
         raise failure("solids", "at least one", "none")
     counts = np.cumsum([0, *(len(s.vertices) for s in solids)])
@@ -186,9 +197,11 @@ def joined(*solids: Solid, what: str = "body") -> Solid:
 
 
 def arrow_vertices(origin: Array, arrow: Array, width: float) -> Array:
-    """Vertices (..., m, v, 3) of arrows from their origins (..., m, 3) and lengths (..., m, 3) [m].
+    """Vertices (..., m, v, 3) of arrows from their origins (..., m, 3) and lengths
+    (..., m, 3) [m].
 
-    ``width`` is the radius of the shaft [m]; a short arrow is thinner, with a smaller head.
+    ``width`` is the radius of the shaft [m]; a short arrow is thinner, with a smaller
+    head.
     """
     length = np.linalg.norm(arrow, axis=-1)
     frame = _frames(arrow)
@@ -218,7 +231,9 @@ def arrow_vertices(origin: Array, arrow: Array, width: float) -> Array:
 
 
 def arrow_triangles(count: int) -> IntArray:
-    """The triangles of ``count`` arrows whose vertices are as ``arrow_vertices`` gives them, (f, 3)."""
+    """The triangles of ``count`` arrows whose vertices are as ``arrow_vertices`` gives
+    them, (f, 3).
+    """
     here = np.arange(_SIDES)
     after = (here + 1) % _SIDES
     shaft, rim, foot, tip = _SIDES, 2 * _SIDES, 3 * _SIDES, 3 * _SIDES + 1
@@ -236,7 +251,9 @@ def arrow_triangles(count: int) -> IntArray:
 
 
 def _round(shift: Array, radius: float) -> tuple[Array, IntArray]:
-    """Rings from the south to the north pole along axis 3, each moved along it by its shift."""
+    """Rings from the south to the north pole along axis 3, each moved along it by its
+    shift.
+    """
     rings = len(shift)
     extra = rings - POLE_TO_POLE  # a capsule has its equator twice
     latitude = np.linspace(-0.5 * np.pi, 0.5 * np.pi, POLE_TO_POLE)
@@ -259,7 +276,10 @@ def _round(shift: Array, radius: float) -> tuple[Array, IntArray]:
 
 
 def _frames(direction: Array) -> Array:
-    """Rotations (..., 3, 3) that take axis 3 to each direction (..., 3); the identity for a zero one."""
+    """Rotations (..., 3, 3) that take axis 3 to each direction (..., 3).
+
+    The identity for a zero one.
+    """
     length = np.linalg.norm(direction, axis=-1, keepdims=True)
     along = np.where(
         length > 0, direction / np.where(length > 0, length, 1.0), [0.0, 0.0, 1.0]

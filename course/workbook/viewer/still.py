@@ -1,4 +1,6 @@
-"""One moment of a scene drawn in matplotlib: for saved notebooks, for rows of moments, for where no widget runs."""
+"""One moment of a scene drawn in matplotlib: for saved notebooks, for rows of moments,
+for where no widget runs.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +21,11 @@ _FINE = 1000  # triangles, at least
 
 
 def draw(scene: Scene, *, time: float | None = None, ax: Any = None) -> Any:
-    """The scene at a time [s] (its first where none is said) on matplotlib's 3D axes; returns them.
+    """The scene at a time [s] (default: its first) on matplotlib's 3D axes;
+    returns them.
 
-    ``ax`` needs ``projection="3d"``; a new figure, with the legend and the caption, where none is given.
+    ``ax`` needs ``projection="3d"``; a new figure, with the legend and the caption,
+    where none is given.
     """
     index = 0 if time is None else scene.index_at(time)
     with style():
@@ -42,7 +46,10 @@ def draw(scene: Scene, *, time: float | None = None, ax: Any = None) -> Any:
 
 
 def film(scene: Scene, times: Sequence[float], *, columns: int = 4) -> Any:
-    """The scene at several times [s] side by side, ``columns`` a row; returns the figure."""
+    """The scene at several times [s] side by side, ``columns`` a row.
+
+    Returns the figure.
+    """
     if not len(times):
         raise failure("times", "at least one", "none")
     rows = -(-len(times) // columns)
@@ -76,7 +83,9 @@ def _title(ax: Any, scene: Scene, index: int) -> None:
 
 
 def _triangles(ax: Any, scene: Scene, index: int) -> None:
-    """Bodies and arrows as one collection, so that matplotlib sorts all their triangles by depth."""
+    """Bodies and arrows as one collection, so that matplotlib sorts all their triangles
+    by depth.
+    """
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     corners, colors = [], []
@@ -114,7 +123,9 @@ def _triangles(ax: Any, scene: Scene, index: int) -> None:
 
 
 def _quartered(faces: Array) -> Array:
-    """Each triangle as four: matplotlib sorts whole triangles by depth, and errs less with small ones."""
+    """Each triangle as four: matplotlib sorts whole triangles by depth, and errs less
+    with small ones.
+    """
     a, b, c = np.moveaxis(faces, 1, 0)
     ab, bc, ca = 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)
     four = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]

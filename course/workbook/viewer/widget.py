@@ -1,4 +1,6 @@
-"""A scene as a widget: k3d draws it in the browser, a slider and a play button move it, without a network."""
+"""A scene as a widget: k3d draws it in the browser, a slider and a play button move it,
+without a network.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ from course.workbook.viewer.scene import CAMERAS, Scene
 from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
 from course.workbook.viewer.still import draw, ground_lines
 
-#: A film has at most so many pictures: each body's place is sent once for each of them.
+#: The most pictures of a film: each body's place is sent once per picture.
 MOST_FRAMES = 300
 _FRAMES_A_SECOND = 30
 _VIEW_ANGLE = 32.0  # degrees from foot to top of the picture
@@ -22,10 +24,11 @@ _LIGHT = 2.4  # k3d's own is 1.5, which leaves the palette's blue almost black
 
 
 class Viewer(ipywidgets.VBox):
-    """A scene to turn with the mouse and to play, or, where no widget runs, a picture of one moment.
+    """A scene to turn with the mouse and to play, or, where no widget runs, a picture
+    of one moment.
 
-    Made by ``viewer.show``. The slider and the play button work in the browser alone; the kernel is asked only for
-    a camera preset.
+    Made by ``viewer.show``. The slider and the play button work in the browser alone;
+    the kernel is asked only for a camera preset.
     """
 
     def __init__(
@@ -60,7 +63,9 @@ class Viewer(ipywidgets.VBox):
         super().__init__([self.plot, ipywidgets.HBox(controls), self._words])
 
     def update(self, scene: Scene) -> None:
-        """Show another motion of the same bodies, with the same kinds of arrows, at the same times."""
+        """Show another motion of the same bodies, with the same kinds of arrows, at the
+        same times.
+        """
         alike = len(scene.solids) == len(self.scene.solids) and np.array_equal(
             scene.times, self.scene.times
         )
@@ -101,7 +106,10 @@ class Viewer(ipywidgets.VBox):
 
 
 def camera_of(scene: Scene, preset: str) -> list[float]:
-    """k3d's camera for a preset: where it is, what it looks at, what is up; nine numbers."""
+    """k3d's camera for a preset: where it is, what it looks at, what is up.
+
+    Nine numbers.
+    """
     direction, up = (np.array(v) for v in CAMERAS[preset])
     distance = 1.08 * max(scene.reach, 1e-6) / np.sin(np.radians(_VIEW_ANGLE / 2))
     place = scene.center + distance * direction / np.linalg.norm(direction)
@@ -109,7 +117,9 @@ def camera_of(scene: Scene, preset: str) -> list[float]:
 
 
 def _frames(scene: Scene, speed: float) -> Any:
-    """The moments that are shown: as many as a smooth film at this speed needs, evenly spread in time."""
+    """The moments that are shown: as many as a smooth film at this speed needs, evenly
+    spread in time.
+    """
     if not scene.moves:
         return np.zeros(1, dtype=int)
     duration = scene.times[-1] - scene.times[0]
@@ -156,7 +166,9 @@ def _plot(scene: Scene, frames: Any, height: int) -> Any:
 
 
 def _matrices(scene: Scene, number: int, frames: Any) -> Any:
-    """A body's place as 4x4 matrices: one where nothing moves, else one for each picture by its number."""
+    """A body's place as 4x4 matrices: one where nothing moves, else one for each
+    picture by its number.
+    """
     matrix = np.zeros((len(frames), 4, 4), dtype=np.float32)
     matrix[:, :3, :3], matrix[:, :3, 3] = (
         scene.rotation[frames, number],

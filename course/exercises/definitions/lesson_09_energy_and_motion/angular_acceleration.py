@@ -1,4 +1,4 @@
-"""The exercise ``angular_acceleration``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``angular_acceleration``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``linear_kinetic_energy``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``linear_kinetic_energy``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

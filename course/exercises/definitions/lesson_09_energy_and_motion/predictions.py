@@ -1,4 +1,4 @@
-"""What the student commits to before it is shown: the handle, its tilt, and a spring."""
+"""What the student predicts before seeing it: the handle, its tilt, and a spring."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``rk4_step``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``rk4_step``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``rotate``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``rotate``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the exercises of this lesson share: values, and the slips in half a dot product."""
+"""What this lesson's exercises share: values, and the slips in half a dot product."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``sigma``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``sigma``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``symplectic_euler_step``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``symplectic_euler_step``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -85,8 +85,8 @@ SYMPLECTIC_EULER_STEP = Exercise(
     reference=formulas.symplectic_euler_step,
     cases=lambda rng: [
         Case("a spinning body falls", AT_THE_ORIGIN),
-        Case("pushed and twisted", _moving(rng, ())),
-        Case("pushed and twisted again", _moving(rng, ())),
+        Case("with a force and a torque", _moving(rng, ())),
+        Case("with a force and a torque, again", _moving(rng, ())),
         Case(
             "nothing acts",
             _moving(rng, (), force=np.zeros(3), torque=np.zeros(3)),

@@ -1,4 +1,4 @@
-"""The exercise ``world_inertia``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``world_inertia``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ WORLD_INERTIA = Exercise(
                 "R.T @ I_body @ R",
             ),
             "R' I R turns the other way: the transposed R belongs on the right, where the world vector comes in. And "
-            "for a batch .T turns *all* axes round; np.swapaxes(R, -1, -2) swaps the last two.",
+            "for a batch .T reverses *all* axes; np.swapaxes(R, -1, -2) swaps the last two.",
         ),
         Mistake(
             "one side only",
@@ -107,7 +107,7 @@ WORLD_INERTIA = Exercise(
         Mistake(
             ".T of a batch",
             slip(formulas.world_inertia, "np.swapaxes(R, -1, -2)", "R.T"),
-            "Right for one body, not for a batch: .T turns *all* axes round. np.swapaxes(R, -1, -2) swaps the last "
+            "Right for one body, not for a batch: .T reverses *all* axes. np.swapaxes(R, -1, -2) swaps the last "
             "two.",
         ),
         Mistake(

@@ -1,4 +1,4 @@
-"""The exercise ``impulse_central``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``impulse_central``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -59,13 +59,13 @@ IMPULSE_CENTRAL = Exercise(
         Mistake(
             "as printed",
             slip(formulas.impulse_central, "1 + restitution", "1 - restitution"),
-            "The factor is 1 - e, what the slide's restitution line gives as it is printed. With its minus sign "
-            "mended it is 1 + e.",
+            "The factor is 1 - e, what the slide's restitution line gives as it is printed. With the missing minus "
+            "sign it is 1 + e.",
         ),
         Mistake(
             "sign",
             slip(formulas.impulse_central, "(1 + restitution)", "-(1 + restitution)"),
-            "The sign is turned round: this impulse pulls approaching bodies together. Along n, take v2 - v1.",
+            "The sign is reversed: this impulse pulls approaching bodies together. Along n, take v2 - v1.",
         ),
         Mistake(
             "guard the wrong way round",
@@ -102,7 +102,7 @@ IMPULSE_CENTRAL = Exercise(
         Mistake(
             "the speed for those that part",
             slip(formulas.impulse_central, "0.0", "-closing"),
-            "For bodies that part you return their speed. Asked is an impulse, and there is none: 0.",
+            "For bodies that part you return their speed. What is asked for is an impulse, and there is none: 0.",
         ),
         Mistake(
             "reduced mass as a fraction",

@@ -1,4 +1,4 @@
-"""The exercise ``kinetic_energy_lost``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``kinetic_energy_lost``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``momentum_after``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``momentum_after``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``p_hat``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``p_hat``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ P_HAT = Exercise(
         Mistake(
             "sign",
             slip(formulas.p_hat, "(v_2 - v_1)", "(v_1 - v_2)"),
-            "The sign is turned round. While they approach, v_1 < v_2 along n, and an impulse that pushes them apart "
+            "The sign is reversed. While they approach, v_1 < v_2 along n, and an impulse that pushes them apart "
             "is positive: it must contain v_2 - v_1.",
         ),
         Mistake(

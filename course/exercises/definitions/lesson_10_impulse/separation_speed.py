@@ -1,4 +1,4 @@
-"""The exercise ``separation_speed``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``separation_speed``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

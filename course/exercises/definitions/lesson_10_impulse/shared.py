@@ -22,8 +22,8 @@ NORMAL = Value("normal", "(..., 3)", "", "unit vector out of body 2 toward body 
 RESTITUTION = Value("restitution", "(...)", "", "e, from 0 to 1")
 
 
-# Inputs. A normal off the axes, a sliding part in every velocity, e inside (0, 1) and unequal masses: each of them
-# tells apart two mistakes that agree where it is missing.
+# Inputs. A normal off the axes, a sliding part in every velocity, e inside (0, 1) and
+# unequal masses: each of them tells apart two mistakes that agree where it is missing.
 
 
 def _velocities(

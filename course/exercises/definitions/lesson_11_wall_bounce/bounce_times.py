@@ -1,4 +1,4 @@
-"""The exercise ``bounce_times``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``bounce_times``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -133,7 +133,8 @@ BOUNCE_TIMES = Exercise(
                 "fall[..., None] * (2 * np.cumsum(powers, axis=-1) - 1)",
                 "np.diff(fall[..., None] * (2 * np.cumsum(powers, axis=-1) - 1), axis=-1, prepend=0.0)",
             ),
-            "These are the lengths of the flights. Asked are the times of the impacts: add them up (np.cumsum).",
+            "These are the lengths of the flights. What is asked for are the times of the impacts: add them up "
+            "(np.cumsum).",
         ),
     ),
     hints=(

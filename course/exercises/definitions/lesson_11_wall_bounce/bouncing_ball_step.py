@@ -1,4 +1,4 @@
-"""The exercise ``bouncing_ball_step``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``bouncing_ball_step``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

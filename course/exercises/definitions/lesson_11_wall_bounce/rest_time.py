@@ -1,4 +1,4 @@
-"""The exercise ``rest_time``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``rest_time``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

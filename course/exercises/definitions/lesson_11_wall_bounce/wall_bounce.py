@@ -1,4 +1,4 @@
-"""The exercise ``wall_bounce``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``wall_bounce``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ def _hits(
     speed: Any = None,
     **fixed: Any,
 ) -> dict[str, Any]:
-    """Velocities that come in at ``speed`` along the normal and slide across it as well."""
+    """Velocities that come in at ``speed`` along the normal and slide across it as
+    well.
+    """
     normal = unit_vector(rng, shape)
     speed = rng.uniform(0.5, 3.0, shape) if speed is None else np.asarray(speed)
     velocity = np.round(
@@ -144,7 +146,7 @@ WALL_BOUNCE = Exercise(
         Mistake(
             "plus",
             slip(formulas.wall_bounce, "velocity - (1", "velocity + (1"),
-            "The sign is turned round: v.n is negative for a ball that comes in, so subtract (1 + e) (v.n) n.",
+            "The sign is reversed: v.n is negative for a ball that comes in, so subtract (1 + e) (v.n) n.",
         ),
         Mistake(
             "no guard",
@@ -164,7 +166,7 @@ WALL_BOUNCE = Exercise(
                 "velocity - (1 + np.asarray(restitution)[..., None]) * along * normal",
                 "-np.asarray(restitution)[..., None] * velocity",
             ),
-            "You turn the whole velocity round. Only the part along n meets the wall; the part along the wall stays.",
+            "You reverse the whole velocity. Only the part along n meets the wall; the part along the wall stays.",
         ),
         Mistake(
             "friction by the way",

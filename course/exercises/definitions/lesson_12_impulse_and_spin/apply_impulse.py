@@ -1,4 +1,4 @@
-"""The exercise ``apply_impulse``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``apply_impulse``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -197,8 +197,8 @@ APPLY_IMPULSE = Exercise(
                 "velocity + moved,",
                 "velocity + moved + np.cross(angular_velocity + turned, arm),",
             ),
-            "The spin is right, but your velocity is that of the contact point. Asked is that of the centre of mass: "
-            "v + p_hat n / m, wherever the push acts.",
+            "The spin is right, but your velocity is that of the contact point. What is asked for is that of the "
+            "centre of mass: v + p_hat n / m, wherever the push acts.",
         ),
         Mistake(
             "one batch axis short",

@@ -1,4 +1,4 @@
-"""The exercise ``effective_mass``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``effective_mass``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -52,7 +52,9 @@ def _share(case: dict[str, Any], body: int) -> Any:
 
 
 def _told_apart(case: dict[str, Any]) -> Any:
-    """Both bodies turn, and not so much that a sign slip makes 1/mu zero or hides beside rounding."""
+    """Both bodies turn, and not so much that a sign slip makes 1/mu zero or hides
+    beside rounding.
+    """
     masses = np.asarray(case["inverse_mass_1"]) + case["inverse_mass_2"]
     one, two = _share(case, 1), _share(case, 2)
     away = (np.abs(masses - one - two) > 0.1) & (np.abs(masses + one - two) > 0.1)

@@ -1,4 +1,4 @@
-"""The exercise ``impulse_at_point``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``impulse_at_point``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -133,13 +133,13 @@ IMPULSE_AT_POINT = Exercise(
                 "point_velocity_1 - point_velocity_2",
                 "point_velocity_2 - point_velocity_1",
             ),
-            "Your u is turned round, v2 - v1 where it should be v1 - v2. So u < 0 picks the points that part, and they "
+            "Your u is reversed, v2 - v1 where it should be v1 - v2. So u < 0 picks the points that part, and they "
             "get the impulse.",
         ),
         Mistake(
             "sign",
             slip(formulas.impulse_at_point, "-(1 + restitution)", "(1 + restitution)"),
-            "The sign is turned round: u is negative while they approach, and the impulse is -(1 + e) u mu, positive.",
+            "The sign is reversed: u is negative while they approach, and the impulse is -(1 + e) u mu, positive.",
         ),
         Mistake(
             "only e",

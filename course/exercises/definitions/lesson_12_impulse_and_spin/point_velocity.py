@@ -1,4 +1,4 @@
-"""The exercise ``point_velocity``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``point_velocity``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The exercise ``rod_impulse``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``rod_impulse``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 

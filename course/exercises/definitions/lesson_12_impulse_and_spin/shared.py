@@ -11,14 +11,17 @@ from course.exercises.definition import Value
 NORMAL = Value("normal", "(..., 3)", "", "unit vector out of body 2 toward body 1")
 
 
-# Inputs. Normals off the axes, inertia tensors that are not diagonal, and two unlike bodies: each of them tells apart
-# two mistakes that agree where it is missing. Numbers are short, because counterexamples print them.
+# Inputs. Normals off the axes, inertia tensors that are not diagonal, and two unlike
+# bodies: each of them tells apart two mistakes that agree where it is missing. Numbers
+# are short, because counterexamples print them.
 
 UNIT = np.array([[0.48, 0.6, 0.64], [0.36, 0.48, 0.8]])  # exactly of length 1
 
 
 def unit_vector(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray:
-    """Unit vectors of two decimals: one of UNIT, its entries in any order and of any sign."""
+    """Unit vectors of two decimals: one of UNIT, its entries in any order and of any
+    sign.
+    """
     chosen = rng.permuted(UNIT[rng.integers(0, 2, shape)], axis=-1)
     return chosen * rng.choice([-1.0, 1.0], (*shape, 3))
 
@@ -45,11 +48,13 @@ def drawn_number(
 def drawn_inverse_inertia(
     rng: np.random.Generator, shape: tuple[int, ...], size: float = 1.0
 ) -> np.ndarray:
-    """Of long bodies that lie aslant: full matrices far from diagonal, two decimals [1/(kg m^2)].
+    """Of long bodies that lie aslant: full matrices far from diagonal, two decimals
+    [1/(kg m^2)].
 
-    I = tr(S) 1 - S of second moments S = u u' + v v'/10 + 1/4 (Goldstein, section 5.3): a positive matrix drawn as I or
-    its inverse may have a principal moment above the sum of the other two, and no body has that. The 1/4 keeps them far
-    enough from it that the rounding of the smallest (``size`` 0.2) does not reach it.
+    I = tr(S) 1 - S of second moments S = u u' + v v'/10 + 1/4 (Goldstein, section 5.3):
+    a positive matrix drawn as I or its inverse may have a principal moment above the
+    sum of the other two, and no body has that. The 1/4 keeps them far enough from it
+    that the rounding of the smallest (``size`` 0.2) does not reach it.
     """
     u, v = rng.uniform(0.5, 1.0, (2, *shape, 3)) * rng.choice(
         [-1.0, 1.0], (2, *shape, 3)

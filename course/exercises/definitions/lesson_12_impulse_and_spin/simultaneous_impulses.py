@@ -1,5 +1,6 @@
-"""The exercise ``simultaneous_impulses``: not unique where contacts are redundant, so judged by what is true of every
-right answer."""
+"""The exercise ``simultaneous_impulses``: not unique where contacts are redundant, so
+judged by what is true of every right answer.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +26,9 @@ def _left(given: Any, impulse: Any) -> Any:
 
 
 def _corners(across: float, along: float) -> np.ndarray:
-    """A of a box of 1 kg on its four corners: 1 + x_i x_j/k_y^2 + y_i y_j/k_x^2, rank 3."""
+    """A of a box of 1 kg on its four corners: 1 + x_i x_j/k_y^2 + y_i y_j/k_x^2, rank
+    3.
+    """
     x, y = np.array([-1.0, -1.0, 1.0, 1.0]), np.array([-1.0, 1.0, -1.0, 1.0])
     return 1 + across * np.outer(x, x) + along * np.outer(y, y)
 
@@ -42,7 +45,8 @@ def _many(rng: np.random.Generator) -> Sequence[Case]:
     def drawn(count: int) -> dict[str, Any]:
         root = rng.normal(size=(count + 2, count))
         approach = np.round(-rng.uniform(0.3, 2.0, count), 2)
-        # Eigenvalues from 1 up: without the ones, every hundredth draw needs more than the text's 500 rounds.
+        # Eigenvalues from 1 up: without the ones, every hundredth draw needs more than
+        # the text's 500 rounds.
         return case(
             np.round(root.T @ root + np.eye(count), 2),
             approach,
@@ -183,7 +187,7 @@ SIMULTANEOUS_IMPULSES = Exercise(
             "clipped at the end",
             lambda *given: np.maximum(_solved(*given), 0.0),
             "You solved the equations and then set negative impulses to 0. The others were computed with them: they "
-            "must be found anew. Clip inside the loop, not after it.",
+            "must be found again. Clip inside the loop, not after it.",
         ),
         Mistake(
             "one after the other",
@@ -208,7 +212,7 @@ SIMULTANEOUS_IMPULSES = Exercise(
                 "(1 + restitution)",
                 "-(1 + restitution)",
             ),
-            "The sign of u is turned round: u < 0 approaches, and w = A p + (1 + e) u must be lifted up to 0.",
+            "The sign of u is reversed: u < 0 approaches, and w = A p + (1 + e) u must be lifted up to 0.",
         ),
     ),
     hints=(

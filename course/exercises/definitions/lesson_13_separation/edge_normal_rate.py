@@ -1,4 +1,4 @@
-"""The exercise ``edge_normal_rate``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``edge_normal_rate``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ EDGE_NORMAL_RATE = Exercise(
         Mistake(
             "sign left out",
             slip(formulas.edge_normal_rate, "side * ", ""),
-            "Right where N lies along e_A x e_B. Where it lies against it, N_dot is turned round as well: the sign of "
+            "Right where N lies along e_A x e_B. Where it lies against it, N_dot is reversed as well: the sign of "
             "q.N.",
         ),
         Mistake(

@@ -1,4 +1,4 @@
-"""The exercise ``normal_rate``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``normal_rate``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ NORMAL_RATE = Exercise(
         Mistake(
             "order",
             slip(formulas.normal_rate, "omega_of_face, n", "n, omega_of_face"),
-            "The sign is turned round: a cross product changes its sign with the order. What turns with omega changes "
+            "The sign is reversed: a cross product changes its sign with the order. What turns with omega changes "
             "by omega x (itself). (A's own outward normal is -N, but it turns by the same rule.)",
         ),
         Mistake(
@@ -105,7 +105,7 @@ NORMAL_RATE = Exercise(
         Mistake(
             "sign for A",
             slip(formulas.normal_rate, "else omega_a", "else -omega_a"),
-            "Right for a face of B. For a face of A you turned the sign round: A's outward normal is -N, its rate is "
+            "Right for a face of B. For a face of A you reversed the sign: A's outward normal is -N, its rate is "
             "-N_dot, and the two signs cancel.",
         ),
         Mistake(

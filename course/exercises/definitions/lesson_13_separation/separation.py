@@ -1,4 +1,4 @@
-"""The exercise ``separation``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``separation``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ SEPARATION = Exercise(
         Mistake(
             "turned round",
             slip(formulas.separation, "np.sum", "-np.sum"),
-            "The sign is turned round. N points out of B toward A, so p_A - p_B lies along +N while they are apart.",
+            "The sign is reversed. N points out of B toward A, so p_A - p_B lies along +N while they are apart.",
         ),
         Mistake(
             "distance",
@@ -115,7 +115,7 @@ SEPARATION = Exercise(
                 "np.sum((p_a - p_b) * n, axis=-1)",
                 "np.sum((p_a - p_b) * n, axis=-1)[..., None] * n",
             ),
-            "You return the vector d N. Asked is the number d, one for each pair.",
+            "You return the vector d N. What is asked for is the number d, one for each pair.",
         ),
         Mistake(
             "only A",

@@ -1,4 +1,4 @@
-"""The exercise ``separation_rate``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``separation_rate``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ def _pairs(rng: np.random.Generator) -> Sequence[Case]:
 
     def pair(shape: tuple[int, ...] = (), **fixed: Any) -> dict[str, Any]:
         n = short_unit_vector(rng, shape)
-        # Points that are not opposite each other along N: otherwise the N_dot term is 0 and nobody misses it.
+        # Points that are not opposite each other along N: otherwise the N_dot term is 0
+        # and nobody misses it.
         drawn = {"p_a": draw(rng, shape), "p_b": draw(rng, shape), "body_a": body(shape), "body_b": body(shape),
                  "n": n, "n_dot": np.round(np.cross(draw(rng, shape), n), 4)}  # fmt: skip
         return drawn | fixed

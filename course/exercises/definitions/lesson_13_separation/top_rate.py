@@ -1,4 +1,4 @@
-"""The exercise ``top_rate``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``top_rate``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.slips import slip
 
-# top_rate, the student's step of the derivation: the rate of the gap between a ladder's top and the wall.
+# top_rate, the student's step of the derivation: the rate of the gap between a ladder's
+# top and the wall.
 
 
 def _ladders(rng: np.random.Generator) -> Sequence[Case]:
@@ -46,7 +47,7 @@ TOP_RATE = Exercise(
         Mistake(
             "turned round",
             slip(formulas.top_rate, "-v_y + ell", "v_y - ell"),
-            "Both signs are turned round: you give the rate of +y + (ell/2) cos(theta), which is the speed of the top "
+            "Both signs are reversed: you give the rate of +y + (ell/2) cos(theta), which is the speed of the top "
             "toward the wall. The gap shrinks when the top comes nearer.",
         ),
         Mistake(

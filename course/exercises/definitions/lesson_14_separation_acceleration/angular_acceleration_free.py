@@ -1,4 +1,4 @@
-"""The exercise ``angular_acceleration_free``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``angular_acceleration_free``: inputs, comparison, planted mistakes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ from course.exercises.slips import slip
 def _spins(rng: np.random.Generator) -> Sequence[Case]:
     def spin(shape: tuple[int, ...] = ()) -> dict[str, Any]:
         axes = np.linalg.qr(rng.normal(size=(*shape, 3, 3)))[0]
-        # The largest stays below the sum of the others, as for any real body: I_x + I_y - I_z = 2 sum m z^2.
+        # The largest stays below the sum of the others, as for any real body: I_x + I_y
+        # - I_z = 2 sum m z^2.
         moments = np.round(
             rng.uniform([1.0, 1.6, 2.1], [1.4, 2.0, 2.5], (*shape, 3)), 2
         )
@@ -87,7 +88,8 @@ ANGULAR_ACCELERATION_FREE = Exercise(
                 "angular_momentum, angular_velocity",
                 "angular_velocity, angular_momentum",
             ),
-            "The cross product is turned round: it is L x omega, as it comes to the side of the torque with a minus.",
+            "The cross product is the wrong way round: it is L x omega, as it comes to the side of the torque "
+            "with a minus.",
         ),
         Mistake(
             "as printed",
@@ -158,6 +160,6 @@ ANGULAR_ACCELERATION_FREE = Exercise(
         "See Derive, step 3. The torque and L x omega are added first and go through I^-1 together.",
         "Add tau and L x omega, then multiply the matrix I^-1 by the sum. For a batch np.einsum names the axes: "
         '"...ij,...j->...i" is matrix times vector.',
-        'twist = torque + np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, twist)',
+        'total = torque + np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, total)',
     ),
 )

@@ -1,4 +1,4 @@
-"""The exercise ``contact_bias``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``contact_bias``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -241,7 +241,8 @@ CONTACT_BIAS = Exercise(
                 "v_a + np.cross(omega_a, r_a), v_b + np.cross(omega_b, r_b)",
                 "v_a, v_b",
             ),
-            "In the term with N_dot you use the velocities of the centres. It wants the points': v + omega x r.",
+            "In the term with N_dot you use the velocities of the centres. It needs those of the points: "
+            "v + omega x r.",
         ),
         Mistake(
             "centres alone",

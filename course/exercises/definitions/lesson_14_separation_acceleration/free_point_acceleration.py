@@ -1,4 +1,4 @@
-"""The exercise ``free_point_acceleration``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``free_point_acceleration``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ FREE_POINT_ACCELERATION = Exercise(
                 "angular_acceleration, arm",
                 "arm, angular_acceleration",
             ),
-            "omega_dot x r is turned round: a cross product changes its sign with the order.",
+            "omega_dot x r is the wrong way round: a cross product changes its sign with the order.",
         ),
         Mistake(
             "omega x r once",

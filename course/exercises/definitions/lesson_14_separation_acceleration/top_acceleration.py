@@ -1,4 +1,4 @@
-"""The exercise ``top_acceleration``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``top_acceleration``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.slips import slip
 
-# top_acceleration, the student's step of the derivation: the ladder's top against the wall.
+# top_acceleration, the student's step of the derivation: the ladder's top against the
+# wall.
 
 
 def _ladders(rng: np.random.Generator) -> Sequence[Case]:
@@ -147,7 +148,7 @@ TOP_ACCELERATION = Exercise(
         Mistake(
             "turned round",
             slip(formulas.top_acceleration, "-a_y + ell", "a_y - ell"),
-            "All signs are turned round: this is the acceleration of the top toward the wall.",
+            "All signs are reversed: this is the acceleration of the top toward the wall.",
         ),
     ),
     hints=(

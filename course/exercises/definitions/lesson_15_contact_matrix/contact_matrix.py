@@ -1,4 +1,4 @@
-"""The exercise ``contact_matrix``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``contact_matrix``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ CONTACT_MATRIX = Exercise(
         *(Mistake(name, _slipped(of_entry, of_matrix), message) for name, of_entry, of_matrix, message in ALIKE),
         Mistake("every axis turned round",
                 slip(formulas.contact_matrix, "np.swapaxes(rotation, -1, -2)", "rotation.T"),
-                "rotation.T of a batch turns round all three axes, "
+                "rotation.T of a batch reverses all three axes, "
                 "the bodies too. R' of each body is np.swapaxes(rotation, -1, -2)."),
         Mistake("masses left out", slip(formulas.contact_matrix, "@ weighed.reshape", "@ J.reshape"),
                 "This is J J'. Between the two stands M^-1: 1/m for the first three "

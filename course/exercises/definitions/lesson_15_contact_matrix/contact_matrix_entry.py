@@ -1,4 +1,4 @@
-"""The exercise ``contact_matrix_entry``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``contact_matrix_entry``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ from course.exercises.definitions.lesson_15_contact_matrix.touching import (
 )
 from course.exercises.slips import slip
 
-#: Sharing in every way: A with A, A with B, B with A, both, both crosswise, none, the same contact twice.
+#: Sharing in every way: A with A, A with B, B with A, both, both crosswise, none, the
+#: same contact twice.
 SHARED = {
     "the same body is A of both": ((0, 1), (0, 2)),
     "A of one is B of the other": ((0, 1), (2, 0)),

@@ -1,4 +1,4 @@
-"""The exercise ``ladder_entry``: its inputs, its comparison, and the slips it knows."""
+"""The exercise ``ladder_entry``: inputs, comparison and planted mistakes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.slips import slip
 
-# ladder_entry, the student's step of the derivation: what a force at the top does to the gap at the foot.
+# ladder_entry, the student's step of the derivation: what a force at the top does to
+# the gap at the foot.
 
 
 def _ladders(rng: np.random.Generator) -> Sequence[Case]:
@@ -42,7 +43,7 @@ LADDER_ENTRY = Exercise(
     cases=_ladders,
     mistakes=(
         Mistake("sign", slip(formulas.ladder_entry, "-3", "3"),
-                "The sign is turned round. The top is pushed to the left: which way does "
+                "The sign is reversed. The top is pushed to the left: which way does "
                 "the ladder begin to turn, and where does that take the foot?"),
         Mistake("zero", slip(formulas.ladder_entry, "-3", "0"),
                 "You say that the foot feels nothing. N_1.N_2 = 0 is true of the pushes "

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from course.exercises.definition import Value
 
-# contact_matrix_entry and contact_matrix: the slips that both can have, as edits of the one and of the other, and in
-# words. Where the matrix has None the slip is made in each of its entries.
+# contact_matrix_entry and contact_matrix: the slips that both can have, as edits of the
+# one and of the other, and in words. Where the matrix has None the slip is made in each
+# of its entries.
 
 ARMS = "point[i] - position[body], point[j] - position[body]"
 TURNED = "@ inverse_inertia[body] @ rotation[body].T"

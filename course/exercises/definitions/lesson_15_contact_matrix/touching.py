@@ -1,8 +1,9 @@
 """Inputs for exercises on the contact matrix.
 
-Bodies lie turned, with inertia that is not round and arms that differ, and a body may be A of one contact and B of
-another: each of these tells apart mistakes that agree where it is missing. Normals and rotations have two decimals:
-they come from whole quaternions of squared length 25.
+Bodies lie turned, with inertia that is not round and arms that differ, and a body may
+be A of one contact and B of another: each of these tells apart mistakes that agree
+where it is missing. Normals and rotations have two decimals: they come from whole
+quaternions of squared length 25.
 """
 
 from __future__ import annotations
@@ -20,7 +21,10 @@ Pairs = Sequence[tuple[int, int]]
 def drawn_contacts(
     rng: np.random.Generator, pairs: Pairs, *, fixed: bool = False
 ) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
-    """(contacts, bodies) as the exercises take them; with ``fixed`` the last body does not move."""
+    """(contacts, bodies) as the exercises take them.
+
+    With ``fixed`` the last body does not move.
+    """
     a, b = np.array(pairs).T
     count, c = int(np.max(pairs)) + 1, len(a)
     point, position = (np.round(rng.uniform(-1.5, 1.5, (k, 3)), 2) for k in (c, count))
@@ -38,7 +42,9 @@ def drawn_contacts(
 
 
 def central_stack() -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
-    """2 kg on 4 kg on the floor, all contacts under the centres: A = [[1/4, -1/4], [-1/4, 3/4]]."""
+    """2 kg on 4 kg on the floor, all contacts under the centres: A = [[1/4, -1/4],
+    [-1/4, 3/4]].
+    """
     point, position = (
         np.array([[0, 0, 0.0], [0, 0, 1]]),
         np.array([[0, 0, 0.5], [0, 0, 1.5], [0, 0, -1]]),

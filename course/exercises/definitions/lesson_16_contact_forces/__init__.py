@@ -1,4 +1,6 @@
-"""Lesson 16: contact forces, from complementarity to a quadratic programme and its solvers."""
+"""Lesson 16: contact forces, from complementarity to a quadratic programme and its
+solvers.
+"""
 
 from __future__ import annotations
 

@@ -8,7 +8,9 @@ from course.exercises.definition import Prediction
 
 
 def _what_agrees() -> str:
-    """Two solvers on the table, two solutions of a ball between upright walls: what is equal every time?"""
+    """Two solvers on the table, two solutions of a ball between upright walls: what is
+    equal every time?
+    """
     from course.contact import solve
     from course.scenes import table, wedged_ball
 

@@ -86,7 +86,7 @@ PROJECTED_GAUSS_SEIDEL = Exercise(
         Mistake("not divided", slip(formulas.projected_gauss_seidel, " / a[i, i]", ""),
                 "d_ddot_i is in m/s^2. Divided by a_ii it becomes a force."),
         Mistake("sign of b", slip(formulas.projected_gauss_seidel, "+ b[i]", "- b[i]"),
-                "The sign of b is turned round: d_ddot = A f + b."),
+                "The sign of b is reversed: d_ddot = A f + b."),
         Mistake("b left out", slip(formulas.projected_gauss_seidel, " + b[i]", ""),
                 "b is missing: d_ddot_i is row i of A times f, plus b_i."),
         Mistake("one contact a sweep",

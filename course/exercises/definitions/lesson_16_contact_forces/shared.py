@@ -22,7 +22,9 @@ def apply(matrix: Any, vector: Any) -> Any:
 
 
 def drawn_system(rng: np.random.Generator, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """A positive definite A of three decimals and b of both signs: they are shown to students."""
+    """A positive definite A of three decimals and b of both signs: they are shown to
+    students.
+    """
     root = np.round(rng.uniform(-1, 1, (count, count + 1)), 1)
     a = np.round(root @ root.T + 0.3 * np.eye(count), 3)
     return a, np.round(rng.uniform(-9, 3, count), 1)

@@ -53,7 +53,7 @@ SLOPE = Exercise(
         Mistake("b lost", slip(formulas.slope_1, " + b_1", ""),
                 "b_1 is missing: the term b_1 f_1 is linear, its slope is b_1."),
         Mistake("sign of b", slip(formulas.slope_1, "+ b_1", "- b_1"),
-                "The sign of b_1 is turned round: q has + b_1 f_1."),
+                "The sign of b_1 is reversed: q has + b_1 f_1."),
         Mistake("f_1 for f_2", slip(formulas.slope_1, "f_2", "f_1"),
                 "Both entries of row 1 multiply f_1. The mixed term is a_12 f_1 f_2: what is left of it is not f_1."),
         Mistake("q itself",

@@ -20,13 +20,15 @@ from course.exercises.definitions.lesson_16_contact_forces.shared import (
 )
 from course.exercises.slips import slip
 
-#: Singular but for its last digits: they leave an eigenvalue of -1e-9, which cvxpy takes for a real one.
+#: Singular but for its last digits: they leave an eigenvalue of -1e-9, which cvxpy
+#: takes for a real one.
 ROUNDED = np.array([[1e4, 1e4], [1e4, 1e4 - 2e-9]])
 DOWN = np.array([-9.81, -9.81])
 
 
-# A mistake that changes what the programme asks is written by what then comes out. An edit of the formula would say it
-# as well, but the judge would wait for cvxpy eight times for each. Those that cvxpy refuses are edits.
+# A mistake that changes what the programme asks is written by what then comes out. An
+# edit of the formula would say it as well, but the judge would wait for cvxpy eight
+# times for each. Those that cvxpy refuses are edits.
 
 
 def _solution(a: Any, b: Any) -> np.ndarray:
@@ -41,7 +43,9 @@ def _unlimited(a: Any, b: Any) -> np.ndarray:
 
 
 def _forced(a: Any, b: Any) -> Any:
-    """What cvxpy leaves where d_ddot = 0 is a limit as well: None where no f >= 0 meets it."""
+    """What cvxpy leaves where d_ddot = 0 is a limit as well: None where no f >= 0 meets
+    it.
+    """
     f = _solution(a, b)
     return (
         f
@@ -55,7 +59,9 @@ def _least_squares(a: Any, b: Any) -> np.ndarray:
 
 
 def _limited_by_contacts(a: Any, b: Any) -> np.ndarray:
-    """The least q with A f <= b: f = f_unlimited - y, where y solves the three conditions for A and 2 b."""
+    """The least q with A f <= b: f = f_unlimited - y, where y solves the three
+    conditions for A and 2 b.
+    """
     return _unlimited(a, b) - _solution(a, 2.0 * np.asarray(b))
 
 
@@ -91,8 +97,9 @@ def _rows(given: Mapping[str, Any], f: Any) -> tuple[Any, Any]:
     return np.diagonal(a) * f / np.abs(b).max(), (a @ f + b) / np.abs(b).max()
 
 
-#: Clarabel comes within 2e-7 of max |b| with f >= 0 alone, and within 7e-5 where a student also writes d_ddot >= 0 as
-#: a limit, which is right but repeats what comes out anyway. Every planted mistake is off by a hundredth or more.
+#: Clarabel comes within 2e-7 of max |b| with f >= 0 alone, and within 7e-5 where a
+#: student also writes d_ddot >= 0 as a limit, which is right but repeats what comes out
+#: anyway. Every planted mistake is off by a hundredth or more.
 NEAR = 2e-4
 
 CONDITIONS = (
@@ -122,7 +129,7 @@ SOLVE_CONTACT_QP = Exercise(
                 "f is not limited to f >= 0: this is the force that makes every d_ddot = 0, and some contacts pull."),
         Mistake("clamped after solving", lambda a, b: np.maximum(_unlimited(a, b), 0.0),
                 "Solved without the limit, and what pulled set to 0 afterwards. The other forces were found for "
-                "a contact that pulls, and do not fit once it is gone. The limit belongs into the programme."),
+                "a contact that pulls, and do not fit once it is gone. The limit belongs in the programme."),
         Mistake("the lowest q", lambda a, b: 0.5 * np.dot(b, _solution(a, b)),
                 "One number came: solve() returns the lowest q. The forces are in the variable, f.value."),
         Mistake("d_ddot = 0 as a limit", _forced,
@@ -131,9 +138,9 @@ SOLVE_CONTACT_QP = Exercise(
         Mistake("half forgotten", lambda a, b: 0.5 * _solution(a, b),
                 "All forces are half of what they should be: the 1/2 before f'A f is missing, so its slope is 2 A f."),
         Mistake("sign of b", lambda a, b: _solution(a, -np.asarray(b)),
-                "The sign of b is turned round: the objective has + b'f."),
+                "The sign of b is reversed: the objective has + b'f."),
         Mistake("f <= 0", lambda a, b: -_solution(a, -np.asarray(b)),
-                "The limit is turned round: f <= 0. On the slide's form A x <= b it is -f <= 0."),
+                "The limit is reversed: f <= 0. On the slide's form A x <= b it is -f <= 0."),
         Mistake("A and b of the contacts in the limit", _limited_by_contacts,
                 "The limit is A f <= b with the A and b of the contacts. The slide's letters mean two things: the "
                 "limit on the forces is -f <= 0."),
