@@ -35,9 +35,7 @@ def passing(
         lines += got
         if len(lines) < len(mutants):
             lines.append("0" * len(seeds))  # the one that stopped the process
-    return {
-        m.key: line for m, line in zip(mutants, lines, strict=True) if "1" in line
-    }
+    return {m.key: line for m, line in zip(mutants, lines, strict=True) if "1" in line}
 
 
 def _answers(exercise, sources, seeds, patience) -> list[str]:

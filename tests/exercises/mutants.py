@@ -103,9 +103,7 @@ def mutants_of(formula: Callable[..., object]) -> list[Mutant]:
                 continue
             seen.add(source)
             count = taken[before, after] = taken.get((before, after), 0) + 1
-            made.append(
-                Mutant(before, after + f"  # {count}" * (count > 1), source)
-            )
+            made.append(Mutant(before, after + f"  # {count}" * (count > 1), source))
     return made
 
 
@@ -204,9 +202,7 @@ def _statements(node: ast.stmt, place: _Place) -> Iterator[ast.AST]:
     if isinstance(node, ast.For):
         ends = [ast.Break()]
         ends += [
-            s
-            for s in getattr(place.parent, place.field)
-            if isinstance(s, ast.Return)
+            s for s in getattr(place.parent, place.field) if isinstance(s, ast.Return)
         ]
         yield from (_with(node, body=[*node.body, end]) for end in ends)
 
