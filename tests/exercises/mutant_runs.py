@@ -9,9 +9,9 @@ import threading
 from collections.abc import Sequence
 from pathlib import Path
 
-from course.exercises.definition import Exercise
-
 from exercises.mutants import Mutant
+
+from course.exercises.definition import Exercise
 
 ROOT = Path(__file__).resolve().parents[2]
 WORKER = Path(__file__).with_name("mutant_worker.py")

@@ -34,10 +34,10 @@ def trial_of(exercise: Exercise, seed: int | None) -> Trial:
     ):
         many = len(exercise.results) > 1
         known = outcome.values if many else outcome.values[0]
-        judged = exercise
+        changes = {"mistakes": exercise.mistakes[:1]}  # of an expression, one as well
         if exercise.kind == "function":
-            judged = dataclasses.replace(exercise, reference=lambda *g, k=known: k)
-        trial.append((dataclasses.replace(judged, mistakes=(UNNAMED,)), case))
+            changes = {"mistakes": (UNNAMED,), "reference": lambda *g, k=known: k}
+        trial.append((dataclasses.replace(exercise, **changes), case))
     return trial
 
 

@@ -141,6 +141,9 @@ def _places(function: ast.FunctionDef) -> Iterator[_Place]:
                 own = child if isinstance(child, ast.stmt) else statement
                 if isinstance(child, (ast.Import, ast.ImportFrom)) or own is None:
                     continue
+                if isinstance(node, ast.Call) and _called(node) == "reshape":
+                    if isinstance(child, ast.UnaryOp):
+                        continue  # -1, NumPy's word for "what is left", is no number
                 index = i if isinstance(value, list) else None
                 yield _Place(node, field, index, own, names)
                 if not isinstance(child, ast.Raise):  # its words are nobody's mistake
@@ -172,8 +175,10 @@ def _is_stored(node: ast.expr) -> bool:
 
 def _stands_alone(place: _Place) -> bool:
     """Whether a minus may be put before it: a result, a value given a name, an argument."""
-    words = isinstance(place.node, ast.Constant) and isinstance(place.node.value, str)
-    if words or isinstance(place.node, (ast.UnaryOp, ast.Tuple, ast.List)):
+    fixed = isinstance(place.node, ast.Constant) and (
+        isinstance(place.node.value, str) or place.node.value == 0
+    )
+    if fixed or isinstance(place.node, (ast.UnaryOp, ast.Tuple, ast.List)):
         return False
     if isinstance(place.parent, ast.Call) and _called(place.parent) in UNSIGNED:
         return False
@@ -243,7 +248,9 @@ def _constants(node: ast.Constant, place: _Place) -> Iterator[ast.AST]:
     if isinstance(value, bool):
         yield ast.Constant(not value)
     elif isinstance(value, (int, float)):
-        others = (*NUMBERS, value + 1, value - 1, -value)
+        others = [*NUMBERS, value + 1, value - 1]
+        if value != 0 and not isinstance(place.parent, ast.UnaryOp):
+            others.append(-value)
         yield from (ast.Constant(n) for n in dict.fromkeys(others) if n != value)
     elif isinstance(value, str):
         yield from (ast.Constant(text) for text in _words(value))
@@ -303,7 +310,7 @@ def _calls(node: ast.Call, place: _Place) -> Iterator[ast.AST]:
             yield _with(node, func=ast.Name(twin, ast.Load()))
     yield from (a for a in node.args if not isinstance(a, ast.Starred))
     for i, keyword in enumerate(node.keywords):
-        if keyword.arg not in ("out", "where", "dtype"):
+        if keyword.arg not in ("out", "where", "dtype", "solver"):
             yield _with(node, keywords=node.keywords[:i] + node.keywords[i + 1 :])
     if name not in SYMMETRIC:
         for i in range(len(node.args)):

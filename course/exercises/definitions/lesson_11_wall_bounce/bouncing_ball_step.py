@@ -56,6 +56,7 @@ def _states(rng: np.random.Generator) -> Sequence[Case]:
         ),
         Case("below the floor, falling slowly", state(-0.02, -0.2), "edge"),
         Case("below the floor, rising slowly", state(-0.02, 0.2), "edge"),
+        Case("below the floor, at rest", state(-0.02, 0.0), "edge"),
     ]
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
+    CYCLING,
     drawn_number,
 )
 from course.exercises.slips import slip
@@ -110,6 +111,7 @@ def _hard(rng: np.random.Generator, case: Callable[..., Any]) -> list[Case]:
             "light beside heavy",
             case(CHAIN * units[:, None] * units, CHAIN_COMES * units, e),
         ),
+        Case("five contacts that no exchange of all at once solves", case(CYCLING[0], 0.1 * np.array(CYCLING[1]), e)),
         Case("the second is left at 0", case([[2.0, 1], [1, 2]], [-1.0, -0.5], e), "edge"),
         Case("nothing moves", case(touching, [0.0, 0.0], e), "edge"),
     ]  # fmt: skip

@@ -8,13 +8,14 @@ import numpy as np
 
 from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import CYCLING
 from course.exercises.definitions.lesson_16_contact_forces.shared import (
     LEVER,
     PAIR,
     ROW,
+    WEDGE,
     A,
     B,
-    WEDGE,
     drawn_system,
     pulled_open,
 )
@@ -67,6 +68,7 @@ def _pivot_systems(rng: np.random.Generator) -> Sequence[Case]:
         Case("they do not feel each other", {"a": np.diag([1.0, 2.0]), "b": np.array([1.0, -2.0])}, "edge"),
         Case("five contacts, strongly coupled", _scaled(rng, *FIVE)),
         Case("six contacts, strongly coupled", _scaled(rng, *SIX)),
+        Case("five contacts that no exchange of all at once solves", _scaled(rng, *CYCLING)),
         Case("two stops at once", _scaled(rng, *TIED), "edge"),
     ]  # fmt: skip
 
