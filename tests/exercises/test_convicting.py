@@ -204,6 +204,10 @@ def test_an_index_that_is_not_read(index, seed):
     assert not right("contact_matrix_entry", entry, seed)
 
 
+#: The length of a rod or ladder drops out: arm squared over inertia holds it once each.
+CANCELLED = {("rod_impulse", "ell"), ("ladder_entry", "ell")}
+
+
 def _numbers(exercise: Exercise, cases, name: str) -> list:
     """The values an argument has in the single cases, and the numbers one writes without looking."""
     given = [c.arguments[name] for c in cases]
@@ -220,6 +224,8 @@ def test_no_argument_can_be_written_in(exercise):
     for seed in (None, 3):
         cases = exercise.draw(seed)
         for argument in exercise.arguments:
+            if (exercise.name, argument.name) in CANCELLED:
+                continue
             for value in _numbers(exercise, cases, argument.name):
                 wrong = _written_in(exercise, argument.name, value)
                 try:
