@@ -71,7 +71,8 @@ def pivot(a, b):
     """Contact forces contact by contact: each force grows until its w is 0.
 
     While f_k grows by 1, those that push answer by -A_CC^-1 A_Ck and keep their w at 0.
-    Whose force or w reaches 0 first leaves or joins them.
+    Whose force or w reaches 0 first leaves or joins them. Where two stops coincide, k has
+    a force before it is listed, and goes on until it is.
     (solves what slide rows 20 and 25 ask)
 
     a (c, c) [1/kg] positive definite, b (c,) [m/s^2]; returns (c,) [N].
@@ -82,7 +83,7 @@ def pivot(a, b):
     pushing = []
     for k in range(len(b)):
         for _ in range(100):
-            if w[k] >= -1e-12:
+            if w[k] >= -1e-12 and (k in pushing or f[k] == 0):
                 break
             change = np.zeros(len(b))
             change[k] = 1.0

@@ -99,6 +99,8 @@ def impacts(rng: np.random.Generator) -> Sequence[Case]:
         Case("six pairs", _pair(rng, (6,)), "batch"),
         Case("a 2 by 4 batch", _pair(rng, (2, 4)), "batch"),
         Case("some approach, some part", _pair(rng, (6,), closing=mixed), "batch"),
+        Case("they approach slowly", _pair(rng, closing=0.1)),
+        Case("they part slowly", _pair(rng, closing=-0.1), "edge"),
     ]
 
 

@@ -14,14 +14,18 @@ from course.exercises.slips import slip
 
 def _states(rng: np.random.Generator) -> Sequence[Case]:
     def state(
-        height: Any, velocity: Any, step: float = 0.01, restitution: float = 0.7
+        height: Any,
+        velocity: Any,
+        step: float = 0.01,
+        restitution: float = 0.7,
+        gravity: float = 9.81,
     ) -> dict[str, Any]:
         return {
             "height": height,
             "velocity": velocity,
             "step": step,
             "restitution": restitution,
-            "gravity": 9.81,
+            "gravity": gravity,
         }
 
     drawn = [rng.uniform(-most, most, (2, 3)).round(3) for most in (0.1, 3.0)]
@@ -46,6 +50,13 @@ def _states(rng: np.random.Generator) -> Sequence[Case]:
             "batch",
         ),
         Case("a 2 by 3 batch", state(drawn[0], drawn[1]), "batch"),
+        Case(
+            "on another planet, falling",
+            state(0.4, -0.8, gravity=round(rng.uniform(1.5, 5), 2)),
+        ),
+        Case("below the floor, falling slowly", state(-0.02, -0.2), "edge"),
+        Case("below the floor, rising slowly", state(-0.02, 0.2), "edge"),
+        Case("below the floor, at rest", state(-0.02, 0.0), "edge"),
     ]
 
 

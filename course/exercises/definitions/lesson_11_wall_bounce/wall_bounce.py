@@ -57,6 +57,8 @@ def _bounces(rng: np.random.Generator) -> Sequence[Case]:
         Case("five balls", _hits(rng, (5,)), "batch"),
         Case("a 2 by 4 batch, one restitution for all", _hits(rng, (2, 4), restitution=0.4), "batch"),
         Case("some come, some go", _hits(rng, (4,), speed=[1.0, -1.0, 2.0, -0.5]), "batch"),
+        Case("the ball comes in slowly", _hits(rng, speed=0.1)),
+        Case("the ball leaves slowly", _hits(rng, speed=-0.1), "edge"),
     ]  # fmt: skip
 
 

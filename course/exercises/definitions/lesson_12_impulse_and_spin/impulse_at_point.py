@@ -64,6 +64,8 @@ def _hits(rng: np.random.Generator) -> Sequence[Case]:
         Case("six contacts", drawn((6,)), "batch"),
         Case("a 2 by 4 batch", drawn((2, 4)), "batch"),
         Case("some approach, some part", drawn((6,), closing=mixed), "batch"),
+        Case("the points approach slowly", drawn(closing=0.1)),
+        Case("the points part slowly", drawn(closing=-0.1), "edge"),
     ]
 
 

@@ -74,3 +74,9 @@ def times(matrix: Any, vector: Any) -> Any:
 
 def scaled(number: Any, vector: Any) -> Any:
     return np.asarray(number)[..., None] * vector
+
+
+#: A and b, contacts that no exchange of all at once solves: to add all that sink and
+#: take out all that pull goes round for ever. Found by drawing small whole numbers.
+CYCLING = np.array([[2.7, -0.2, 1.3, -1.2, -0.6], [-0.2, 1.4, 0.0, 0.0, 0.5], [1.3, 0.0, 1.3, -0.8, 0.3],
+                    [-1.2, 0.0, -0.8, 1.0, 0.7], [-0.6, 0.5, 0.3, 0.7, 1.9]]), (-3, -5, -7, 4, -5)  # fmt: skip

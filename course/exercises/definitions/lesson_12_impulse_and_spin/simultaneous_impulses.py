@@ -4,7 +4,7 @@ judged by what is true of every right answer.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy as np
 from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_12_impulse_and_spin.shared import (
+    CYCLING,
     drawn_number,
 )
 from course.exercises.slips import slip
@@ -23,6 +24,11 @@ def _left(given: Any, impulse: Any) -> Any:
         given["matrix"] @ impulse
         + (1 + given["restitution"]) * given["normal_velocity"]
     )
+
+
+#: The middle one is pressed by neither neighbour and by both.
+CHAIN = np.array([[2.0, 1.2, -0.5], [1.2, 2.0, 1.2], [-0.5, 1.2, 2.0]])
+CHAIN_COMES = np.array([-1.0, -0.8, -1.5])
 
 
 def _corners(across: float, along: float) -> np.ndarray:
@@ -88,7 +94,31 @@ def _many(rng: np.random.Generator) -> Sequence[Case]:
             "edge",
         ),
         Case("nothing comes back, e = 0", {**drawn(3), "restitution": 0.0}, "edge"),
+        *_hard(rng, case),
     ]
+
+
+def _hard(rng: np.random.Generator, case: Callable[..., Any]) -> list[Case]:
+    """Strongly coupled, badly scaled, undecided: where loops flip and guesses stop early."""
+    touching = np.array([[2.0, -1.0], [-1.0, 2.0]])
+    e, speed = drawn_number(rng, (), 0.3, 0.8), drawn_number(rng, (), 0.5, 2.0)
+    coming, parting = -drawn_number(rng, (), 0.2, 0.4), drawn_number(rng, (), 1.0, 1.5)
+    row = 2 * np.eye(6) - np.eye(6, k=1) - np.eye(6, k=-1)
+    units = rng.permuted([0.2, 1.0, 5.0])
+    pull = "one parts, and pulling it would part the other"
+    return [
+        Case(pull, case(touching, [coming, parting], e)),
+        Case(f"{pull}, the other way round", case(touching, [parting, coming], e)),
+        Case("four contacts that act as one", case(np.ones((4, 4)), [-speed] * 4, e)),
+        Case("a ball onto a row of six", case(row, [-speed, 0, 0, 0, 0, 0], 1.0)),
+        Case(
+            "light beside heavy",
+            case(CHAIN * units[:, None] * units, CHAIN_COMES * units, e),
+        ),
+        Case("five contacts that no exchange of all at once solves", case(CYCLING[0], 0.1 * np.array(CYCLING[1]), e)),
+        Case("the second is left at 0", case([[2.0, 1], [1, 2]], [-1.0, -0.5], e), "edge"),
+        Case("nothing moves", case(touching, [0.0, 0.0], e), "edge"),
+    ]  # fmt: skip
 
 
 def _solved(matrix: Any, normal_velocity: Any, restitution: Any) -> Any:

@@ -45,6 +45,7 @@ def _edges(rng: np.random.Generator) -> Sequence[Case]:
         Case("both turn as one", {**crossing(), "omega_a": as_one, "omega_b": as_one}, "edge"),
         Case("three crossings", crossing((3,), np.array([1.0, -1.0, 1.0])), "batch"),
         Case("a 2 by 4 batch", crossing((2, 4), np.ones((2, 4))), "batch"),
+        Case("edges along x and y, N down", {**square, "omega_a": np.array([0.0, 2, 0]), "omega_b": ZERO, "n": -UP}),
     ]  # fmt: skip
 
 

@@ -95,13 +95,14 @@ PREDICTIONS = (
     Prediction(
         "corner_normal",
         "A point passes 1 mm over the corner of a box at 1 m/s; the box lies still. N points from the nearest point of "
-        "the box to the point. How fast does N turn, in rad/s, when the point is just past the corner?",
+        "the box to the point. How fast does N turn just past the corner? The size of its rate, in rad/s.",
         _turning_of_the_normal,
         "It turns about the corner at v/gap = 1/0.001. Nothing turns but the question which point is nearest, and that "
         "changes the faster the nearer they are.",
         unit="rad/s",
         wrong={
-            0: "The box does not turn. But its nearest point is the corner now, and N follows the moving point."
+            0: "The box does not turn. But its nearest point is the corner now, and N follows the moving point.",
+            -1000: "The rate is right for one way of looking. Its size, which is asked, is above 0.",
         },
     ),
 )

@@ -30,6 +30,9 @@ SHARED = {
     "the same two bodies, A and B exchanged": ((0, 1), (1, 0)),
 }
 
+#: More contacts than two, so that neither i nor j can be told without being read.
+RING = ((0, 1), (2, 3), (1, 2), (3, 0))
+
 
 def _entries(rng: np.random.Generator) -> Sequence[Case]:
     def case(
@@ -63,6 +66,10 @@ def _entries(rng: np.random.Generator) -> Sequence[Case]:
             fixed=True,
         ),
         case("no body in common", ((0, 1), (2, 3)), 0, 1, "edge"),
+        *(
+            case(f"four bodies in a ring, a_{i}{j}", RING, i, j)
+            for i, j in ((2, 0), (1, 2), (0, 3), (2, 2))
+        ),
     ]
 
 

@@ -58,6 +58,15 @@ def _tried_forces(rng: np.random.Generator) -> Sequence[Case]:
         ),
         Case("two systems of three contacts", draw((2,)), "batch"),
         Case("a 2 by 3 batch", draw((2, 3), 2), "batch"),
+        Case(
+            "b = 0, and yet forces",
+            {"a": PAIR, "f": np.array([1.0, 2.0]), "b": np.zeros(2)},
+            "edge",
+        ),
+        Case(
+            "small forces and accelerations",
+            {"a": PAIR, "f": np.array([0.1, 0.2]), "b": np.array([-0.1, -0.05])},
+        ),
     ]
 
 

@@ -8,15 +8,43 @@ import numpy as np
 
 from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definitions.lesson_12_impulse_and_spin.shared import CYCLING
 from course.exercises.definitions.lesson_16_contact_forces.shared import (
     LEVER,
     PAIR,
     ROW,
+    WEDGE,
     A,
     B,
     drawn_system,
+    pulled_open,
 )
 from course.exercises.slips import slip
+
+#: A and b on whose way contacts leave and join, several at one k, and those not yet
+#: dealt with would stop who asked them too. Found by drawing small whole numbers.
+FIVE = np.array([[3.1, -0.3, 2.0, 0.8, -0.4], [-0.3, 3.7, 0.8, -0.4, 0.0], [2.0, 0.8, 2.5, 0.5, -0.1],
+                 [0.8, -0.4, 0.5, 1.6, -0.2], [-0.4, 0.0, -0.1, -0.2, 1.7]]), (-2, 0, -3, -9, -2)  # fmt: skip
+SIX = np.array([[3.4, 2.0, -0.1, 0.4, 1.5, 0.3], [2.0, 2.9, 0.7, 0.4, 2.0, -0.4], [-0.1, 0.7, 2.1, 0.5, 0.1, -0.5],
+                [0.4, 0.4, 0.5, 2.3, -0.7, 0.3], [1.5, 2.0, 0.1, -0.7, 2.1, -0.4],
+                [0.3, -0.4, -0.5, 0.3, -0.4, 2.9]]), (-3, -3, -2, -7, -4, -5)  # fmt: skip
+#: The second force brings its own w and the first force to 0 in the same step, of 2 N.
+TIED = np.array([[1, 0.5, -0.2], [0.5, 1, 0.25], [-0.2, 0.25, 1]]), (-1, -2, -3)
+
+
+def _scaled(
+    rng: np.random.Generator, a: np.ndarray, b: Sequence[float]
+) -> dict[str, np.ndarray]:
+    """The same way in other units, drawn for each contact: D A D and D b.
+
+    Powers of 2, so that what coincides still does.
+    """
+    d = rng.choice([0.25, 0.5, 1.0, 2.0, 4.0], len(b))
+    return {"a": a * d[:, None] * d, "b": b * d}
+
+
+#: What ends the loop for k besides its d_ddot.
+LISTED = " and (k in pushing or f[k] == 0)"
 
 
 def _pivot_systems(rng: np.random.Generator) -> Sequence[Case]:
@@ -35,7 +63,14 @@ def _pivot_systems(rng: np.random.Generator) -> Sequence[Case]:
         Case("five drawn contacts", {"a": a, "b": b}),
         Case("the last parts", {"a": PAIR, "b": np.array([-1.0, 2.0])}),
         Case("nothing pushes", {"a": PAIR, "b": np.array([1.0, 0.0])}, "edge"),
-    ]
+        Case("the one before must join", {"a": WEDGE, "b": np.array([0.5, -2.0])}),
+        *pulled_open(rng),
+        Case("they do not feel each other", {"a": np.diag([1.0, 2.0]), "b": np.array([1.0, -2.0])}, "edge"),
+        Case("five contacts, strongly coupled", _scaled(rng, *FIVE)),
+        Case("six contacts, strongly coupled", _scaled(rng, *SIX)),
+        Case("five contacts that no exchange of all at once solves", _scaled(rng, *CYCLING)),
+        Case("two stops at once", _scaled(rng, *TIED), "edge"),
+    ]  # fmt: skip
 
 
 PIVOT = Exercise(
@@ -85,7 +120,13 @@ PIVOT = Exercise(
                 "If the error speaks of a 1-dimensional array: a[C, C] takes single entries, a[0, 0], a[2, 2] and so "
                 "on. The rows and columns of C are a[np.ix_(C, C)]."),
         Mistake("k is not listed",
-                slip(formulas.pivot, "pushing.append(who)", "pushing += [who] if who != k else []"),
+                slip(
+                    formulas.pivot,
+                    "pushing.append(who)",
+                    "pushing += [who] if who != k else []",
+                    LISTED,
+                    "",
+                ),
                 "A contact that has been dealt with and pushes must stand in the list, or nobody keeps its d_ddot at "
                 "0: add k once its d_ddot is 0 and its force is above 0."),
         Mistake("the list keeps who leaves",
@@ -96,6 +137,11 @@ PIVOT = Exercise(
                 slip(formulas.pivot, " if change[i] < 0", "", " if rate[i] < 0", ""),
                 "Not every contact can stop you: only a pushing force that falls, and a d_ddot that falls. The "
                 "others would be met by going backwards, with a step below 0."),
+        Mistake("two stops at once",
+                slip(formulas.pivot, LISTED, ""),
+                "Right unless two stops coincide. Where d_ddot_k and the force of another reach 0 together, the other "
+                "leaves and k is done without being listed: nobody keeps its d_ddot at 0 from then on. Go on until "
+                "k is in the list, or has no force."),
         Mistake("contacts that part are pressed",
                 slip(formulas.pivot, "w[k] >= -1e-12", "abs(w[k]) <= 1e-12"),
                 "You bring d_ddot_k to 0 also where it is above 0. A contact that parts takes no force: leave it "
@@ -103,11 +149,12 @@ PIVOT = Exercise(
     ),
     hints=(
         "Keep f, d_ddot (w in code) and the list of those that push. For each k a loop with a bound, for _ in "
-        "range(100), that ends where d_ddot_k >= -1e-12: find the direction and the first stop; go there.",
+        "range(100), that ends where d_ddot_k >= -1e-12 and k pushes or has no force: find the direction and the first "
+        "stop; go there.",
         "The pushing forces answer a unit of force at k by -A_CC^-1 A_Ck. The stops: d_ddot_k = 0; a pushing force "
         "that falls reaches 0; a falling d_ddot of a contact before k that does not push reaches 0. The smallest "
         "step wins. A for-loop's else, which runs where no break came, raises an error after 100 stops.",
-        "for _ in range(100):\n    if w[k] >= -1e-12:\n        break\n"
+        "for _ in range(100):\n    if w[k] >= -1e-12 and (k in pushing or f[k] == 0):\n        break\n"
         "    change[pushing] = -np.linalg.solve(a[np.ix_(pushing, pushing)], a[pushing, k])\n    rate = a @ change\n"
         "    stops = [(-w[k] / rate[k], k)]\n    stops += [(____, i) for i in pushing if change[i] < 0]\n"
         "    stops += [(____, i) for i in range(k) if i not in pushing and rate[i] < 0]\n    step, who = min(stops)\n"

@@ -15,6 +15,7 @@ from course.exercises.definitions.lesson_16_contact_forces.shared import (
     A,
     B,
     drawn_system,
+    pulled_open,
 )
 from course.exercises.slips import slip
 
@@ -23,7 +24,12 @@ def _swept_systems(rng: np.random.Generator) -> Sequence[Case]:
     a, b = drawn_system(rng, 3)
     b[0] = -8.5
     warm = np.round(rng.uniform(0.5, 6, 3), 1)
+    strong, units = (
+        np.ones((4, 4)) + 0.1 * np.eye(4),
+        rng.permuted([0.25, 1.0, 2.0, 8.0]),
+    )
     down, none = np.array([-1.0, -1.0]), np.zeros(2)
+    none_of_four = np.zeros(4)
     return [
         Case("two contacts, one sweep", {"a": PAIR, "b": down, "start": none, "sweeps": 1}),
         Case("two contacts, three sweeps", {"a": 2 * PAIR, "b": down, "start": none, "sweeps": 3}),
@@ -32,6 +38,9 @@ def _swept_systems(rng: np.random.Generator) -> Sequence[Case]:
         Case("three in a row", {"a": ROW, "b": np.array([-9.0, -1.0, -6.0]), "start": np.array([0.0, 2, 1]),
                                 "sweeps": 5}),
         Case("no sweep", {"a": PAIR, "b": down, "start": np.array([0.3, 0.4]), "sweeps": 0}, "edge"),
+        *(Case(f"{c.label}, two sweeps", {**c.arguments, "start": none, "sweeps": 2}) for c in pulled_open(rng)),
+        Case("light beside heavy, strongly coupled", {"a": strong * units[:, None] * units, "b": -9.81 * units,
+                                                      "start": none_of_four, "sweeps": 7}),
         Case("they part", {"a": 2 * PAIR, "b": -down, "start": np.array([3.0, 1.0]), "sweeps": 2}, "edge"),
     ]  # fmt: skip
 

@@ -17,6 +17,7 @@ from course.exercises.definitions.lesson_16_contact_forces.shared import (
     A,
     B,
     drawn_system,
+    pulled_open,
 )
 from course.exercises.slips import slip
 
@@ -86,6 +87,7 @@ def _quadratic_programmes(rng: np.random.Generator) -> Sequence[Case]:
             {"a": ROUNDED, "b": DOWN},
             "edge",
         ),
+        *pulled_open(rng),
     ]
 
 
