@@ -49,6 +49,8 @@ def check(answer: Any, name: str | None = None) -> None:
             verdict,
             reason=(*_unfinished_before(lesson, exercise, answer), *verdict.reason),
         )
+        verdict = _with_borrowed(verdict, answer)
+    passed_before = recording.state().passed
     recording.record("check", name, state=verdict.state)
     if (
         not verdict.passed
@@ -68,7 +70,7 @@ def check(answer: Any, name: str | None = None) -> None:
                 f"{following.name}; about {left} minutes of exercises left in this lesson",
             )
             if following
-            else Part("next", "that was the last core exercise of this lesson"),
+            else Part("next", _all_done(lesson, exercise, passed_before)),
         )
     else:
         taken = recording.state().hints.get(name, 0)
@@ -81,6 +83,13 @@ def check(answer: Any, name: str | None = None) -> None:
         )
         after = (Part("stuck?", f"hint({name!r}) gives {advice}"),)
     display_message(verdict_message(exercise, verdict, after=after))
+
+
+def _all_done(lesson: Lesson, exercise: Exercise, before: frozenset[str]) -> str:
+    """What follows where all core exercises have passed: told as news once, and never after a stretch one."""
+    if exercise.level == "core" and exercise.name not in before:
+        return "that was the last core exercise of this lesson"
+    return "all core exercises of this lesson have passed"
 
 
 def judge_here(exercise: Exercise, answer: Any) -> Verdict:
@@ -147,6 +156,40 @@ def _unfinished_before(
         f"It calls your {e.name}, which does not pass its own check yet: mend that first."
         for e, function in own
         if not _is_lent(function) and not judge_here(e, function).passed
+    )
+
+
+def _with_borrowed(verdict: Verdict, answer: Any) -> Verdict:
+    """The verdict with the notebook's variables that the answer takes told first.
+
+    What a property says of the answer is then left out: it was not the answer's own number.
+    """
+    names = borrowed_variables(answer)
+    if not names or verdict.mistake is not None:
+        return verdict
+    told = ", ".join(names)
+    words = (
+        f"It takes {told} from the notebook, where {'they have' if len(names) > 1 else 'it has'} some value of "
+        f"another cell's: an answer computes from its own arguments."
+    )
+    lacking = {p.message for p in find_exercise(verdict.exercise)[1].properties}
+    kept = tuple(r for r in verdict.reason if r not in lacking)
+    return replace(verdict, reason=(words, *kept))
+
+
+def borrowed_variables(answer: Any) -> tuple[str, ...]:
+    """The notebook's variables (numbers, arrays, symbols; no functions, classes, modules) that a function reads."""
+    if not inspect.isfunction(answer):
+        return ()
+    codes, names = [answer.__code__], dict[str, None]()
+    while codes:
+        code = codes.pop()
+        codes += [c for c in code.co_consts if inspect.iscode(c)]
+        steps = dis.get_instructions(code)
+        names.update((s.argval, None) for s in steps if s.opname == "LOAD_GLOBAL")
+    values = {n: answer.__globals__[n] for n in names if n in answer.__globals__}
+    return tuple(
+        n for n, v in values.items() if not callable(v) and not inspect.ismodule(v)
     )
 
 
