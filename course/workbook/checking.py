@@ -62,16 +62,8 @@ def check(answer: Any, name: str | None = None) -> None:
         )
     passed = recording.state().passed
     if verdict.passed:
-        following = recording.next_exercise(lesson, name, passed)
-        left = recording.minutes_left(lesson, passed)
-        after = (
-            Part(
-                "next",
-                f"{following.name}; about {left} minutes of exercises left in this lesson",
-            )
-            if following
-            else Part("next", _all_done(lesson, exercise, passed_before)),
-        )
+        following = whats_next(lesson, exercise, passed_before, passed)
+        after = (Part("next", following),)
     else:
         taken = recording.state().hints.get(name, 0)
         advice = (
@@ -85,8 +77,19 @@ def check(answer: Any, name: str | None = None) -> None:
     display_message(verdict_message(exercise, verdict, after=after))
 
 
-def _all_done(lesson: Lesson, exercise: Exercise, before: frozenset[str]) -> str:
-    """What follows where all core exercises have passed: told as news once, and never after a stretch one."""
+def whats_next(
+    lesson: Lesson, exercise: Exercise, before: frozenset[str], passed: frozenset[str]
+) -> str:
+    """What to do after an exercise has passed; ``before`` are those that had passed before this check.
+
+    That the last core exercise was done is news once: neither at a second check of it, nor at a stretch one's.
+    """
+    following = recording.next_exercise(lesson, exercise.name, passed)
+    if following is not None:
+        left = recording.minutes_left(lesson, passed)
+        return (
+            f"{following.name}; about {left} minutes of exercises left in this lesson"
+        )
     if exercise.level == "core" and exercise.name not in before:
         return "that was the last core exercise of this lesson"
     return "all core exercises of this lesson have passed"
@@ -167,11 +170,10 @@ def _with_borrowed(verdict: Verdict, answer: Any) -> Verdict:
     names = borrowed_variables(answer)
     if not names or verdict.mistake is not None:
         return verdict
-    told = ", ".join(names)
-    words = (
-        f"It takes {told} from the notebook, where {'they have' if len(names) > 1 else 'it has'} some value of "
-        f"another cell's: an answer computes from its own arguments."
+    kind = (
+        "variables of the notebook" if len(names) > 1 else "a variable of the notebook"
     )
+    words = f"It takes {', '.join(names)}, {kind} and no argument: another cell can change what it gives."
     lacking = {p.message for p in find_exercise(verdict.exercise)[1].properties}
     kept = tuple(r for r in verdict.reason if r not in lacking)
     return replace(verdict, reason=(words, *kept))
@@ -188,9 +190,16 @@ def borrowed_variables(answer: Any) -> tuple[str, ...]:
         steps = dis.get_instructions(code)
         names.update((s.argval, None) for s in steps if s.opname == "LOAD_GLOBAL")
     values = {n: answer.__globals__[n] for n in names if n in answer.__globals__}
-    return tuple(
-        n for n, v in values.items() if not callable(v) and not inspect.ismodule(v)
-    )
+    return tuple(n for n, v in values.items() if _is_data(v))
+
+
+def _is_data(value: Any) -> bool:
+    """Whether it is a value and no constant that is imported: SymPy's symbols are callable too."""
+    if inspect.ismodule(value) or inspect.isclass(value) or value is None:
+        return False
+    if isinstance(value, float) and value in (np.pi, 2 * np.pi, np.inf):
+        return False
+    return not callable(value) or hasattr(value, "free_symbols")
 
 
 def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) -> Any:

@@ -312,7 +312,9 @@ def test_masses_at_the_ends_of_float64(m_1, m_2, closing):
         p_hat = impulse_central(m_1, m_2, *motion, X, 0.5)
         lost = kinetic_energy_lost(m_1, m_2, *motion, X, 0.5)
     speed = Fraction(closing)
-    assert p_hat == pytest.approx(float(Fraction(3, 2) * mu * speed), rel=1e-14, abs=1e-322)
+    assert p_hat == pytest.approx(
+        float(Fraction(3, 2) * mu * speed), rel=1e-14, abs=1e-322
+    )
     right = float(Fraction(3, 8) * mu * speed**2)
     assert lost == pytest.approx(right, rel=1e-14, abs=1e-322)
 
