@@ -322,6 +322,7 @@ def _content(part: Any) -> str:
         return _described(part)
     inside = np.array(part, dtype=object).ravel()
     odd = [x for x in inside if not isinstance(x, (int, float, complex, np.number))]
+    odd.sort(key=lambda x: not getattr(x, "free_symbols", None))
     return f"{_kind(part)} with {_described(odd[0])} in it" if odd else _kind(part)
 
 
