@@ -85,6 +85,26 @@ def judge(
     )
 
 
+def passes(exercise: Exercise, case: Case, outcome: Outcome, expected: Outcome) -> bool:
+    """Whether what an answer gave in one case is right."""
+    outcome = _or_wrote(case.arguments, outcome)
+    return _wrong(exercise, case, outcome, expected) is None
+
+
+def alike(
+    exercise: Exercise,
+    cases: Sequence[Case],
+    some: Sequence[Outcome],
+    others: Sequence[Outcome],
+) -> bool:
+    """Whether two runs of answers gave the same on every case: values within the tolerances, errors by their words."""
+    pairs = zip(cases, some, others, strict=True)
+    return all(
+        _alike(exercise, _or_wrote(c.arguments, a), _or_wrote(c.arguments, b))
+        for c, a, b in pairs
+    )
+
+
 def answers_of(
     function: Any, exercise: Exercise, cases: Sequence[Case]
 ) -> list[Outcome]:
