@@ -81,10 +81,12 @@ def _told(wrong: Mapping[str, Any]) -> tuple[str, float]:
     if recipe is None:
         return "-", 0.0
     began = time.perf_counter()
-    repair = repair_of(exercise, recipe, outcomes)
+    repair = repair_of(exercise, recipe, verdict.outcomes)
     seconds = time.perf_counter() - began
     if repair is None:
-        return "-", seconds
+        words = [r for r in verdict.reason if "answer each element" in r]
+        wrote = any(o.kind == "wrote" for o in verdict.outcomes)
+        return ("(told by its outcome)" if words or wrote else "-"), seconds
     steps = "; then ".join(
         f"{s.kind}: {s.old[:80]} -> {s.new[:90]}" for s in repair.steps
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Literal
 
@@ -34,6 +34,8 @@ class Verdict:
     difference: Difference | None = None
     mistake: Mistake | None = None
     reason: tuple[str, ...] = ()
+    #: All that came back, of an answer that failed.
+    outcomes: tuple[Outcome, ...] = field(default=(), repr=False, compare=False)
 
     @property
     def passed(self) -> bool:
@@ -82,6 +84,7 @@ def judge(
         wrongs[first],
         mistake,
         reason,
+        tuple(outcomes),
     )
 
 

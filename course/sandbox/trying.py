@@ -52,7 +52,8 @@ def serve(where: Mapping[str, Any]) -> NoReturn:
             reply = served.opened()
         else:
             assert served is not None
-            reply = [[served.run(s, request["cases"]) for s in request["sources"]]]
+            indices, left = request["cases"], request["left"]
+            reply = [[served.run(s, indices, left) for s in request["sources"]]]
         messages.send(told, messages.REPLY, wire.pack(reply))
     os._exit(0)
 
@@ -94,16 +95,16 @@ class _Served:
         axes: dict[str, int] = {}
         sys.setprofile(_spy(axes))
         try:
-            self.run(request["source"], [request["single"]])
+            self.run(request["source"], [request["single"]], False)
         finally:
             sys.setprofile(None)
         began = time.perf_counter()
-        outcomes = self.run(request["source"], list(range(request["own"])))
+        outcomes = self.run(request["source"], list(range(request["own"])), True)
         self._limit = LEAST + TIMES * (time.perf_counter() - began)
         return {"error": "", "outcomes": outcomes, "axes": axes}
 
-    def run(self, source: str, indices: list[int]) -> list[dict[str, Any]]:
-        """What a source gives on some of the cases."""
+    def run(self, source: str, indices: list[int], left: bool) -> list[dict[str, Any]]:
+        """What a source gives on some of the cases; ``left``: and how it leaves its arguments."""
         request, space = self._request, dict(self._space)
         cases = [request["cases"][i] for i in indices]
         try:
@@ -122,7 +123,7 @@ class _Served:
             outcomes = [
                 Outcome("raised", text=f"{type(error).__name__}: {error}"[:200])
             ] * len(cases)
-        return [_plain(o) for o in outcomes]
+        return [_plain(o, left) for o in outcomes]
 
 
 def _broadcast(function: Any) -> Any:
@@ -135,8 +136,8 @@ def _broadcast(function: Any) -> Any:
     return evaluate
 
 
-def _plain(outcome: Outcome) -> dict[str, Any]:
-    given = dict(outcome.given) if outcome.kind == "value" else {}
+def _plain(outcome: Outcome, left: bool) -> dict[str, Any]:
+    given = dict(outcome.given) if left and outcome.kind == "value" else {}
     return {
         "kind": outcome.kind,
         "values": list(outcome.values),

@@ -28,6 +28,7 @@ from course.exercises.verdict import Verdict, judge
 from course.workbook import recording
 from course.workbook.notebook import display_message, in_notebook
 from course.workbook.numbers import show
+from course.workbook.repairing import look_for_repair
 
 MARK = "__from_use__"
 #: Seconds after which a check says that the answer is still running; the longest right one takes a fifth of one.
@@ -75,6 +76,10 @@ def check(answer: Any, name: str | None = None) -> None:
         )
         after = (Part("stuck?", f"hint({name!r}) gives {advice}"),)
     display_message(verdict_message(exercise, verdict, after=after))
+    if in_notebook() and not borrowed_variables(answer):
+        told = look_for_repair(exercise, answer, verdict)
+        if told is not None:
+            display_message(told)
 
 
 def whats_next(

@@ -14,8 +14,9 @@ from course.exercises.definition import Case, Exercise
 from course.exercises.repair.edits import STAGES, Code, Edit, edits_of, patched
 from course.exercises.verdict import answers_of, passes
 
-#: Runs sources on the cases of these numbers: for each source the outcomes, in order.
-Attempt = Callable[[Sequence[str], Sequence[int]], list[list[Outcome]]]
+#: Runs sources on the cases of these numbers: for each source the outcomes, in order; with the arguments as they were
+#: left where the flag says so (they are many numbers).
+Attempt = Callable[[Sequence[str], Sequence[int], bool], list[list[Outcome]]]
 #: The seeds besides that of every notebook.
 OTHER_SEEDS = (1, 2)
 TOGETHER = 40
@@ -24,9 +25,11 @@ ENOUGH = 8
 FIRST_STEPS = 3
 #: Of two kinds of change that both make it right, the one whose words come first is told.
 _ORDER = (
-    "too many", "in place", "argument", "wrong place", "order of", "without axis", "axis", "axes", "keepdims",
-    "brackets", "condition", "belongs", "sign of a term", "turned round", "names of another", "exchanged", "twin",
-    "upside", "a sign", "an index", "another name", "number", "missing",
+    "a term too many", "a factor too many", "a divisor too many", "a power too many",
+    "too many", "in place", "argument", "wrong place", "order of", "without axis", "axis",
+    "axes", "keepdims", "brackets", "condition", "belongs", "sign of a term",
+    "turned round", "names of another", "exchanged", "twin", "upside", "a sign",
+    "an index", "another name", "number", "missing",
 )  # fmt: skip
 
 
@@ -102,10 +105,9 @@ class Search:
         probe = min(
             failing, key=lambda i: (self._cases[i].kind == "batch", self._size(i))
         )
-        rest = [
-            *(i for i in failing if i != probe),
-            *(i for i in range(len(self._cases)) if i not in failing),
-        ]
+        # Those that failed first: most candidates fail them again.
+        passed = [i for i in range(len(self._cases)) if i not in failing]
+        everything = [*failing, *passed]
         found: list[Edit] = []
         for start in range(0, len(edits), TOGETHER):
             if self._over() or len(found) >= ENOUGH:
@@ -115,8 +117,8 @@ class Search:
                 some, self._run(code, some, [probe]), strict=True
             ):
                 if self._right(probe, outcome):
-                    (outcomes,) = self._run(code, [edit], rest)
-                    if all(map(self._right, rest, outcomes)):
+                    (outcomes,) = self._run(code, [edit], everything, left=True)
+                    if all(map(self._right, everything, outcomes)):
                         found.append(edit)
         return found
 
@@ -128,10 +130,15 @@ class Search:
         )
 
     def _run(
-        self, code: Code, edits: Sequence[Edit], indices: Sequence[int]
+        self,
+        code: Code,
+        edits: Sequence[Edit],
+        indices: Sequence[int],
+        *,
+        left: bool = False,
     ) -> list[list[Outcome]]:
         self.tried += len(edits)
-        return self._attempt([e.applied(code.source) for e in edits], indices)
+        return self._attempt([e.applied(code.source) for e in edits], indices, left)
 
     def _in_two(
         self, code: Code, edits: Sequence[Edit], right: Sequence[bool]

@@ -43,7 +43,8 @@ def shorter(code: Code, place: Place) -> Iterator[Change]:
             yield "a matrix too many", right
         elif isinstance(node.op, (ast.Div, ast.FloorDiv)):
             yield "a divisor too many", left
-            yield "what is divided too many", f"1 / {right}"
+            if isinstance(node.op, ast.Div) and left != "1":
+                yield "a factor too many", f"1 / {right}"
         elif isinstance(node.op, ast.Pow):
             yield "a power too many", left
         elif isinstance(node.op, (ast.BitAnd, ast.BitOr)):
