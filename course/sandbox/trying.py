@@ -49,7 +49,7 @@ def serve(where: Mapping[str, Any]) -> NoReturn:
                 guard.install_guard(where["work"], (), where["path"], lambda _: None)
                 guarded = True
             served = _Served(request)
-            reply = served.opened()
+            reply: Any = served.opened()
         else:
             assert served is not None
             indices, left = request["cases"], request["left"]

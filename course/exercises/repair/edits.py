@@ -4,23 +4,38 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import combinations
 
-from course.exercises.repair.missing import longer
+from course.exercises.repair.missing import longer, longer_by_two, longer_by_vectors
 from course.exercises.repair.names import other_name
 from course.exercises.repair.places import Code, Edit, patched
 from course.exercises.repair.statements import statement_edits
 from course.exercises.repair.taken_for import other, shorter
 
 #: Something too many is tried first, something missing last: what is added could be anything.
-STAGES = (1, 2, 3)
-_GENERATORS = ((1, shorter), (1, other), (2, other_name), (3, longer))
+STAGES = (1, 2, 3, 4, 5)
+_GENERATORS = (
+    (1, shorter),
+    (1, other),
+    (2, other_name),
+    (3, longer),
+    (4, longer_by_vectors),
+    (5, longer_by_two),
+)
+#: What a batch asks for in every line that is not ready for one.
+_OF_A_BATCH = ("an axis missing", "@ of a matrix and a batch of vectors")
 
 
 def edits_of(code: Code) -> list[Edit]:
     """Every change of one place or statement, then of several alike places, sorted by stage."""
     found = dict[tuple[object, ...], Edit]()
     singles = list(_expression_edits(code))
-    for edit in [*singles, *statement_edits(code), *_in_each(code, singles)]:
+    for edit in [
+        *singles,
+        *statement_edits(code),
+        *_in_each(code, singles),
+        *_in_some(singles),
+    ]:
         if edit.applied(code.source) != code.source:
             found.setdefault(tuple(sorted(edit.patches)), edit)
     return sorted(found.values(), key=lambda e: e.stage)
@@ -64,6 +79,24 @@ def _in_each(code: Code, singles: list[Edit]) -> Iterator[Edit]:
             chosen = [by_place[s] for s in spans]
             patches = tuple(e.patches[0] for e in chosen)
             yield Edit(chosen[0].kind, chosen[0].stage, patches, chosen[0].line)
+
+
+def _in_some(singles: list[Edit]) -> Iterator[Edit]:
+    """What a batch asks for, in two or three places at once."""
+    for kind in _OF_A_BATCH:
+        some = [e for e in singles if e.kind == kind and _is_small(e)]
+        for count in (2, 3):
+            for chosen in combinations(some[:8], count):
+                patches = sorted(e.patches[0] for e in chosen)
+                pairs = zip(patches, patches[1:], strict=False)
+                if all(a[1] <= b[0] for a, b in pairs):
+                    yield Edit(kind, chosen[0].stage, tuple(patches), chosen[0].line)
+
+
+def _is_small(edit: Edit) -> bool:
+    """Whether a name gets an axis, or it is no axis at all."""
+    name = edit.patches[0][2].removeprefix("(np.asarray(").removesuffix(")[..., None])")
+    return edit.kind != "an axis missing" or name.isidentifier()
 
 
 def _without_twin(text: str) -> str:

@@ -43,31 +43,51 @@ WRAPS = {
 
 
 def longer(code: Code, place: Place) -> Iterator[Change]:
-    """The expression with one thing more."""
-    node = place.node
-    if not is_quantity(place) or not isinstance(node, NEEDS_STEP):
+    """The expression with one simple thing more: a function, a number, a factor, a term."""
+    if _can_be_longer(place):
+        text = code.closed(place.node)
+        for kind, form in WRAPS.items():
+            yield kind.strip(), form.format(text)
+        yield from _with_number(code, place, text)
+
+
+def longer_by_vectors(code: Code, place: Place) -> Iterator[Change]:
+    """The expression with a product of vectors, a matrix, or the other one's term more."""
+    if _can_be_longer(place):
+        text = code.closed(place.node)
+        yield from _with_vector(code, place, text)
+        yield from _with_twin(code, place, text)
+
+
+def longer_by_two(code: Code, place: Place) -> Iterator[Change]:
+    """The expression with two names more."""
+    if not _can_be_longer(place):
         return
-    if name_of_call(node) in NO_STEP:
-        return
-    text = code.closed(node)
-    for kind, form in WRAPS.items():
-        yield kind.strip(), form.format(text)
-    yield from _with_name(code, place, text)
-    yield from _with_twin(code, place, text)
+    text = code.closed(place.node)
     yield from _with_sum_of_twins(code, place, text)
-    inside_step = isinstance(
-        place.parent, (ast.Return, ast.Assign, ast.AugAssign, ast.Tuple)
-    )
-    if inside_step or name_of_call(place.parent) in ("solve", "where"):
+    parts = (ast.Return, ast.Assign, ast.AugAssign, ast.Tuple)
+    if isinstance(place.parent, parts) or name_of_call(place.parent) in (
+        "solve",
+        "where",
+    ):
         yield from _with_product(code, place, text)
 
 
-def _with_name(code: Code, place: Place, text: str) -> Iterator[Change]:
-    mine = code.axes.get(place.node.id) if isinstance(place.node, ast.Name) else None
+def _can_be_longer(place: Place) -> bool:
+    if not is_quantity(place) or not isinstance(place.node, NEEDS_STEP):
+        return False
+    return name_of_call(place.node) not in NO_STEP
+
+
+def _names_beside(code: Code, place: Place) -> Iterator[tuple[str, int | None]]:
     for name in place.scope:
-        if isinstance(place.node, ast.Name) and place.node.id == name:
-            continue
-        axes = code.axes.get(name)
+        if not (isinstance(place.node, ast.Name) and place.node.id == name):
+            yield name, code.axes.get(name)
+
+
+def _with_number(code: Code, place: Place, text: str) -> Iterator[Change]:
+    mine = code.axes.get(place.node.id) if isinstance(place.node, ast.Name) else None
+    for name, axes in _names_beside(code, place):
         if axes in (0, None):
             with_axis = f"np.asarray({name})[..., None]"
             for one in (name, with_axis) if mine != 0 else (name,):
@@ -78,6 +98,10 @@ def _with_name(code: Code, place: Place, text: str) -> Iterator[Change]:
         if mine is None or axes is None or axes == mine:
             yield "a term missing", f"{text} + {name}"
             yield "a term missing", f"{text} - {name}"
+
+
+def _with_vector(code: Code, place: Place, text: str) -> Iterator[Change]:
+    for name, axes in _names_beside(code, place):
         if axes in (1, None):
             yield "a part along a vector missing", dot(text, name, kept=True)
             yield "a dot product missing", dot(text, name)
@@ -86,11 +110,12 @@ def _with_name(code: Code, place: Place, text: str) -> Iterator[Change]:
             yield "a factor missing", f"{name} * {text}"
             yield "a vector missing", f"np.asarray({text})[..., None] * {name}"
         if axes == 2:
+            turned = f"np.swapaxes({name}, -1, -2)"
             yield "a matrix missing", times(name, text)
             yield "the inverse of a matrix missing", solved(name, text)
             yield "a matrix missing", f"{name} @ {text}"
-            yield "a matrix missing", f"{text} @ np.swapaxes({name}, -1, -2)"
-            yield "a matrix missing", f"{name} @ {text} @ np.swapaxes({name}, -1, -2)"
+            yield "a matrix missing", f"{text} @ {turned}"
+            yield "a matrix missing", f"{name} @ {text} @ {turned}"
 
 
 def _with_twin(code: Code, place: Place, text: str) -> Iterator[Change]:
@@ -117,7 +142,12 @@ def _with_sum_of_twins(code: Code, place: Place, text: str) -> Iterator[Change]:
     for one, other in TWINS[:2]:
         for name in place.scope:
             twin = twin_names(name, one, other)
-            if twin != name and twin in place.scope and code.axes.get(name, 0) == 0:
+            if twin == name or twin not in place.scope or code.axes.get(name, 0) > 0:
+                continue
+            if text == name:
+                yield "the other one's share missing", f"1 / (1 / {name} + 1 / {twin})"
+                yield "the other one's share missing", f"({name} + {twin})"
+            else:
                 for both in (
                     f"({name} + {twin})",
                     f"({name} * {twin})",

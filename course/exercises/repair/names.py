@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from course.exercises.repair.places import Code, Place, is_quantity, name_of_call
 from course.exercises.repair.taken_for import Change, call_text, dot, solved, times
@@ -60,12 +61,12 @@ def other_name(code: Code, place: Place) -> Iterator[Change]:
                 for two in vectors:
                     if one != two:
                         yield (
-                            "another product where a cross product belongs",
+                            "another product than the cross product",
                             f"np.cross({one}, {two})",
                         )
                     if one < two:
                         yield (
-                            "another product where a dot product belongs",
+                            "another product than the dot product",
                             dot(one, two),
                         )
 
@@ -84,7 +85,7 @@ def _other_length(
 
 def _other_number(code: Code, place: Place) -> Iterator[Change]:
     assert isinstance(place.node, ast.Constant)
-    value = place.node.value
+    value: Any = place.node.value  # int or float
     news = [value + 1, value - 1, 2 * value, value / 2, -value]
     seen = {value}
     for new in news:

@@ -29,7 +29,7 @@ _ORDER = (
     "too many", "in place", "argument", "wrong place", "order of", "without axis", "axis",
     "axes", "keepdims", "brackets", "condition", "belongs", "sign of a term",
     "turned round", "names of another", "exchanged", "twin", "upside", "a sign",
-    "an index", "another name", "number", "missing",
+    "an index", "another name", "another product", "number", "missing",
 )  # fmt: skip
 
 
@@ -153,7 +153,7 @@ class Search:
                 break
             for edit, outcomes in zip(some, self._run(code, some, own), strict=True):
                 now = [self._right(i, o) for i, o in enumerate(outcomes)]
-                if sum(now) > sum(right) and all(
+                if sum(right) < sum(now) < own[-1] + 1 and all(
                     n or not r for n, r in zip(now, right, strict=True)
                 ):
                     better.append((sum(now), edit, now))

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from course.exercises.repair.names import TWINS, renamed, twin_names
-from course.exercises.repair.places import Code, Edit, Patch
+from course.exercises.repair.places import Code, Edit, Patch, patched
 
 SIMPLE = (ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Expr)
 
@@ -20,6 +20,7 @@ def statement_edits(code: Code) -> Iterator[Edit]:
             yield from _too_many(code, block, statement)
             yield from _moved(code, block, place)
             yield from _augmented(code, statement)
+            yield from _returns_too_early(code, statement)
             yield from _conditions(code, statement)
             yield from _unlike_its_twin(code, block, statement)
             if isinstance(statement, (*SIMPLE, ast.Return)):
@@ -67,6 +68,32 @@ def _moved(code: Code, block: list[ast.stmt], place: int) -> Iterator[Edit]:
         if to > place and not isinstance(other, ast.Return):
             patches = ((*here, "pass"), (end, end, f"\n{margin}{text}"))
         yield Edit("a line in the wrong place", 1, patches, statement.lineno)
+
+
+def _returns_too_early(code: Code, statement: ast.stmt) -> Iterator[Edit]:
+    """A return inside a loop moved behind it; or what it gives added up over the loop, from 0."""
+    if not isinstance(statement, ast.For):
+        return
+    inner = [n for n in ast.walk(statement) if isinstance(n, ast.Return) and n.value]
+    if len(inner) != 1 or inner[0].value is None:
+        return
+    (start, _), (_, end) = code.span(statement), code.span(statement)
+    margin, value = " " * statement.col_offset, code.text(inner[0].value)
+    here, kind = code.span(inner[0]), "a return inside a loop, which ends it"
+    if end != here[1]:
+        moved = ((*here, "pass"), (end, end, f"\n{margin}return {value}"))
+        summed = f"sum_ = sum_ + ({value})"
+        added = (
+            (start, start, f"sum_ = 0.0\n{margin}"),
+            (*here, summed),
+            (end, end, f"\n{margin}return sum_"),
+        )
+    else:
+        moved = ((*here, f"pass\n{margin}return {value}"),)
+        both = f"sum_ = sum_ + ({value})\n{margin}return sum_"
+        added = ((start, start, f"sum_ = 0.0\n{margin}"), (*here, both))
+    yield Edit(kind, 1, moved, inner[0].lineno)
+    yield Edit(kind, 1, added, inner[0].lineno)
 
 
 def _augmented(code: Code, statement: ast.stmt) -> Iterator[Edit]:
@@ -125,28 +152,22 @@ def _unlike_its_twin(
     code: Code, block: list[ast.stmt], statement: ast.stmt
 ) -> Iterator[Edit]:
     """x_b = ... made of the line x_a = ... ."""
-    mine = _single_target(statement)
+    mine = _assigned(statement)
     for other in block if mine else ():
-        theirs = _single_target(other)
-        if other is statement or theirs is None:
+        theirs = _assigned(other)
+        if mine is None or theirs is None or theirs[0] == mine[0]:
             continue
         for pair in TWINS:
             for one, two in (pair, pair[::-1]):
-                if theirs != mine and twin_names(theirs, one, two) == mine:
-                    table = {
-                        n: twin_names(n, one, two) for n in code_names(other.value)
-                    }  # type: ignore[attr-defined]
-                    start, end = code.span(other.value)  # type: ignore[attr-defined]
-                    text = code.source[start:end]
-                    for a, b, new in sorted(
-                        renamed(code, other.value, table), reverse=True
-                    ):  # type: ignore[attr-defined]
-                        text = text[: a - start] + new + text[b - start :]
-                    value = statement.value  # type: ignore[attr-defined]
-                    if text != code.text(value):
-                        yield _one(
-                            code, "unlike the line of its twin", 2, value, f"({text})"
-                        )
+                if twin_names(theirs[0], one, two) == mine[0]:
+                    table = {n: twin_names(n, one, two) for n in code_names(theirs[1])}
+                    start, end = code.span(theirs[1])
+                    patches = renamed(code, theirs[1], table)
+                    moved = tuple((x - start, y - start, t) for x, y, t in patches)
+                    text = patched(code.source[start:end], moved)
+                    if text != code.text(mine[1]):
+                        kind = "unlike the line of its twin"
+                        yield _one(code, kind, 2, mine[1], f"({text})")
 
 
 def code_names(node: ast.AST) -> set[str]:
@@ -154,9 +175,10 @@ def code_names(node: ast.AST) -> set[str]:
     return {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
 
 
-def _single_target(statement: ast.stmt) -> str | None:
+def _assigned(statement: ast.stmt) -> tuple[str, ast.expr] | None:
+    """The name and the value of an assignment to one name."""
     if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
-        return statement.targets[0].id
+        return statement.targets[0].id, statement.value
     return None
 
 

@@ -12,7 +12,7 @@ Change = tuple[str, str]
 #: Functions that are easily taken for one another.
 FUNCTIONS = {
     "sin": "cos tan", "cos": "sin", "tan": "sin cos", "minimum": "maximum", "maximum": "minimum", "min": "max",
-    "max": "min", "mean": "sum max", "sum": "max cumsum prod mean", "cumsum": "sum cumprod", "prod": "sum",
+    "max": "min sum mean", "mean": "sum max", "sum": "max cumsum prod mean", "cumsum": "sum cumprod", "prod": "sum",
     "any": "all", "all": "any", "argmax": "argmin", "argmin": "argmax", "zeros": "ones", "ones": "zeros",
     "floor": "ceil", "ceil": "floor", "outer": "cross", "sinh": "sin", "exp": "log", "log": "exp", "square": "sqrt",
     "sqrt": "square", "arcsin": "arccos", "arccos": "arcsin", "degrees": "radians", "radians": "degrees",
@@ -143,6 +143,8 @@ def other(code: Code, place: Place) -> Iterator[Change]:
     if isinstance(node, ast.BinOp):
         yield from _other_operation(code, node)
         yield from _other_brackets(code, node)
+        if _is_sum(node):
+            yield from _terms_into_brackets(code, node)
         if not isinstance(place.parent, ast.BinOp) or not _is_product(place.parent):
             yield from _other_side(code, node)
     elif isinstance(node, ast.Call):
@@ -204,10 +206,23 @@ def _other_operation(code: Code, node: ast.BinOp) -> Iterator[Change]:
         yield "@ where a dot product belongs", dot(left, right)
         yield "@ where * belongs", f"{left} * {right}"
     elif isinstance(op, ast.Pow):
+        yield from _other_factor(code, node)
         yield "the sign of a power", f"{left} ** -{right}"
         yield "** where * belongs", f"{left} * {right}"
     elif isinstance(op, (ast.BitAnd, ast.BitOr)):
         yield "& / |", f"{left} {'|' if isinstance(op, ast.BitAnd) else '&'} {right}"
+
+
+def _other_factor(code: Code, node: ast.BinOp) -> Iterator[Change]:
+    """sin(x)**2 as sin(x) cos(x)."""
+    name = name_of_call(node.left)
+    if isinstance(node.left, ast.Call) and code.text(node.right) == "2":
+        whole = code.text(node.left.func)
+        for instead in FUNCTIONS.get(name, "").split():
+            function = whole[: len(whole) - len(name)] + instead
+            second = call_text(code, node.left, function=function)
+            kind = f"a square of {name}() where one factor is {instead}()"
+            yield kind, f"{code.text(node.left)} * {second}"
 
 
 def dot(left: str, right: str, kept: bool = False) -> str:
@@ -298,6 +313,31 @@ def _other_brackets(code: Code, node: ast.BinOp) -> Iterator[Change]:
             yield (
                 "the order of two steps",
                 call_text(code, left, arguments=[inside, *texts]),
+            )
+
+
+def _terms_into_brackets(code: Code, node: ast.BinOp) -> Iterator[Change]:
+    """a / b + c + d as a / (b + c + d)."""
+    terms: list[tuple[str, ast.expr]] = []
+
+    def collect(part: ast.expr, sign: str) -> None:
+        if _is_sum(part) and isinstance(part, ast.BinOp):
+            collect(part.left, sign)
+            turned = isinstance(part.op, ast.Sub)
+            collect(part.right, {"+": "-", "-": "+"}[sign] if turned else sign)
+        else:
+            terms.append((sign, part))
+
+    collect(node, "+")
+    for i, (sign, term) in enumerate(terms if len(terms) > 2 else ()):
+        if isinstance(term, ast.BinOp) and _is_product(term):
+            rest = [
+                f" {s} {code.closed(t)}" for k, (s, t) in enumerate(terms) if k != i
+            ]
+            inside = f"({code.closed(term.right)}{''.join(rest)})"
+            yield (
+                "brackets",
+                f"{sign}{code.closed(term.left)} {SIGNS[type(term.op)]} {inside}",
             )
 
 
