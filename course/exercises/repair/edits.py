@@ -10,7 +10,8 @@ from course.exercises.repair.missing import longer, longer_by_two, longer_by_vec
 from course.exercises.repair.names import other_name
 from course.exercises.repair.places import Code, Edit, patched
 from course.exercises.repair.statements import statement_edits
-from course.exercises.repair.taken_for import other, shorter
+from course.exercises.repair.taken_for import other
+from course.exercises.repair.too_many import shorter
 
 #: Something too many is tried first, something missing last: what is added could be anything.
 STAGES = (1, 2, 3, 4, 5)
@@ -86,7 +87,7 @@ def _in_some(singles: list[Edit]) -> Iterator[Edit]:
     for kind in _OF_A_BATCH:
         some = [e for e in singles if e.kind == kind and _is_small(e)]
         for count in (2, 3):
-            for chosen in combinations(some[:8], count):
+            for chosen in combinations(some[:12], count):
                 patches = sorted(e.patches[0] for e in chosen)
                 pairs = zip(patches, patches[1:], strict=False)
                 if all(a[1] <= b[0] for a, b in pairs):

@@ -13,7 +13,7 @@ from course.exercises.repair.places import (
     name_of_call,
     patched,
 )
-from course.exercises.repair.taken_for import NO_STEP, Change, dot, solved, times
+from course.exercises.repair.texts import NO_STEP, Change, dot, solved, times
 
 NEEDS_STEP = (ast.BinOp, ast.Call, ast.Name, ast.Subscript, ast.Attribute, ast.UnaryOp)
 WRAPS = {

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from course.exercises.repair.places import Code, Place, is_quantity, name_of_call
-from course.exercises.repair.taken_for import Change, call_text, dot, solved, times
+from course.exercises.repair.texts import Change, call_text, dot, solved, times
 
 #: What tells the names of a pair apart: of two bodies, contacts, points, moments.
 TWINS = (

@@ -80,18 +80,13 @@ def _returns_too_early(code: Code, statement: ast.stmt) -> Iterator[Edit]:
     (start, _), (_, end) = code.span(statement), code.span(statement)
     margin, value = " " * statement.col_offset, code.text(inner[0].value)
     here, kind = code.span(inner[0]), "a return inside a loop, which ends it"
+    before: Patch = (start, start, f"sum_ = 0.0\n{margin}")
+    summed, behind = f"sum_ = sum_ + ({value})", f"\n{margin}return "
+    moved: tuple[Patch, ...] = ((*here, f"pass{behind}{value}"),)
+    added: tuple[Patch, ...] = (before, (*here, f"{summed}{behind}sum_"))
     if end != here[1]:
-        moved = ((*here, "pass"), (end, end, f"\n{margin}return {value}"))
-        summed = f"sum_ = sum_ + ({value})"
-        added = (
-            (start, start, f"sum_ = 0.0\n{margin}"),
-            (*here, summed),
-            (end, end, f"\n{margin}return sum_"),
-        )
-    else:
-        moved = ((*here, f"pass\n{margin}return {value}"),)
-        both = f"sum_ = sum_ + ({value})\n{margin}return sum_"
-        added = ((start, start, f"sum_ = 0.0\n{margin}"), (*here, both))
+        moved = ((*here, "pass"), (end, end, behind + value))
+        added = (before, (*here, summed), (end, end, f"{behind}sum_"))
     yield Edit(kind, 1, moved, inner[0].lineno)
     yield Edit(kind, 1, added, inner[0].lineno)
 
