@@ -106,6 +106,11 @@ def _warm() -> Any:
         raise
 
 
+def memory_capped() -> bool:
+    """Whether the process that is kept could limit its memory; True where there is none yet."""
+    return _child is None or _child.capped
+
+
 def repair_of(
     exercise: Exercise,
     recipe: Recipe,

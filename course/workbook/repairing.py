@@ -30,6 +30,7 @@ def look_for_repair(
 ) -> Message | None:
     """The message of a repair, if one is found within some seconds; an interrupt ends the search and no more."""
     from course.sandbox.repairing import (
+        memory_capped,
         repair_of,
     )  # a hundredth of a second, and seldom needed
 
@@ -44,10 +45,10 @@ def look_for_repair(
     if not repair:
         return None
     found[exercise.name] = repair
-    return repair_message(exercise.name, repair)
+    return repair_message(exercise.name, repair, capped=memory_capped())
 
 
-def repair_message(name: str, repair: Repair) -> Message:
+def repair_message(name: str, repair: Repair, *, capped: bool = True) -> Message:
     """Kind and line of what makes an answer right; the change itself is left to ``hint``."""
     parts: list[Part] = []
     for which, step in zip(ORDINALS, repair.steps, strict=False):
@@ -60,6 +61,9 @@ def repair_message(name: str, repair: Repair) -> Message:
     parts.append(
         Part("tried", f"{both} it passes every case, and those of two other draws.")
     )
+    if not capped:
+        half = "half its time: memory cannot be limited on this system"
+        parts.append(Part("note", f"The search had {half}."))
     parts.append(Part("stuck?", f"hint({name!r}) also shows the change"))
     few = "One change makes" if len(repair.steps) == 1 else "Two changes make"
     return Message("wrong", f"{few} {name} right", tuple(parts))

@@ -82,3 +82,11 @@ def test_a_check_in_a_notebook_tells_of_it_after_the_verdict(monkeypatch, capsys
 @pytest.mark.parametrize("answer", [len, np.sum, lambda v, n: v])
 def test_what_has_no_source_of_its_name_is_left_alone(answer):
     assert repairing.recipe_of(find_exercise("speed_along")[1], answer) is None
+
+
+def test_half_a_search_is_said_to_be_one():
+    from course.exercises.repair.search import Repair, Step
+
+    repair = Repair((Step("a sign", "return -a", "-a", "a"),))
+    assert "half its time" in str(repairing.repair_message("f", repair, capped=False))
+    assert "half its time" not in str(repairing.repair_message("f", repair))

@@ -43,8 +43,7 @@ def expression_recipe(cell: str, name: str, arguments: Sequence[str]) -> Recipe 
             continue
         lines.append(f"{target.id} = ({code.text(statement.value)})")
         if target.id == name:
-            value = f"({code.text(statement.value)})"
-            body = "\n    ".join([*lines[:-1], f"return {value}"])
+            body = "\n    ".join([*lines, f"return {name}"])
             source = f"def {name}({', '.join(arguments)}):\n    {body}\n"
             return Recipe(source, NUMERIC, elementwise=True)
     return None
