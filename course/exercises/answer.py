@@ -179,6 +179,7 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
     if not isinstance(expression, sympy.Expr) or expression.is_Matrix:
         raise TypeError(f"expected a SymPy expression; got {came}")
     _require_known(expression, symbols)
+    expression = expression.replace(sympy.Piecewise, _without_endless_branches)
     by_name = {str(s): s for s in expression.free_symbols}
     try:
         points = [by_name.get(s, sympy.Symbol(s)) for s in symbols]
@@ -209,6 +210,18 @@ def _compiled(points: Sequence[Any], expression: Any) -> Callable[..., Any]:
     return sympy.lambdify(points, expression, [names], printer)
 
 
+def _without_endless_branches(*branches: Any) -> Any:
+    """A Piecewise with NaN for its branches that have no finite value or are an infinite sum still to be done.
+
+    SymPy gives a geometric series so: its sum where that converges, the sum itself as
+    it stands elsewhere. All branches are evaluated, and one of the latter has no end.
+    """
+    import sympy
+
+    kept = [(sympy.nan if v.has(sympy.oo, -sympy.oo) else v, c) for v, c in branches]
+    return sympy.Piecewise(*kept, evaluate=False)
+
+
 def _require_known(expression: Any, symbols: Sequence[str]) -> None:
     """Refuse an expression with other symbols or undefined functions, or divided by
     zero.
@@ -223,7 +236,10 @@ def _require_known(expression: Any, symbols: Sequence[str]) -> None:
         raise ValueError(
             f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}"
         )
-    if expression.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
+    endless = (sympy.oo, -sympy.oo)
+    if expression.has(sympy.nan, sympy.zoo) or expression.subs(
+        {p: 1 for p in expression.atoms(sympy.Piecewise)}
+    ).has(*endless):
         raise ValueError(
             f"expected a finite expression; got {expression}: is something divided by zero?"
         )
@@ -306,11 +322,29 @@ def _as_arrays(returned: Any, count: int) -> Outcome:
                 text=f"expected numbers in an array; got a ragged {_kind(part)}",
             )
         if array.dtype.kind not in "biufcU":
-            return Outcome("unreadable", text=f"expected numbers; got {_kind(part)}")
+            return Outcome("unreadable", text=f"expected numbers; got {_content(part)}")
         if array.size > SIZE_LIMIT:
             return Outcome("unreadable", text=_too_many(array.size))
         arrays.append(array)
     return Outcome("value", tuple(arrays))
+
+
+def _content(part: Any) -> str:
+    """What is in the place of numbers: of an array of objects, the first that is none."""
+    if not isinstance(part, (np.ndarray, list, tuple)):
+        return _described(part)
+    inside = np.array(part, dtype=object).ravel()
+    odd = [x for x in inside if not isinstance(x, (int, float, complex, np.number))]
+    odd.sort(key=lambda x: not getattr(x, "free_symbols", None))
+    return f"{_kind(part)} with {_described(odd[0])} in it" if odd else _kind(part)
+
+
+def _described(value: Any) -> str:
+    """The kind of a value; of a SymPy expression also its symbols, by which the notebook's variable is found."""
+    symbols = getattr(value, "free_symbols", None)
+    if not isinstance(symbols, set) or not symbols:
+        return _kind(value)
+    return f"a SymPy expression in {', '.join(sorted(map(str, symbols)))}"
 
 
 def _too_many(size: int) -> str:

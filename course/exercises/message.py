@@ -146,7 +146,8 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
         "raised": f"it stopped with {outcome.text}",
         "none": "it returned None: is the last line `return ...`?",
         "unreadable": outcome.text,
-        "wrote": f"it wrote into its input ({outcome.text}): make a new array instead, a = a + b rather than a += b",
+        "wrote": f"it wrote into its input ({outcome.text}): += and [...] = change the caller's array. "
+        "Work on a copy (.copy()), or make a new array",
     }
     if outcome.kind in plain:
         return [

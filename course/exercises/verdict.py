@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Literal
 
@@ -34,6 +34,8 @@ class Verdict:
     difference: Difference | None = None
     mistake: Mistake | None = None
     reason: tuple[str, ...] = ()
+    #: All that came back, of an answer that failed.
+    outcomes: tuple[Outcome, ...] = field(default=(), repr=False, compare=False)
 
     @property
     def passed(self) -> bool:
@@ -70,12 +72,8 @@ def judge(
     state: State = (
         "error" if outcomes[first].kind in ("raised", "unreadable", "none") else "wrong"
     )
-    mistake, whole = diagnose(exercise, cases, outcomes, failed)
+    mistake = diagnose(exercise, cases, outcomes)
     reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
-    if mistake and not whole:
-        reason = (
-            "This does not explain every case that fails: fix it, then look for a second slip.",
-        )
     reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(
         exercise.name,
@@ -87,6 +85,27 @@ def judge(
         wrongs[first],
         mistake,
         reason,
+        tuple(outcomes),
+    )
+
+
+def passes(exercise: Exercise, case: Case, outcome: Outcome, expected: Outcome) -> bool:
+    """Whether what an answer gave in one case is right."""
+    outcome = _or_wrote(case.arguments, outcome)
+    return _wrong(exercise, case, outcome, expected) is None
+
+
+def alike(
+    exercise: Exercise,
+    cases: Sequence[Case],
+    some: Sequence[Outcome],
+    others: Sequence[Outcome],
+) -> bool:
+    """Whether two runs of answers gave the same on every case: values within the tolerances, errors by their words."""
+    pairs = zip(cases, some, others, strict=True)
+    return all(
+        _alike(exercise, _or_wrote(c.arguments, a), _or_wrote(c.arguments, b))
+        for c, a, b in pairs
     )
 
 
@@ -145,30 +164,17 @@ def diagnose(
     exercise: Exercise,
     cases: Sequence[Case],
     outcomes: Sequence[Outcome],
-    failed: Sequence[int],
-) -> tuple[Mistake | None, bool]:
-    """The planted mistake that explains the answer, and whether it explains every
-    failed case.
+) -> Mistake | None:
+    """The planted mistake that gives the same as the answer on every case, passed and failed alike.
 
-    One that gives the same on every case; else the one that gives the same on most of
-    the failed ones: on all of them, or by value on more than half and at least two (a
-    second slip, a forgotten guard say, changes the others; two answers that merely
-    raise the same kind of error need not have a slip in common).
+    One that agrees on a part of them names nothing: the answer may have another cause
+    there, and what the mistake's message says would then be false.
     """
-    best: tuple[tuple[int, int], Mistake | None] = ((0, 0), None)
     for mistake in exercise.mistakes:
         theirs = answers_of(mistake.function, exercise, cases)
-        alike = [_alike(exercise, o, t) for o, t in zip(outcomes, theirs, strict=True)]
-        if all(alike):
-            return mistake, True
-        explained = sum(alike[i] for i in failed)
-        by_value = sum(alike[i] and outcomes[i].kind == "value" for i in failed)
-        enough = explained == len(failed) or (
-            by_value >= 2 and 2 * by_value > len(failed)
-        )
-        if enough and (explained, sum(alike)) > best[0]:
-            best = (explained, sum(alike)), mistake
-    return best[1], best[0][0] == len(failed)
+        if all(_alike(exercise, o, t) for o, t in zip(outcomes, theirs, strict=True)):
+            return mistake
+    return None
 
 
 def general_advice(
@@ -186,14 +192,36 @@ def general_advice(
         and _constant(outcomes)
     ):
         return ("It gives the same for every input: does it use its arguments?",)
-    if any("object is not subscriptable" in o.text for o in outcomes):
+    if any(
+        _says(
+            o,
+            "float' object is not subscriptable",
+            "int' object is not subscriptable",
+            "invalid index to scalar",
+        )
+        for o in outcomes
+    ):
         advice.append(
             "A plain number has no axes to index: np.asarray(s)[..., None] serves numbers and arrays alike."
         )
+    elif any(
+        _says(
+            o,
+            "operand type(s) for &",
+            "operand type(s) for |",
+            "'bitwise_and' not supported",
+            "'bitwise_or' not supported",
+        )
+        for o in outcomes
+    ):
+        advice.append(
+            "& and | were given numbers, not conditions. They bind more tightly than <, so each comparison needs "
+            "brackets: (a < 0) & (b < 0)."
+        )
     elif any("truth value of an array" in o.text for o in outcomes):
         advice.append(
-            "`if` asks one question, a batch has many answers: use np.where(condition, this, that), which answers "
-            "each element for itself."
+            "`if`, `and`, `or`, `not`, a < b < c, min() and max() ask one question, a batch has many answers: "
+            "np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for itself."
         )
     elif any(
         "'...' ellipsis" in o.text for o in outcomes
@@ -204,8 +232,8 @@ def general_advice(
         )
     elif wrong_kinds == {"batch"} and exercise.kind == "function":
         advice.append(
-            "Right for one, wrong for many at once: take sums over the last axis, np.sum(a * b, axis=-1), and give a "
-            "number one more axis before it multiplies vectors, s[..., None] * n."
+            "Right for one, wrong for many at once. A batch has its axes in front of the one's own: look for a line "
+            "that takes them for the vector's, or mixes the members."
         )
     elif wrong_kinds == {"edge"}:
         advice.append(
@@ -277,7 +305,13 @@ def _alike(exercise: Exercise, one: Outcome, other: Outcome) -> bool:
         return False
     if one.kind == "value":
         return same(exercise.results, other.values, one.values)
-    return one.kind != "raised" or one.text.split(":")[0] == other.text.split(":")[0]
+    # The whole error, not its type alone: a TypeError may have any number of causes.
+    return one.kind != "raised" or one.text.split("\n")[0] == other.text.split("\n")[0]
+
+
+def _says(outcome: Outcome, *words: str) -> bool:
+    """Whether the answer raised an error with one of these words in it."""
+    return outcome.kind == "raised" and any(w in outcome.text for w in words)
 
 
 def _constant(outcomes: Sequence[Outcome]) -> bool:

@@ -94,11 +94,11 @@ def start_in_box(memory_mb: int, file_mb: int) -> Start:
     return Start(command, {"PATH": os.environ.get("PATH", "")}, "/")
 
 
-def start_plain(work: Path) -> Start:
-    """How to start a child without a box, with ``work`` as its folder."""
+def start_plain(work: Path, file: str = "child.py") -> Start:
+    """The start of a child without a box, with ``work`` as its folder; ``file`` is what it runs."""
     told = {"root": str(ROOT), "path": _packages(), "work": str(work),
             "closed": [str(PACKAGE), str(ROOT / "solutions")], "boxed": False}  # fmt: skip
-    child = str(PACKAGE / "sandbox" / "child.py")
+    child = str(PACKAGE / "sandbox" / file)
     kept = {name: os.environ[name] for name in KEPT_ENVIRONMENT if name in os.environ}
     environment = {**kept, **_environment(str(work))}
     return Start(_python(child, told), environment, str(work))

@@ -28,6 +28,7 @@ from course.exercises.verdict import Verdict, judge
 from course.workbook import recording
 from course.workbook.notebook import display_message, in_notebook
 from course.workbook.numbers import show
+from course.workbook.repairing import look_for_repair
 
 MARK = "__from_use__"
 #: Seconds until a check says that the answer is still running; the longest right one
@@ -51,6 +52,8 @@ def check(answer: Any, name: str | None = None) -> None:
             verdict,
             reason=(*_unfinished_before(lesson, exercise, answer), *verdict.reason),
         )
+        verdict = _with_borrowed(verdict, answer)
+    passed_before = recording.state().passed
     recording.record("check", name, state=verdict.state)
     if (
         not verdict.passed
@@ -62,16 +65,8 @@ def check(answer: Any, name: str | None = None) -> None:
         )
     passed = recording.state().passed
     if verdict.passed:
-        following = recording.next_exercise(lesson, name, passed)
-        left = recording.minutes_left(lesson, passed)
-        after = (
-            Part(
-                "next",
-                f"{following.name}; about {left} minutes of exercises left in this lesson",
-            )
-            if following
-            else Part("next", "that was the last core exercise of this lesson"),
-        )
+        following = whats_next(lesson, exercise, passed_before, passed)
+        after = (Part("next", following),)
     else:
         taken = recording.state().hints.get(name, 0)
         advice = (
@@ -83,6 +78,28 @@ def check(answer: Any, name: str | None = None) -> None:
         )
         after = (Part("stuck?", f"hint({name!r}) gives {advice}"),)
     display_message(verdict_message(exercise, verdict, after=after))
+    if in_notebook() and not borrowed_variables(answer):
+        told = look_for_repair(exercise, answer, verdict)
+        if told is not None:
+            display_message(told)
+
+
+def whats_next(
+    lesson: Lesson, exercise: Exercise, before: frozenset[str], passed: frozenset[str]
+) -> str:
+    """What to do after an exercise has passed; ``before`` are those that had passed before this check.
+
+    That the last core exercise was done is news once: neither at a second check of it, nor at a stretch one's.
+    """
+    following = recording.next_exercise(lesson, exercise.name, passed)
+    if following is not None:
+        left = recording.minutes_left(lesson, passed)
+        return (
+            f"{following.name}; about {left} minutes of exercises left in this lesson"
+        )
+    if exercise.level == "core" and exercise.name not in before:
+        return "that was the last core exercise of this lesson"
+    return "all core exercises of this lesson have passed"
 
 
 def judge_here(exercise: Exercise, answer: Any) -> Verdict:
@@ -152,6 +169,46 @@ def _unfinished_before(
         for e, function in own
         if not _is_lent(function) and not judge_here(e, function).passed
     )
+
+
+def _with_borrowed(verdict: Verdict, answer: Any) -> Verdict:
+    """The verdict with the notebook's variables that the answer takes told first.
+
+    What a property says of the answer is then left out: it was not the answer's own number.
+    """
+    names = borrowed_variables(answer)
+    if not names or verdict.mistake is not None:
+        return verdict
+    kind = (
+        "variables of the notebook" if len(names) > 1 else "a variable of the notebook"
+    )
+    words = f"It takes {', '.join(names)}, {kind} and no argument: another cell can change what it gives."
+    lacking = {p.message for p in find_exercise(verdict.exercise)[1].properties}
+    kept = tuple(r for r in verdict.reason if r not in lacking)
+    return replace(verdict, reason=(words, *kept))
+
+
+def borrowed_variables(answer: Any) -> tuple[str, ...]:
+    """The notebook's variables (numbers, arrays, symbols; no functions, classes, modules) that a function reads."""
+    if not inspect.isfunction(answer):
+        return ()
+    codes, names = [answer.__code__], dict[str, None]()
+    while codes:
+        code = codes.pop()
+        codes += [c for c in code.co_consts if inspect.iscode(c)]
+        steps = dis.get_instructions(code)
+        names.update((s.argval, None) for s in steps if s.opname == "LOAD_GLOBAL")
+    values = {n: answer.__globals__[n] for n in names if n in answer.__globals__}
+    return tuple(n for n, v in values.items() if _is_data(v))
+
+
+def _is_data(value: Any) -> bool:
+    """Whether it is a value and no constant that is imported: SymPy's symbols are callable too."""
+    if inspect.ismodule(value) or inspect.isclass(value) or value is None:
+        return False
+    if isinstance(value, float) and value in (np.pi, 2 * np.pi, np.inf):
+        return False
+    return not callable(value) or hasattr(value, "free_symbols")
 
 
 def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) -> Any:

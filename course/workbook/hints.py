@@ -10,6 +10,7 @@ from course.exercises.formula_source import expression, source_of
 from course.exercises.message import Message, Part
 from course.workbook import recording
 from course.workbook.notebook import display_message
+from course.workbook.repairing import change_parts
 
 TIERS = ("where to look", "the formula in words", "the line with a hole in it")
 
@@ -45,6 +46,7 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
         Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text")
         for t in shown
     ]
+    parts += change_parts(name)
     if tier <= 3:
         more = TIERS[tier] if tier < 3 else "the reference itself"
         parts.append(Part("next", f"hint({name!r}) once more for {more}"))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from course.exercises.answer import as_function
+from course.exercises.answer import as_function, call, evaluator
 from course.exercises.source import is_blank
 from course.workbook.building import blank
 
@@ -108,3 +108,29 @@ def test_expressions_with_choices_are_evaluated_over_a_batch():
     np.testing.assert_array_equal(
         as_function(sp.Integer(4), "expression", "x", ["a"])(points), [4.0, 4.0]
     )
+
+
+@pytest.mark.parametrize("start", (0, 1))
+def test_a_sum_to_infinity_that_sympy_has_done_is_an_answer(start):
+    """SymPy gives it in two branches; the one that does not converge has the sum itself, to oo."""
+    h, e, g = sp.symbols("h e g", positive=True)
+    k = sp.symbols("k", integer=True)
+    fall = sp.sqrt(2 * h / g)
+    rises = sp.summation(2 * fall * e**k, (k, start, sp.oo))
+    answer = evaluator(fall + rises, ("h", "e", "g"))
+    wanted = np.sqrt(2 * 3.0 / 9.81) * (1 + 2 * 0.5**start / (1 - 0.5))
+    np.testing.assert_allclose(answer(3.0, np.array([0.5, 0.5]), 9.81), wanted)
+    assert np.isnan(answer(3.0, 1.5, 9.81))
+
+
+@pytest.mark.parametrize("endless", (sp.oo, -sp.oo, sp.zoo, sp.nan))
+def test_an_expression_that_is_infinite_everywhere_is_none(endless):
+    with pytest.raises(ValueError, match="finite"):
+        evaluator(endless + sp.Symbol("h"), ("h",))
+
+
+def test_a_symbol_in_the_place_of_a_number_is_told_by_its_name():
+    e = sp.Symbol("e")
+    outcome = call(lambda v: np.asarray(v) * e, {"v": np.ones(3)}, 1)
+    assert outcome.kind == "unreadable"
+    assert "SymPy expression in e" in outcome.text

@@ -11,9 +11,9 @@ import pytest
 import sympy as sp
 
 from course.dynamics import impulse
-from course.exercises.definition import find_exercise
+from course.exercises.definition import all_lessons, find_exercise, find_lesson
 from course.workbook import check, hint, predict, progress, use
-from course.workbook.checking import judge_here
+from course.workbook.checking import judge_here, whats_next
 
 NAME = "impulse_central"
 
@@ -460,3 +460,46 @@ def test_judging_takes_no_printing_from_the_student(capsys):
 
     assert judge_here(find_exercise(NAME)[1], impulse_central).passed
     assert capsys.readouterr().out == ""
+
+
+def test_a_notebook_variable_that_an_answer_takes_is_told_before_all_else(capsys):
+    made = {"np": np, "j_hat": -3.0}
+    exec(
+        "def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):\n"
+        "    return j_hat * np.ones(np.shape(restitution))\n",
+        made,
+    )
+    check(made["impulse_central"])
+    told = said(capsys)
+    assert "takes j_hat, a variable" in told and "pulls" not in told
+
+
+def test_a_lesson_symbol_that_an_answer_takes_is_told(capsys):
+    made = {"np": np, "e": sp.Symbol("e")}
+    exec(
+        "def wall_bounce(velocity, normal, restitution):\n"
+        "    along = np.sum(velocity * normal, axis=-1)[..., None]\n"
+        "    return np.where(along < 0, velocity - (1 + e) * along * normal, velocity)\n",
+        made,
+    )
+    check(made["wall_bounce"])
+    told = said(capsys)
+    assert "takes e, a variable" in told and "SymPy" in told
+
+
+def test_the_last_core_exercise_is_news_once_and_never_a_stretch_one():
+    for lesson in all_lessons():
+        everything = frozenset(e.name for e in lesson.core)
+        for exercise in lesson.exercises:
+            before = everything - {exercise.name}
+            news = whats_next(lesson, exercise, before, everything | {exercise.name})
+            again = whats_next(lesson, exercise, everything, everything)
+            assert ("the last core exercise" in news) == (exercise.level == "core")
+            assert "the last core" not in again and "have passed" in again
+
+
+def test_what_is_next_is_the_next_core_exercise():
+    lesson = find_lesson("10")
+    first, second = lesson.core[:2]
+    passed = frozenset({first.name})
+    assert second.name in whats_next(lesson, first, frozenset(), passed)

@@ -71,7 +71,7 @@ WORLD_INERTIA = Exercise(
             slip(
                 formulas.world_inertia, "R @ I_body @ np.swapaxes(R, -1, -2)", "I_body"
             ),
-            "This is the inertia in body axes: R is not used. It is right only while the body is not turned.",
+            "This is the inertia in body axes: R is missing or cancels. Right only while the body is not turned.",
         ),
         Mistake(
             "the other way round",

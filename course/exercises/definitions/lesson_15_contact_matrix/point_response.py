@@ -113,7 +113,7 @@ POINT_RESPONSE = Exercise(
         Mistake("mass without an axis", slip(formulas.point_response, "np.asarray(mass)[..., None]", "mass"),
                 "Right for one mass. A batch of masses needs one more "
                 "axis before it divides vectors: np.asarray(mass)[..., None]."),
-        Mistake("inertia not used",
+        Mistake("inertia left out",
                 slip(
                     formulas.point_response,
                     'np.einsum("...ij,...j->...i", inverse_inertia, np.cross(push_arm, push))',

@@ -99,10 +99,10 @@ def _rows(given: Mapping[str, Any], f: Any) -> tuple[Any, Any]:
     return np.diagonal(a) * f / np.abs(b).max(), (a @ f + b) / np.abs(b).max()
 
 
-#: Clarabel comes within 2e-7 of max |b| with f >= 0 alone, and within 7e-5 where a
-#: student also writes d_ddot >= 0 as a limit, which is right but repeats what comes out
-#: anyway. Every planted mistake is off by a hundredth or more.
-NEAR = 2e-4
+#: Clarabel comes within 2e-7 of max |b| with f >= 0 alone, and within 5e-4 where a student also writes d_ddot >= 0 as
+#: a limit, which is right but repeats what comes out anyway: it then only loses digits, most of them where a contact
+#: is given twice and A is rounded. Every planted mistake is off by a hundredth or more.
+NEAR = 1e-3
 
 CONDITIONS = (
     Property("f >= 0", lambda given, f: np.minimum(_rows(given, f)[0], 0),

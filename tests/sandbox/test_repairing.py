@@ -1,0 +1,104 @@
+"""The child that tries repairs: it finds what is there, and neither memory, time, files nor a crash get past it."""
+
+import sys
+
+import numpy as np
+import pytest
+
+from course.exercises.answer import call_all
+from course.exercises.definition import find_exercise
+from course.exercises.repair.recipe import Recipe, expression_recipe
+from course.exercises.verdict import judge
+from course.sandbox import repairing
+
+NAME = "speed_along"
+RIGHT = "np.sum(velocity * normal, axis=-1)"
+
+
+def source(value, before=""):
+    return f"def speed_along(velocity, normal):\n{before}    return {value}\n"
+
+
+def outcomes_of(text):
+    exercise = find_exercise(NAME)[1]
+    space = {"np": np}
+    exec(text, space)
+    cases = exercise.draw()
+    came = call_all(space[NAME], [c.arguments for c in cases], 1)
+    return judge(exercise, cases, came).outcomes
+
+
+def repair(text, outcomes=None, prelude="import numpy as np", seconds=4.0):
+    exercise = find_exercise(NAME)[1]
+    outcomes = outcomes_of(text) if outcomes is None else outcomes
+    return repairing.repair_of(exercise, Recipe(text, prelude), outcomes, seconds)
+
+
+def test_the_child_is_kept_warm():
+    assert repair(source(f"2 * {RIGHT}")).steps[0].kind == "a factor too many"
+    child = repairing._child
+    assert repair(source(f"np.abs({RIGHT})")).steps[0].kind == "abs() too many"
+    assert repairing._child is child
+
+
+def test_nothing_is_told_where_the_source_does_something_else_there():
+    text = source(f"2 * {RIGHT}")
+    assert repair(text, outcomes_of(source(f"3 * {RIGHT}"))) is None
+
+
+def test_nothing_is_told_where_the_prelude_fails():
+    assert repair(source(f"2 * {RIGHT}"), prelude="import nothing_of_this_name") is None
+
+
+def test_an_endless_loop_costs_its_time_and_no_more():
+    before = "    n = 0\n    while n < 3:\n        n += 1\n"
+    assert repair(source(f"n * {RIGHT}", before)) is not None
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is capped on Linux")
+def test_memory_is_capped():
+    text = source(f"2 * {RIGHT}", "    np.ones(10**4)\n")
+    assert repair(text).steps[0].kind == "a factor too many"
+    assert repairing._child.capped
+    hungry = "    block = np.ones((1, 4 * 10**8))[:, :1]\n"
+    outcomes = outcomes_of(source(f"2 * {RIGHT}"))
+    assert repair(source(f"2 * {RIGHT}", hungry), outcomes) is None
+
+
+def test_a_crash_ends_the_search_and_the_next_one_has_a_new_child():
+    crash = "    import os\n    os._exit(1)\n"
+    outcomes = outcomes_of(source(f"2 * {RIGHT}"))
+    assert repair(source(f"2 * {RIGHT}", crash), outcomes) is None
+    assert repair(source(f"2 * {RIGHT}")) is not None
+
+
+def test_files_cannot_be_written(tmp_path):
+    place = tmp_path / "written"
+    writes = f"    open({str(place)!r}, 'w').close()\n"
+    outcomes = outcomes_of(source(f"2 * {RIGHT}"))
+    assert repair(source(f"2 * {RIGHT}", writes), outcomes) is None
+    assert not place.exists()
+
+
+def test_an_answer_that_writes_into_its_input_is_not_told_of_another_cause():
+    text = source(RIGHT, "    velocity *= 1.5\n")
+    assert repair(text) is None
+
+
+def test_an_expression_is_repaired():
+    import sympy as sp
+
+    exercise = find_exercise("rest_time")[1]
+    names = [a.name for a in exercise.arguments]
+    cell = f"{', '.join(names)} = sp.symbols('{' '.join(names)}')\n"
+    h, e, g = names
+    cell += f"rest_time = sp.sqrt(2 * {h} * {g}) * (1 + {e}) / (1 - {e})\n"
+    from course.exercises.answer import as_function
+
+    space = {"sp": sp}
+    exec(cell, space)
+    function = as_function(space["rest_time"], "expression", "rest_time", names)
+    outcomes = call_all(function, [c.arguments for c in exercise.draw()], 1)
+    recipe = expression_recipe(cell, "rest_time", names)
+    found = repairing.repair_of(exercise, recipe, outcomes)
+    assert found.steps[0].kind == "* where / belongs"
