@@ -60,9 +60,8 @@ class NoContactForce(RuntimeError):
     below 0. Zero means: of the stored numbers exactly, or to their own
     rounding, |A y| <= eps |A| y. Then a matrix whose entries differ from the
     stored ones by one unit in the last place proves that there is no force, and
-    a force for the stored one itself would have (|A| f).y >= -b.y / eps:
-    larger than b by 15 powers of ten. In a batch y is 0 for the systems that
-    have a solution.
+    a force for the stored one itself would be enormous, (|A| f).y >= -b.y / eps.
+    In a batch y is 0 for the systems that have a solution.
     """
 
     def __init__(self, message: str, certificate: Array) -> None:

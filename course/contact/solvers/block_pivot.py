@@ -35,7 +35,7 @@ REFINEMENTS = (1, 3)
 #: the first is rounding, the second keeps it small beside b where forces are enormous.
 REFINED = (1e-15, 1e-11)
 #: Residual, a contact, above which a system of a batch is solved once more on its own: no more is rounding.
-EXACT = 16 * np.finfo(float).eps
+EXACT = 4 * np.finfo(float).eps
 #: Where more than this part of the forces is left, the shift is too large.
 SLOW = 1e-13
 #: A contact is wrong if it pulls or approaches by more than this, relative to the forces on a diagonal of ones.
