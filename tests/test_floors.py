@@ -350,7 +350,7 @@ def test_a_broken_floor_is_reported(module, source, said):
         ("course.formulas.impulse", "import numpy\ndef f():\n    import sympy as sp"),
         ("course.formulas.contact_forces", "def f():\n    import cvxpy as cp"),
         ("course.dynamics.impulse", "from course import formulas"),
-        ("course.contact.solve", "from course.contact.solvers.nnls import solve"),
+        ("course.contact.solving", "from course.contact.solvers.nnls import solve"),
         (
             "course.contact.collisions",
             "from course.dynamics import Bodies\nimport scipy.optimize",

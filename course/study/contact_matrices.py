@@ -21,8 +21,7 @@ from course.arrays import (
     scalars,
     shaped,
 )
-from course.contact import contact_wrench
-from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
+from course.contact import contact_jacobian, contact_wrench, inverse_mass_matrix
 from course.dynamics import Bodies, reference_motion
 from course.overlap import Contacts
 from course.study.moving_contacts import SECOND_FIVE

@@ -20,8 +20,7 @@ from course.arrays import (
     vectors,
     whole_number,
 )
-from course.contact.collisions import resolve_collisions
-from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
+from course.contact import contact_jacobian, inverse_mass_matrix, resolve_collisions
 from course.dynamics.bodies import Bodies
 from course.overlap.contact_arrays import Contacts
 

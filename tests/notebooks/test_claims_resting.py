@@ -12,8 +12,13 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from course.contact import NoContactForce, resolve_collisions, solve
-from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
+from course.contact import (
+    NoContactForce,
+    contact_jacobian,
+    inverse_mass_matrix,
+    resolve_collisions,
+    solve,
+)
 from course.dynamics import effective_mass, normal_velocity, total_energy
 from course.exercises.definition import all_lessons, find_exercise
 from course.overlap import Contacts

@@ -10,7 +10,7 @@ even where A = J M^-1 J' is singular, so a is unique where f is not; f are its
 multipliers. The method is Mehrotra's predictor and corrector (S. Mehrotra, SIAM
 Journal on Optimization 2(4), 1992) with one of Gondzio's centrality correctors
 (J. Gondzio, Computational Optimization and Applications 6, 1996), and each
-Newton system is solved by whichever elimination of ``shifted`` is cheapest.
+Newton system is solved by whichever elimination of ``regularized`` is cheapest.
 Once it is clear which contacts push, ``active_set`` finishes to rounding.
 """
 
@@ -21,8 +21,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from course.arrays import Array
-from course.contact.solvers.active_set import settle
-from course.contact.solvers.unit_system import Trial, UnitSystem
+from course.contact.engine.active_set import settle
+from course.contact.engine.scaling import ScaledSystem, Trial
 
 #: 1/(shift) of the equality problem that gives the starting point.
 START = 1e3
@@ -66,7 +66,7 @@ class _Iterate:
 
 
 def solve_gauss(
-    system: UnitSystem,
+    system: ScaledSystem,
     *,
     tolerance: float = 1e-10,
     max_iterations: int = 100,
@@ -129,7 +129,7 @@ def _better(one: Trial, other: Trial, tolerance: float) -> bool:
     return one.residual < other.residual
 
 
-def _start(system: UnitSystem) -> _Iterate:
+def _start(system: ScaledSystem) -> _Iterate:
     """Forces that stop all contacts, moved to f > 0 and w > 0 as Mehrotra does."""
     op, b = system.operator, system.unit_bias
     op.factor(np.full(b.size, START))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course.arrays import Array, ArrayLike, failure, scalars, shaped, written
-from course.contact.solvers.certificate import certificate
+from course.contact.engine.certificates import certificate
 from course.contact.solvers.residual import (
     complementarity_residual,
     products,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
-from course.contact.solvers.certificate import certificate
+from course.contact.engine.certificates import certificate
 
 #: Numbers below this times the largest of their kind count as 0 (in units of the diagonal).
 ROUNDING = 1e-11

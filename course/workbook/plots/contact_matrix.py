@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from course.arrays import Array
-from course.contact.contact_system import contact_jacobian
+from course.contact import contact_jacobian
 from course.formulas import point_response
 from course.study.resting_layouts import RestingScene
 from course.study.resting_scenes import table

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 
-from course.contact.collisions import resolve_collisions
+from course.contact import resolve_collisions
 from course.dynamics.bodies import Bodies
 from course.dynamics.energy import total_energy
 from course.dynamics.impulse import effective_mass, point_velocity

@@ -13,8 +13,8 @@ from course.contact import (
     contact_system,
     solve,
 )
-from course.contact.solve import METHODS
 from course.contact.solvers import complementarity_residual
+from course.contact.solving import METHODS
 from course.study.resting_scenes import (
     GRAVITY,
     about_to_part,

@@ -23,8 +23,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.contact.solvers.banded_cholesky import BandedCholesky
-from course.contact.solvers.sparse_cholesky import SparseCholesky
+from course.contact.engine.banded_cholesky import BandedCholesky
+from course.contact.engine.sparse_cholesky import SparseCholesky
 
 #: Below this many contacts a dense matrix is always the cheapest.
 DENSE = 96
@@ -36,7 +36,7 @@ QUICK = 3e-3
 FEW = 12
 
 
-class Shifted(Protocol):
+class RegularizedSystem(Protocol):
     """What the solvers ask of a matrix A with a diagonal of ones."""
 
     def times(self, x: Array) -> Array:
@@ -78,7 +78,9 @@ class Cholesky(Protocol):
         ...
 
 
-def shifted(matrix: Any, factor: Callable[[], Any] | None = None) -> Shifted:
+def regularized(
+    matrix: Any, factor: Callable[[], Any] | None = None
+) -> RegularizedSystem:
     """The cheapest way for this A, (c, c) sparse or dense with a diagonal of ones; the first that is quick enough.
 
     Args:
@@ -91,13 +93,16 @@ def shifted(matrix: Any, factor: Callable[[], Any] | None = None) -> Shifted:
     dense = partial(_dense, matrix)
     if count <= DENSE:
         return dense()
-    ways: list[Callable[[], tuple[float, Callable[[], Shifted]]]] = []
+    ways: list[Callable[[], tuple[float, Callable[[], RegularizedSystem]]]] = []
     if issparse(matrix):
         ways.append(partial(_by_forces, csr_array(matrix), known=factor is not None))
     if factor is not None:
         few = issparse(matrix) and matrix.nnz <= FEW * count
         ways.insert(len(ways) if few else 0, partial(_by_accelerations, factor))
-    best: tuple[float, Callable[[], Shifted]] = (A_PRODUCT * count**3 / 3, dense)
+    best: tuple[float, Callable[[], RegularizedSystem]] = (
+        A_PRODUCT * count**3 / 3,
+        dense,
+    )
     for way in ways:
         best = min(best, way(), key=lambda one: one[0])
         if best[0] < QUICK:
@@ -105,23 +110,27 @@ def shifted(matrix: Any, factor: Callable[[], Any] | None = None) -> Shifted:
     return best[1]()
 
 
-def _dense(matrix: Any) -> Shifted:
-    return ShiftedDense(matrix.toarray() if hasattr(matrix, "toarray") else matrix)
+def _dense(matrix: Any) -> RegularizedSystem:
+    return RegularizedDense(matrix.toarray() if hasattr(matrix, "toarray") else matrix)
 
 
-def _by_forces(matrix: Any, *, known: bool) -> tuple[float, Callable[[], Shifted]]:
+def _by_forces(
+    matrix: Any, *, known: bool
+) -> tuple[float, Callable[[], RegularizedSystem]]:
     # The graph of contacts is denser than that of bodies: no search for a sparse factor where the other is known.
     contacts = BandedCholesky(matrix) if known else _cheapest(matrix)
-    return contacts.seconds, partial(ShiftedByForces, matrix, contacts)
+    return contacts.seconds, partial(RegularizedByForces, matrix, contacts)
 
 
-def _by_accelerations(factor: Callable[[], Any]) -> tuple[float, Callable[[], Shifted]]:
+def _by_accelerations(
+    factor: Callable[[], Any],
+) -> tuple[float, Callable[[], RegularizedSystem]]:
     from scipy.sparse import csr_array
 
     rows = _without_empty_columns(csr_array(factor()))
     ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
     bodies = _cheapest((ones.T @ ones).tocsr())
-    return bodies.seconds, partial(ShiftedByAccelerations, rows, bodies)
+    return bodies.seconds, partial(RegularizedByAccelerations, rows, bodies)
 
 
 def _cheapest(pattern: Any) -> Cholesky:
@@ -144,7 +153,7 @@ def _without_empty_columns(rows: Any) -> Any:
     )
 
 
-class ShiftedDense:
+class RegularizedDense:
     """By forces, A dense."""
 
     def __init__(self, matrix: Array) -> None:
@@ -177,7 +186,7 @@ class ShiftedDense:
         return x
 
 
-class ShiftedByForces:
+class RegularizedByForces:
     """By forces, A sparse."""
 
     def __init__(self, matrix: Any, cholesky: Cholesky) -> None:
@@ -210,7 +219,7 @@ class ShiftedByForces:
         return x
 
 
-class ShiftedByAccelerations:
+class RegularizedByAccelerations:
     """By accelerations, G' (c, m) sparse."""
 
     def __init__(self, rows: Any, cholesky: Cholesky) -> None:

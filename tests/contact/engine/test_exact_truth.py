@@ -19,7 +19,7 @@ from scipy.linalg import block_diag
 from scipy.sparse import csr_array
 
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
-from course.contact.solvers.certificate import certificate
+from course.contact.engine.certificates import certificate
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, failure
+from course.contact.engine.block_pivots import EXACT
+from course.contact.engine.regularization import regularized
 from course.contact.solution import ContactSolution, NoContactForce, NotConverged
-from course.contact.solvers.block_pivot import EXACT
-from course.contact.solvers.shifted import shifted
 
 #: |A| |f| above this times the largest |b|: rounding of A f moves the forces by more than 1e-11 of their size.
 LARGE = 1e4
@@ -106,7 +106,7 @@ def _has_sparse_factor(matrix: Any, scale: Array, least: float) -> bool:
 
     unit = diags_array(scale)
     try:
-        shifted(csr_array(unit @ matrix @ unit)).factor(
+        regularized(csr_array(unit @ matrix @ unit)).factor(
             np.where(scale > 0, 1 / least, 0.0)
         )
     except np.linalg.LinAlgError:

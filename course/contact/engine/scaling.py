@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array
+from course.contact.engine.regularization import RegularizedSystem, regularized
 from course.contact.solvers.residual import scaled_rows, strays, violation_of
-from course.contact.solvers.shifted import Shifted, shifted
 
 
-class UnitSystem:
+class ScaledSystem:
     """D^-1/2 A D^-1/2, D^-1/2 b and, for a force D^1/2 f of it, the residual of the system it came from.
 
     Args:
@@ -36,15 +36,15 @@ class UnitSystem:
         return self.bias.size
 
     @cached_property
-    def operator(self) -> Shifted:
+    def operator(self) -> RegularizedSystem:
         """The matrix with ones on its diagonal."""
         inverse = 1.0 / self.root
         if not hasattr(self.matrix, "tocsr"):
-            return shifted(self.matrix * (inverse[:, None] * inverse))
+            return regularized(self.matrix * (inverse[:, None] * inverse))
         a = _scaled(self.matrix, inverse)
         a.data *= inverse[a.indices]
         factor = self._factor
-        return shifted(
+        return regularized(
             a, None if factor is None else lambda: _scaled(factor(), inverse)
         )
 
@@ -70,7 +70,7 @@ class UnitSystem:
 class Trial:
     """A force of the unit system and, found when asked for, what it leads to in the system that came from."""
 
-    system: UnitSystem
+    system: ScaledSystem
     unit_force: Array
 
     @cached_property

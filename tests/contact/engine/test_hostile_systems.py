@@ -7,7 +7,7 @@ import pytest
 from scipy.sparse import csr_array
 
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
-from course.contact.solve import METHODS
+from course.contact.solving import METHODS
 
 
 def hostile(seed):

@@ -19,7 +19,7 @@ from course.arrays import (
     vectors,
     written,
 )
-from course.contact.separation import separation_rate, signed_terms
+from course.contact.gaps import separation_rate, signed_terms
 from course.dynamics.bodies import Bodies
 from course.overlap.contact_arrays import Contacts
 

@@ -5,7 +5,7 @@ import pytest
 from scipy.sparse import csr_array
 
 from course.contact import solve
-from course.contact.solvers.certificate import certificate
+from course.contact.engine.certificates import certificate
 from course.study.resting_scenes import (
     random_scene,
     side_by_side,

@@ -21,17 +21,17 @@ from course.arrays import (
     whole_number,
     written,
 )
-from course.contact.automatic import automatic
-from course.contact.contact_system import ContactSystem
-from course.contact.judgement import require_semidefinite
-from course.contact.rescue import settled_qp
+from course.contact.assembly import ContactSystem
+from course.contact.engine.acceptance import require_semidefinite
+from course.contact.engine.automatic import solve_auto
+from course.contact.engine.fallbacks import settled_qp
+from course.contact.engine.mass_weighting import mass_weighted_jacobian
+from course.contact.engine.scaling import ScaledSystem
 from course.contact.solution import ContactSolution, NotConverged, contact_solution
 from course.contact.solvers.gauss import solve_gauss
-from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.projected_gauss_seidel import solve_projected_gauss_seidel
-from course.contact.solvers.unit_system import UnitSystem
 
 #: A b below this, or above its inverse, is solved for in another unit.
 SMALLEST = 1e-30
@@ -153,7 +153,9 @@ def _solved(
     relaxation: float,
 ) -> ContactSolution:
     if method == "auto":
-        return automatic(system, tolerance=tolerance, max_iterations=limit, start=begin)
+        return solve_auto(
+            system, tolerance=tolerance, max_iterations=limit, start=begin
+        )
     if system.jacobian is None:
         require_semidefinite(system.A)
     one = _ONE[method]
@@ -203,7 +205,7 @@ class _Options:
     @property
     def factor(self) -> Any:
         """J M^-1/2 of those contacts, or None."""
-        factor = mass_factor(self.system)
+        factor = mass_weighted_jacobian(self.system)
         return None if factor is None else factor[self.pushing]
 
 
@@ -213,7 +215,7 @@ def _dense(a: Any) -> Array:
 
 def _qp(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
     # The solver stops at a gap, and where f and w are both small each is its root: so a hundredth, if it can.
-    unit = UnitSystem(a, b)
+    unit = ScaledSystem(a, b)
     for own in (0.01 * options.tolerance, options.tolerance):
         found, count = settled_qp(unit, own, options.tolerance, options.limit)
         if found is not None:
@@ -253,7 +255,7 @@ def _sweeps(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
 def _gauss(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
     limit = 100 if options.limit is None else options.limit
     factor = options.factor
-    system = UnitSystem(a, b, None if factor is None else lambda: factor)
+    system = ScaledSystem(a, b, None if factor is None else lambda: factor)
     found = solve_gauss(system, tolerance=options.tolerance, max_iterations=limit)
     return found.force, found.iterations
 

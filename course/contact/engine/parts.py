@@ -16,11 +16,11 @@ from typing import Any
 import numpy as np
 
 from course.arrays import BoolArray, IntArray
-from course.contact.contact_system import ContactSystem
-from course.contact.judgement import LARGE, require_semidefinite
-from course.contact.rescue import EXACT_UP_TO, Found, Island, dense
-from course.contact.solvers.block_pivot import EXACT, block_pivot, block_pivot_one
-from course.contact.solvers.mass_factor import mass_factor
+from course.contact.assembly import ContactSystem
+from course.contact.engine.acceptance import LARGE, require_semidefinite
+from course.contact.engine.block_pivots import EXACT, block_pivot, block_pivot_one
+from course.contact.engine.fallbacks import EXACT_UP_TO, Found, Island, dense
+from course.contact.engine.mass_weighting import mass_weighted_jacobian
 from course.contact.solvers.residual import (
     HUGE,
     SUSPICIOUS,
@@ -179,7 +179,7 @@ class Parts:
     def _rows(self, index: Any) -> Any:
         """J M^-1/2 of these contacts."""
         if self._factor is None:
-            self._factor = mass_factor(self.system)
+            self._factor = mass_weighted_jacobian(self.system)
         return self._factor[index]
 
 

@@ -8,27 +8,27 @@ from math import prod
 import numpy as np
 
 from course.arrays import Array
-from course.contact.contact_system import ContactSystem
-from course.contact.judgement import (
+from course.contact.assembly import ContactSystem
+from course.contact.engine.acceptance import (
     doubtful,
     require_convergence,
     require_semidefinite,
     require_solution,
 )
-from course.contact.parts import SMALL, Parts, dense
-from course.contact.solution import ContactSolution, contact_solution
-from course.contact.solvers.block_pivot import (
+from course.contact.engine.block_pivots import (
     Pivoted,
     block_pivot,
     block_pivot_one,
 )
+from course.contact.engine.parts import SMALL, Parts, dense
+from course.contact.solution import ContactSolution, contact_solution
 from course.contact.solvers.residual import products
 
 #: Rounds of a system solved whole, before it is looked at more closely; of 20 it ever solves, 19 are solved by then.
 ROUNDS = 20
 
 
-def automatic(
+def solve_auto(
     system: ContactSystem,
     *,
     tolerance: float,

@@ -3,18 +3,18 @@
 import numpy as np
 import pytest
 
-from course.contact.solvers.active_set import settle
-from course.contact.solvers.banded_cholesky import BandedCholesky
-from course.contact.solvers.gauss import solve_gauss
-from course.contact.solvers.mass_factor import mass_factor
-from course.contact.solvers.shifted import (
-    ShiftedByAccelerations,
-    ShiftedByForces,
-    ShiftedDense,
-    shifted,
+from course.contact.engine.active_set import settle
+from course.contact.engine.banded_cholesky import BandedCholesky
+from course.contact.engine.mass_weighting import mass_weighted_jacobian
+from course.contact.engine.regularization import (
+    RegularizedByAccelerations,
+    RegularizedByForces,
+    RegularizedDense,
+    regularized,
 )
-from course.contact.solvers.sparse_cholesky import SparseCholesky
-from course.contact.solvers.unit_system import UnitSystem
+from course.contact.engine.scaling import ScaledSystem
+from course.contact.engine.sparse_cholesky import SparseCholesky
+from course.contact.solvers.gauss import solve_gauss
 from course.study.resting_scenes import (
     cannonballs,
     on_a_moving_ground,
@@ -32,9 +32,9 @@ RNG = np.random.default_rng(4)
 WALL = shaken(wall(6, 5), RNG)
 
 
-def unit_system(scene):
+def scaled_system(scene):
     system = scene.system()
-    return UnitSystem(system.A, system.b, lambda: mass_factor(system))
+    return ScaledSystem(system.A, system.b, lambda: mass_weighted_jacobian(system))
 
 
 def test_factor_of_the_contact_matrix():
@@ -44,7 +44,7 @@ def test_factor_of_the_contact_matrix():
         tangle(5, 20, RNG),
     ):
         system = scene.system()
-        factor = mass_factor(system)
+        factor = mass_weighted_jacobian(system)
         np.testing.assert_allclose(
             (factor @ factor.T).toarray(),
             system.A.toarray(),
@@ -64,8 +64,8 @@ def eliminations(unit):
     )
     kinds = (BandedCholesky, SparseCholesky)
     return a.toarray(), [
-        ShiftedDense(a.toarray()), *(ShiftedByForces(a, kind(a)) for kind in kinds),
-        *(ShiftedByAccelerations(rows, kind(csr_array(pattern.T @ pattern))) for kind in kinds),
+        RegularizedDense(a.toarray()), *(RegularizedByForces(a, kind(a)) for kind in kinds),
+        *(RegularizedByAccelerations(rows, kind(csr_array(pattern.T @ pattern))) for kind in kinds),
     ]  # fmt: skip
 
 
@@ -74,7 +74,7 @@ def eliminations(unit):
 )
 def test_all_eliminations_of_one_equation(scene):
     """(A + diag(1/theta)) x = q, x = 0 where theta = 0."""
-    unit = unit_system(scene)
+    unit = scaled_system(scene)
     a, ways = eliminations(unit)
     rng = np.random.default_rng(1)
     theta = np.where(
@@ -93,13 +93,13 @@ def test_all_eliminations_of_one_equation(scene):
 
 
 def test_the_cheapest_elimination_is_chosen():
-    assert isinstance(unit_system(stack(3)).operator, ShiftedDense)
-    assert isinstance(unit_system(wall(12, 12)).operator, ShiftedByAccelerations)
+    assert isinstance(scaled_system(stack(3)).operator, RegularizedDense)
+    assert isinstance(scaled_system(wall(12, 12)).operator, RegularizedByAccelerations)
     chain = stack(300, corners=1).system()
-    assert isinstance(UnitSystem(chain.A, chain.b).operator, ShiftedByForces)
-    assert isinstance(shifted(np.eye(200)), ShiftedDense)
+    assert isinstance(ScaledSystem(chain.A, chain.b).operator, RegularizedByForces)
+    assert isinstance(regularized(np.eye(200)), RegularizedDense)
     with pytest.raises(np.linalg.LinAlgError):
-        shifted(np.array([[1.0, -3], [-3, 1]])).factor(np.ones(2))
+        regularized(np.array([[1.0, -3], [-3, 1]])).factor(np.ones(2))
 
 
 CASES = {
@@ -112,7 +112,7 @@ CASES = {
 
 @pytest.mark.parametrize("name", CASES)
 def test_reaches_the_tolerance(name):
-    unit = unit_system(CASES[name])
+    unit = scaled_system(CASES[name])
     found = solve_gauss(unit)
     assert (
         found.residual <= 1e-10 and np.all(found.force >= 0) and found.iterations < 60
@@ -124,7 +124,7 @@ def test_reaches_the_tolerance(name):
 
 @pytest.mark.parametrize("seed", range(10))
 def test_random_scenes(seed):
-    unit = unit_system(random_scene([57, seed], contacts=150))
+    unit = scaled_system(random_scene([57, seed], contacts=150))
     if len(unit) and np.any(unit.bias < 0):
         assert solve_gauss(unit).residual <= 1e-10
 
@@ -133,7 +133,7 @@ def test_iterations_hardly_grow_with_the_wall():
     """Between 60 and 15 times as many contacts it is a matter of a few iterations."""
     counts = [
         solve_gauss(
-            unit_system(shaken(wall(n, n), np.random.default_rng(2)))
+            scaled_system(shaken(wall(n, n), np.random.default_rng(2)))
         ).iterations
         for n in (3, 6, 12)
     ]
@@ -141,7 +141,7 @@ def test_iterations_hardly_grow_with_the_wall():
 
 
 def test_stops_at_its_limit():
-    found = solve_gauss(unit_system(WALL), max_iterations=3)
+    found = solve_gauss(scaled_system(WALL), max_iterations=3)
     assert (
         found.iterations == 3
         and found.residual > 1e-10
@@ -150,7 +150,7 @@ def test_stops_at_its_limit():
 
 
 def test_settle_mends_a_guess_that_is_nearly_right():
-    unit = unit_system(CASES["pile shaken"])
+    unit = scaled_system(CASES["pile shaken"])
     truth = solve_gauss(unit, tolerance=1e-13)
     pushing = truth.force > 1e-9
     first, last = np.flatnonzero(pushing)[0], np.flatnonzero(~pushing)[-1]

@@ -12,7 +12,7 @@ from course.arrays import failure
 ROUNDING = 1e-15
 
 
-def mass_factor(system: Any) -> Any:
+def mass_weighted_jacobian(system: Any) -> Any:
     """Sparse (c, 6n) F with A = F F', from the system's jacobian and inverse mass; None where it has none.
 
     Args:

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, BoolArray
-from course.contact.judgement import require_semidefinite
-from course.contact.solvers.active_set import settle
-from course.contact.solvers.certificate import certificate
-from course.contact.solvers.exact import solve_exact
+from course.contact.engine.acceptance import require_semidefinite
+from course.contact.engine.active_set import settle
+from course.contact.engine.certificates import certificate
+from course.contact.engine.exact import solve_exact
+from course.contact.engine.scaling import ScaledSystem
 from course.contact.solvers.gauss import solve_gauss
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
@@ -24,7 +25,6 @@ from course.contact.solvers.residual import (
     strays,
     violation_of,
 )
-from course.contact.solvers.unit_system import UnitSystem
 
 #: Up to how many contacts the exact answer is sought (a tenth of a second), and the dense methods are tried.
 EXACT_UP_TO, PIVOT_UP_TO, NNLS_UP_TO = 40, 400, 1000
@@ -71,8 +71,8 @@ class Island:
         self._tolerance, self._limit, self._largest = tolerance, limit, largest
 
     @cached_property
-    def _unit(self) -> UnitSystem:
-        return UnitSystem(self.a, self.b, self._rows)
+    def _unit(self) -> ScaledSystem:
+        return ScaledSystem(self.a, self.b, self._rows)
 
     @cached_property
     def _factor(self) -> Any:
@@ -163,7 +163,7 @@ class Island:
 
 
 def settled_qp(
-    unit: UnitSystem, own: float, tolerance: float, limit: int | None
+    unit: ScaledSystem, own: float, tolerance: float, limit: int | None
 ) -> tuple[Array | None, int]:
     """The quadratic programme in units of A's diagonal, and then its set of pushing contacts settled.
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.sparse import block_diag, csr_array, diags_array, eye_array, kron
 
-from course.contact.solvers.banded_cholesky import BandedCholesky
-from course.contact.solvers.mass_factor import mass_factor
-from course.contact.solvers.shifted import _cheapest
-from course.contact.solvers.sparse_cholesky import SparseCholesky
+from course.contact.engine.banded_cholesky import BandedCholesky
+from course.contact.engine.mass_weighting import mass_weighted_jacobian
+from course.contact.engine.regularization import _cheapest
+from course.contact.engine.sparse_cholesky import SparseCholesky
 from course.study.resting_scenes import pile, wall
 
 KINDS = (BandedCholesky, SparseCholesky)
@@ -114,7 +114,7 @@ def test_the_panels_hold_no_more_than_it_pays_to():
 
 
 def pattern_of(scene):
-    rows = csr_array(mass_factor(scene.system()))
+    rows = csr_array(mass_weighted_jacobian(scene.system()))
     rows = rows[:, np.unique(rows.indices)]
     ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
     return csr_array(ones.T @ ones)

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course.arrays import Array, BoolArray
-from course.contact.solvers.unit_system import UnitSystem
+from course.contact.engine.scaling import ScaledSystem
 
 #: Added to a diagonal of ones; the second where refinement is too slow with the first, A_SS being nearly singular.
 SHIFTS = (1e-8, 1e-13)
@@ -37,7 +37,7 @@ class Settled:
 
 
 def settle(
-    system: UnitSystem,
+    system: ScaledSystem,
     force: Array,
     pushing: BoolArray,
     *,
@@ -78,7 +78,7 @@ def settle(
     return Settled(best.force, best.residual, count)
 
 
-def _on_set(system: UnitSystem, force: Array, pushing: BoolArray) -> Array | None:
+def _on_set(system: ScaledSystem, force: Array, pushing: BoolArray) -> Array | None:
     """Forces with A f + b = 0 on the set, from this force; None where no factor exists."""
     found = None
     for shift in SHIFTS:
@@ -95,7 +95,7 @@ def _on_set(system: UnitSystem, force: Array, pushing: BoolArray) -> Array | Non
 
 
 def _refined(
-    system: UnitSystem, force: Array, pushing: BoolArray
+    system: ScaledSystem, force: Array, pushing: BoolArray
 ) -> tuple[Array, float]:
     """The force of the refinement that leaves least of A f + b on the set, and how much that is."""
     best, least = force, np.inf

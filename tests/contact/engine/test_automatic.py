@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_array
 
-import course.contact.automatic as module
+import course.contact.engine.automatic as module
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
-from course.contact.judgement import LARGE, doubtful
+from course.contact.engine.acceptance import LARGE, doubtful
+from course.contact.engine.block_pivots import block_pivot_one
+from course.contact.engine.certificates import certificate
 from course.contact.solution import SEEN
 from course.contact.solvers import complementarity_residual
-from course.contact.solvers.block_pivot import block_pivot_one
-from course.contact.solvers.certificate import certificate
 from course.contact.solvers.residual import SUSPICIOUS, strays
 from course.study.resting_scenes import shaken, stack, tangle
 

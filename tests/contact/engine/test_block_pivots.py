@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-import course.contact.solvers.block_pivot as module
+import course.contact.engine.block_pivots as module
+from course.contact.engine.block_pivots import block_pivot, block_pivot_one
 from course.contact.solvers import complementarity_residual
-from course.contact.solvers.block_pivot import block_pivot, block_pivot_one
 
 
 def systems(count, contacts, rank, seed):
