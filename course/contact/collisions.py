@@ -259,22 +259,13 @@ def _at_once(
 
 def _in_turn(island: _Island, e: float) -> tuple[Array, bool]:
     """One contact after the other, each as if it were alone, until none approaches."""
+    from course.contact.sequential_impulses import Passes
+
     g, change, limit = island.factor, np.zeros(island.start.shape), -island.tolerance
-    matrix = g.T @ g
-    mass_felt = (1.0 / np.diagonal(matrix)).tolist()
-    # Plain lists: an impulse changes u only at the few contacts that share a body with it.
-    sharing = [[(int(j), float(row[j])) for j in np.flatnonzero(row)] for row in matrix]
+    passes = Passes(g.T @ g)
     for _ in range(MAX_ROUNDS):
-        u = (
-            g.T @ (island.start + change)
-        ).tolist()  # afresh, so that rounding does not add up
-        if min(u) >= limit:
+        u = g.T @ (island.start + change)  # afresh, so that rounding does not add up
+        if np.min(u) >= limit:
             return change, True
-        impulse = [0.0] * len(u)
-        for i, mass in enumerate(mass_felt):
-            if u[i] < limit:
-                p = impulse[i] = -(1 + e) * u[i] * mass
-                for j, coupling in sharing[i]:
-                    u[j] += coupling * p
-        change = change + g @ np.array(impulse)
+        change = change + g @ passes.once(u, e, limit)
     return change, False

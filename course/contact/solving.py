@@ -31,7 +31,6 @@ from course.contact.solution import ContactSolution, NotConverged, contact_solut
 from course.contact.solvers.gauss import solve_gauss
 from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
-from course.contact.solvers.projected_gauss_seidel import solve_projected_gauss_seidel
 
 #: A b below this, or above its inverse, is solved for in another unit.
 SMALLEST = 1e-30
@@ -240,6 +239,10 @@ def _pivot(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
 
 
 def _sweeps(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
+    from course.contact.solvers.projected_gauss_seidel import (
+        solve_projected_gauss_seidel,
+    )
+
     limit = 10_000 if options.limit is None else options.limit
     found = solve_projected_gauss_seidel(
         a,

@@ -64,6 +64,8 @@ def force_plane(
     ax: Axes | None = None,
 ) -> Axes:
     """Two contacts: level sets of f'A f/2 + b.f, the quadrant f >= 0, the lines d_ddot_i = 0, sweeps, the solution."""
+    from course.contact.solvers.projected_gauss_seidel import gauss_seidel_path
+
     matrix, bias = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     forced, f = np.linalg.solve(matrix, -bias), _solved(matrix, bias)
     w = matrix @ f + bias
@@ -85,7 +87,7 @@ def force_plane(
             ends = _zero_line(matrix[i], bias[i], (low, high))
             ax.plot(*ends, color=PALETTE[colour], ls=line, marker="", lw=1.8, zorder=3,
                     label=rf"$\ddot d_{i + 1} = 0$")  # fmt: skip
-        path = _sweep_path(matrix, bias, 3)
+        path = gauss_seidel_path(matrix, bias, 3)
         ax.plot(*path.T, color=PALETTE["black"], ls="-", lw=2.4, marker="D", ms=6,
                 mfc=PALETTE["orange"], zorder=4, label="three sweeps from 0")  # fmt: skip
         ax.plot(*forced, ls="none", marker="X", ms=9, color=PALETTE["black"], zorder=5,
@@ -281,16 +283,6 @@ def _level_sets(
         ax.contour(
             f_1, f_2, level, levels=[touching], colors="0.4", linewidths=1.6, zorder=3
         )
-
-
-def _sweep_path(matrix: np.ndarray, bias: np.ndarray, sweeps: int) -> np.ndarray:
-    """The forces after each single step of projected Gauss-Seidel from 0, (2 sweeps + 1, 2) [N]."""
-    path = [np.zeros(2)]
-    for i in [0, 1] * sweeps:
-        f = path[-1].copy()
-        f[i] = max(0.0, f[i] - (matrix[i] @ f + bias[i]) / matrix[i, i])
-        path.append(f)
-    return np.array(path)
 
 
 def _zero_line(

@@ -2,54 +2,60 @@
 
 import numpy as np
 import pytest
-from scipy.sparse import csr_array
 
+from course import formulas
 from course.contact.solvers.projected_gauss_seidel import (
+    gauss_seidel_path,
     measured_gauss_seidel_factor,
     optimal_relaxation,
     predicted_gauss_seidel_factor,
     solve_projected_gauss_seidel,
-    sweep_order,
 )
-from course.study.resting_scenes import random_scene, shaken, stack, table, wall
+from course.study.resting_scenes import shaken, stack, table, wall
 
-
-def plain(a, b, sweeps, relaxation, order):
-    """One contact after the other, as the formula says."""
-    f = np.zeros(len(b))
-    for _ in range(sweeps):
-        for i in order:
-            f[i] = max(0.0, f[i] - relaxation * (a[i] @ f + b[i]) / a[i, i])
-    return f
+PAIR = np.array([[1, 0.5], [0.5, 1]])
 
 
 def test_the_accumulated_force_is_limited():
     """TRUTHS: clipping the changes answers (1, .5) here; right is (2/3, 2/3)."""
-    found = solve_projected_gauss_seidel(np.array([[1, 0.5], [0.5, 1]]), [-1.0, -1.0])
+    found = solve_projected_gauss_seidel(PAIR, [-1.0, -1.0])
     np.testing.assert_allclose(found.force, 2 / 3, atol=1e-9)
     assert found.residual <= 1e-10
 
 
-@pytest.mark.parametrize("relaxation", [0.7, 1.0, 1.6])
-def test_sweeps_by_colours_are_sweeps_one_by_one(relaxation):
-    system = shaken(wall(5, 4), np.random.default_rng(1)).system()
-    order = np.concatenate(sweep_order(system.A))
-    found = solve_projected_gauss_seidel(
-        system.A, system.b, max_sweeps=7, relaxation=relaxation
+def test_the_sweeps_are_those_of_the_formula():
+    rng = np.random.default_rng(1)
+    system = shaken(wall(5, 4), rng).system()
+    start = rng.uniform(0, 5, len(system))
+    expected = formulas.projected_gauss_seidel(
+        system.A.toarray(), system.b, start, sweeps=7
     )
-    expected = plain(system.A.toarray(), system.b, found.sweeps, relaxation, order)
-    assert found.sweeps == 7
-    np.testing.assert_allclose(found.force, expected, rtol=1e-12, atol=1e-13)
+    for a in (system.A, system.A.toarray()):
+        found = solve_projected_gauss_seidel(a, system.b, max_sweeps=7, start=start)
+        assert found.sweeps == 7
+        np.testing.assert_allclose(found.force, expected, rtol=1e-12, atol=1e-13)
 
 
-def test_a_colour_shares_no_entry():
-    a = random_scene(5, contacts=200).system().A
-    order = sweep_order(a)
-    assert np.array_equal(np.sort(np.concatenate(order)), np.arange(a.shape[0]))
-    for rows in order:
-        block = a[rows][:, rows].toarray()
-        assert np.array_equal(block, np.diag(np.diag(block)))
-    assert sweep_order(csr_array((0, 0))) == []
+@pytest.mark.parametrize("relaxation", [0.7, 1.6])
+def test_relaxation_stretches_each_step(relaxation):
+    """By hand: f_1 = r, then w_2 = r/2 - 1 and f_2 = r (1 - r/2)."""
+    found = solve_projected_gauss_seidel(
+        PAIR, [-1.0, -1.0], max_sweeps=1, relaxation=relaxation
+    )
+    expected = [relaxation, relaxation * (1 - relaxation / 2)]
+    np.testing.assert_allclose(found.force, expected, rtol=1e-15)
+
+
+def test_the_path_shows_every_step():
+    """Two contacts, two sweeps: (0, 0), (1, 0), (1, 1/2), (3/4, 1/2), (3/4, 5/8)."""
+    path = gauss_seidel_path(PAIR, [-1.0, -1.0], 2)
+    expected = [[0, 0], [1, 0], [1, 1 / 2], [3 / 4, 1 / 2], [3 / 4, 5 / 8]]
+    assert np.array_equal(path, expected)
+
+
+def test_a_contact_that_no_force_moves_is_left_out():
+    found = solve_projected_gauss_seidel(np.diag([0.0, 2.0]), [1.0, -1.0])
+    assert found.force.tolist() == [0.0, 0.5] and found.residual == 0
 
 
 @pytest.mark.parametrize("count", [2, 5, 10, 30])
