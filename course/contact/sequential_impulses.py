@@ -49,7 +49,12 @@ class Passes:
         row, column = np.nonzero(matrix)
         counts = np.bincount(row, minlength=len(matrix))
         begin = np.concatenate([[0], np.cumsum(counts)]).astype(np.intp)
-        self._rows = (begin, column, matrix[row, column], matrix.diagonal().copy())
+        self._rows = (
+            begin,
+            np.ascontiguousarray(column),  # one type for the kernel
+            matrix[row, column],
+            matrix.diagonal().copy(),
+        )
 
     def once(self, velocity: Array, e: float, limit: float) -> Array:
         """The impulses of all contacts, each taken once, from these normal velocities, (c,)."""
