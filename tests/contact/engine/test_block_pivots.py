@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-import course.contact.engine.block_pivots as module
 from course.contact.engine.block_pivots import block_pivot, block_pivot_one
 from course.contact.solvers import complementarity_residual
 
@@ -30,7 +29,7 @@ def test_batches_reach_rounding(contacts, spare):
     assert np.all(found.iterations >= 1)
 
 
-def test_one_by_one_is_the_same_as_together(monkeypatch):
+def test_one_by_one_is_the_same_as_together():
     a, b = systems(40, 5, 7, 3)
     together = block_pivot(a, b)
     for k in range(40):
@@ -38,10 +37,18 @@ def test_one_by_one_is_the_same_as_together(monkeypatch):
         np.testing.assert_allclose(
             together.force[k], alone.force[0], atol=1e-9 * np.abs(alone.force).max()
         )
-    monkeypatch.setattr(module, "BLOCK", 10)
-    np.testing.assert_allclose(
-        block_pivot(a, b).force, together.force, atol=1e-12 * together.force.max()
-    )
+        by_lapack = block_pivot_one(a[k], b[k]).force
+        np.testing.assert_allclose(
+            together.force[k], by_lapack, atol=1e-9 * by_lapack.max()
+        )
+
+
+def test_a_batch_in_any_layout():
+    """The compiled loop asks for C order; what is given may be a view of anything."""
+    a, b = systems(30, 4, 6, 8)
+    expected = block_pivot(a, b).force
+    turned = np.asfortranarray(a[::-1])[::-1], np.asfortranarray(b)
+    assert np.array_equal(block_pivot(*turned).force, expected)
 
 
 @pytest.mark.parametrize("spare", [2, 0, -1])
