@@ -294,6 +294,22 @@ def test_a_broken_rule_of_kernels_is_reported():
         assert kernel_faults(source, module, kernels) == []
 
 
+def test_solvers_stand_below_the_engine():
+    """docs/architecture.md: the engine is built from the lecture's solvers, never the other way round."""
+    for module, path in modules():
+        if module.startswith("course.contact.solvers"):
+            source = path.read_text(encoding="utf-8")
+            names = {
+                name
+                for name, _ in imports(
+                    source, module, package=path.name == "__init__.py"
+                )
+            }
+            assert not {n for n in names if n.startswith("course.contact.engine")}, (
+                module
+            )
+
+
 def test_every_module_is_looked_at():
     assert {
         "course",

@@ -25,11 +25,11 @@ from course.contact.assembly import ContactSystem
 from course.contact.engine.acceptance import require_semidefinite
 from course.contact.engine.automatic import solve_auto
 from course.contact.engine.fallbacks import settled_qp
+from course.contact.engine.interior_point import solve_gauss
+from course.contact.engine.least_distance import solve_nnls
 from course.contact.engine.mass_weighting import mass_weighted_jacobian
 from course.contact.engine.scaling import ScaledSystem
 from course.contact.solution import ContactSolution, NotConverged, contact_solution
-from course.contact.solvers.gauss import solve_gauss
-from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 
 #: A b below this, or above its inverse, is solved for in another unit.

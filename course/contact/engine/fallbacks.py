@@ -14,9 +14,9 @@ from course.contact.engine.acceptance import require_semidefinite
 from course.contact.engine.active_set import settle
 from course.contact.engine.certificates import certificate
 from course.contact.engine.exact import solve_exact
+from course.contact.engine.interior_point import solve_gauss
+from course.contact.engine.least_distance import solve_nnls
 from course.contact.engine.scaling import ScaledSystem
-from course.contact.solvers.gauss import solve_gauss
-from course.contact.solvers.nnls import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.qp import solve_qp
 from course.contact.solvers.residual import (

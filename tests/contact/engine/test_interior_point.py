@@ -5,6 +5,7 @@ import pytest
 
 from course.contact.engine.active_set import settle
 from course.contact.engine.banded_cholesky import BandedCholesky
+from course.contact.engine.interior_point import solve_gauss
 from course.contact.engine.mass_weighting import mass_weighted_jacobian
 from course.contact.engine.regularization import (
     RegularizedByAccelerations,
@@ -14,7 +15,6 @@ from course.contact.engine.regularization import (
 )
 from course.contact.engine.scaling import ScaledSystem
 from course.contact.engine.sparse_cholesky import SparseCholesky
-from course.contact.solvers.gauss import solve_gauss
 from course.study.resting_scenes import (
     cannonballs,
     on_a_moving_ground,

@@ -1,4 +1,4 @@
-"""Baraff's pivoting: by hand, redundant contacts, the certificate, and against the definition."""
+"""Baraff's pivoting: by hand, redundant contacts, the ray where no force exists, and against the definition."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from course.study.resting_scenes import random_scene, spinning_between_pins, tab
 def test_two_contacts_by_hand():
     found = solve_pivot([[1, 0.5], [0.5, 1]], [-1.0, -1.0])
     np.testing.assert_allclose(found.force, 2 / 3, rtol=1e-12)
-    assert found.finished and found.pivots == 2 and found.certificate is None
+    assert found.finished and found.pivots == 2 and found.ray is None
     lifted = solve_pivot(
         [[1, 0.5], [0.5, 1]], [-1.0, 0.0]
     )  # the second alone would pull
@@ -45,7 +45,7 @@ def test_no_solution_is_proved():
         ([[0.0, 0], [0, 1]], [-1.0, 1]),
     ):
         found = solve_pivot(a, b)
-        y = found.certificate
+        y = found.ray
         assert not found.finished and np.all(y >= 0)
         np.testing.assert_allclose(np.array(a) @ y, 0, atol=1e-13)
         assert np.array(b) @ y < 0
