@@ -214,15 +214,47 @@ def unmet_requirements(root, extras=False):
 
 
 def requirements(root, extras=False):
-    """The requirement lines of ``pyproject.toml``, with those of its extras where asked."""
+    """The requirements of ``pyproject.toml`` that apply here, with those of its extras where asked."""
     import tomllib
 
     with open(os.path.join(root, "pyproject.toml"), "rb") as file:
         project = tomllib.load(file)["project"]
     optional = project.get("optional-dependencies", {}) if extras else {}
-    return project["dependencies"] + [
+    lines = project["dependencies"] + [
         line for lines in optional.values() for line in lines
     ]
+    parts = [line.partition(";") for line in lines]
+    return [name.strip() for name, _, marker in parts if applies(marker)]
+
+
+def applies(marker):
+    """Whether an environment marker holds here; ValueError for a form this project does not use."""
+    import platform
+
+    here = {
+        "sys_platform": sys.platform,
+        "platform_machine": platform.machine(),
+        "python_version": "%d.%d" % tuple(sys.version_info[:2]),
+    }
+    clause = r"(python_version|sys_platform|platform_machine)\s*(==|!=|<=|>=|<|>)\s*'([^']*)'"
+
+    def truth(match):
+        name, operator, wanted = match.groups()
+        if name == "python_version":
+            return str(within(here[name], [(operator, release(wanted))]))
+        if operator not in ("==", "!="):
+            raise ValueError(
+                "marker: expected == or != for %s, got %r" % (name, marker)
+            )
+        return str((here[name] == wanted) == (operator == "=="))
+
+    words = re.sub(clause, truth, marker)
+    if re.search(r"[^\s()]", re.sub(r"\b(True|False|and|or)\b", "", words)):
+        raise ValueError(
+            "marker: expected clauses with and, or, brackets, got %r" % marker
+        )
+    # Nothing is left but True, False, and, or and brackets.
+    return not words.strip() or bool(eval(words, {"__builtins__": {}}))
 
 
 def parse_requirement(requirement):

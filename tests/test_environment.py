@@ -58,6 +58,37 @@ def test_a_requirement_in_a_form_not_used_here_is_refused(requirement):
         environment.parse_requirement(requirement)
 
 
+@pytest.mark.parametrize(
+    "platform, machine, version, wanted",
+    [
+        ("linux", "x86_64", (3, 11), True),
+        ("darwin", "arm64", (3, 13), True),
+        ("darwin", "x86_64", (3, 13), False),  # no wheel of llvmlite for Intel Macs
+        ("win32", "AMD64", (3, 15), True),
+        ("linux", "aarch64", (3, 16), False),
+    ],
+)
+def test_numba_is_asked_for_where_it_has_a_wheel(
+    monkeypatch, platform, machine, version, wanted
+):
+    monkeypatch.setattr(environment.sys, "platform", platform)
+    monkeypatch.setattr("platform.machine", lambda: machine)
+    monkeypatch.setattr(environment.sys, "version_info", (*version, 0))
+    names = [
+        environment.parse_requirement(r)[0] for r in environment.requirements(ROOT)
+    ]
+    assert ("numba" in names) is wanted and "numpy" in names
+
+
+@pytest.mark.parametrize(
+    "marker",
+    ["os_name == 'nt'", "sys_platform > 'a'", "python_version < '3.12' or x", "None"],
+)
+def test_a_marker_in_a_form_not_used_here_is_refused(marker):
+    with pytest.raises(ValueError, match="^marker: expected"):
+        environment.applies(marker)
+
+
 def test_unmet_requirements_are_those_missing_or_too_old(tmp_path):
     (tmp_path / "pyproject.toml").write_text(
         '[project]\ndependencies = ["pytest>=1", "numpy>=999", "no-such-thing>=1"]\n'
@@ -384,7 +415,7 @@ def test_going_on_leaves_other_pythons_behind(project, monkeypatch):
 
 # The set-up, step by step, with fakes
 
-STEPS = ["venv", "ensurepip", "install", "link", "compile"]
+STEPS = ["venv", "ensurepip", "install", "link", "compile", "warm"]
 
 
 class FakeRun:
@@ -395,7 +426,8 @@ class FakeRun:
 
     def __call__(self, venv, command, *, progress=None, may_fail=False):
         step = next(name for word, name in [("venv", "venv"), ("ensurepip", "ensurepip"), ("-e", "link"),
-                                            ("compileall", "compile"), ("install", "install")]
+                                            ("compileall", "compile"), ("course.warming", "warm"),
+                                            ("install", "install")]
                     if word in command)  # fmt: skip
         assert not (venv / environment.STAMP).exists(), (
             f"{step}: the stamp would be untrue meanwhile"
@@ -465,7 +497,7 @@ def test_a_changed_lock_is_followed_in_place(project, fake):
     assert environment.state(str(project)) == "stale"
     run = fake()
     installation.make(project)
-    assert run.done == ["install", "link", "compile"]
+    assert run.done == ["install", "link", "compile", "warm"]
     assert environment.state(str(project)) == "complete"
 
 
