@@ -238,8 +238,8 @@ def free_acceleration(bodies: Bodies, force: ArrayLike, torque: ArrayLike) -> Ar
     f, tau = vectors("force", force), vectors("torque", torque)
     shaped("force", f, (len(bodies), 3))
     shaped("torque", tau, (len(bodies), 3))
-    twist = tau + np.cross(bodies.angular_momentum, bodies.angular_velocity)
-    alpha = np.einsum("nij,nj->ni", bodies.world_inverse_inertia, twist)
+    total = tau + np.cross(bodies.angular_momentum, bodies.angular_velocity)
+    alpha = np.einsum("nij,nj->ni", bodies.world_inverse_inertia, total)
     return np.concatenate([f * bodies.inverse_mass[:, None], alpha], axis=1).ravel()
 
 
@@ -262,14 +262,14 @@ def contact_wrench(
     shaped("force", f, (len(contacts),))
     separation_rate(bodies, contacts)  # refuses bodies that are not there
     push = f[:, None] * contacts.normal
-    total, twist = np.zeros((len(bodies), 3)), np.zeros((len(bodies), 3))
+    total, torque = np.zeros((len(bodies), 3)), np.zeros((len(bodies), 3))
     for body, point, sign in (
         (contacts.body_a, contacts.point_a, 1.0),
         (contacts.body_b, contacts.point_b, -1.0),
     ):
         np.add.at(total, body, sign * push)
-        np.add.at(twist, body, sign * np.cross(point - bodies.position[body], push))
-    return total, twist
+        np.add.at(torque, body, sign * np.cross(point - bodies.position[body], push))
+    return total, torque
 
 
 def _refuse_fixed_pairs(bodies: Bodies, contacts: Contacts) -> None:

@@ -171,17 +171,17 @@ class _Motion:
     velocity: Array
     root_mass: Array
     root: Array
-    spin: Array
+    angular: Array  # C^-1 omega
 
 
 def _motion(bodies: Bodies) -> _Motion:
     fixed = bodies.fixed[:, None, None]
     root = np.linalg.cholesky(np.where(fixed, np.eye(3), bodies.world_inverse_inertia))
-    spin = np.asarray(
+    angular = np.asarray(
         np.linalg.solve(root, bodies.angular_velocity[:, :, None])[:, :, 0],
         dtype=np.float64,
     )
-    return _Motion(bodies.velocity, bodies.mass**0.5, root, spin)
+    return _Motion(bodies.velocity, bodies.mass**0.5, root, angular)
 
 
 def _island(
@@ -200,7 +200,9 @@ def _island(
         free.size == touched.size
     ):  # nothing fixed: a common motion is no collision's business
         velocity = velocity - velocity.mean(axis=0)
-    start = np.concatenate([velocity * root_mass[:, None], motion.spin[free]], axis=1)
+    start = np.concatenate(
+        [velocity * root_mass[:, None], motion.angular[free]], axis=1
+    )
     factor = np.zeros((chosen.size, free.size, 6))
     for body, sign in ((contacts.body_a[chosen], 1.0), (contacts.body_b[chosen], -1.0)):
         moves = np.flatnonzero(~bodies.fixed[body])

@@ -263,14 +263,14 @@ def signed_terms(
     shaped("force", f, (len(bodies), 3))
     shaped("torque", tau, (len(bodies), 3))
     motion, n = _motion(bodies, contacts), contacts.normal
-    inverse, omega, spin = (
+    inverse, omega, momentum = (
         bodies.world_inverse_inertia,
         bodies.angular_velocity,
         bodies.angular_momentum,
     )
     tau = np.where(bodies.fixed[:, None], 0.0, tau)
-    gyroscopic = np.cross(spin, omega)
-    gyroscopic_size = _cross_size(spin, omega)
+    gyroscopic = np.cross(momentum, omega)  # L x omega
+    gyroscopic_size = _cross_size(momentum, omega)
     terms = {
         name: np.zeros((2, len(contacts)))
         for name in ("force", "torque", "spin", "centripetal")
@@ -283,11 +283,11 @@ def signed_terms(
         lever_size = _cross_size(arm, n)
         acceleration = (f * bodies.inverse_mass[:, None])[body]
         terms["force"] += _dot(sign * n, acceleration, np.abs(n), np.abs(acceleration))
-        for name, twist, twist_size in (
+        for name, moment, moment_size in (
             ("torque", tau, np.abs(tau)), ("spin", gyroscopic, gyroscopic_size)
         ):  # fmt: skip
-            alpha = np.einsum("nij,nj->ni", inverse, twist)[body]
-            alpha_size = np.einsum("nij,nj->ni", np.abs(inverse), twist_size)[body]
+            alpha = np.einsum("nij,nj->ni", inverse, moment)[body]
+            alpha_size = np.einsum("nij,nj->ni", np.abs(inverse), moment_size)[body]
             terms[name] += _dot(sign * alpha, lever, alpha_size, lever_size)
         w = omega[body]
         inward = np.cross(w, np.cross(w, arm))

@@ -54,7 +54,7 @@ def certificate(
         guess: f >= 0, (c,), of a solver that did not converge.
         search: whether HiGHS may look where the guess proves nothing.
         factor: None, or sparse (c, m) with A = factor factor', such as J
-            M^-1/2. Its null space is that of A, and told from directions that
+            M^-1/2. Its null space is that of A, and is told apart from directions that
             are only nearly null twice as sharply; HiGHS is many times faster.
     Returns:
         y, (c,), its largest entry 1, or None.

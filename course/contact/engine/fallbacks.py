@@ -54,7 +54,7 @@ class Island:
         matrix, bias: A and b of these contacts alone.
         rows: None, or what gives their J M^-1/2.
         tolerance, limit: of ``solve``.
-        largest: the largest |b| of the whole system, by which it judges the residual.
+        largest: the largest |b| of the whole system, against which the residual is measured.
     """
 
     def __init__(
@@ -78,23 +78,23 @@ class Island:
     def _factor(self) -> Any:
         return None if self._rows is None else self._rows()
 
-    def rescued(self, guess: Array) -> Found:
+    def best_there_is(self, guess: Array) -> Found:
         """The best there is: exact forces, forces that hold, or the proof that there are none."""
         require_semidefinite(self.a, least=INDEFINITE)
         answer = self._exactly(guess)
         if answer is not None:
             return answer
-        best, judged = Found(guess, 0, ""), self._judged(guess)
-        if judged[0]:
+        best, quality = Found(guess, 0, ""), self._quality(guess)
+        if quality[0]:
             proof = certificate(self.a, self.b, guess, factor=self._factor)
             if proof is not None:
                 return replace(best, proof=proof)
         for attempt in (self.by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
-            if not judged[0]:
+            if not quality[0]:
                 break
             found = attempt()
-            if found is not None and (after := self._judged(found.force)) < judged:
-                best, judged = found, after
+            if found is not None and (after := self._quality(found.force)) < quality:
+                best, quality = found, after
         if np.any(self._violation(best.force) > SUSPICIOUS * np.abs(self.b).max()):
             # Excused by large forces, if at all: these may point to a proof that was missed.
             f, factor = best.force, self._factor
@@ -110,7 +110,7 @@ class Island:
         """The answer of the stored numbers, where it is for them to tell."""
         if self.b.size > EXACT_UP_TO:
             return None
-        a, holds = dense(self.a), not self._judged(guess)[0]
+        a, holds = dense(self.a), not self._quality(guess)[0]
         found = solve_exact(a, self.b, guess > 0)
         if found.force is None:
             # Rounding of a singular A proves nothing about J; what is solved to the tolerance needs no proof.
@@ -127,7 +127,7 @@ class Island:
                 return Found(guess, 0, "", proof=proof)
         return Found(found.force, 1, "exact", exact=True)
 
-    def _judged(self, force: Array) -> tuple[bool, float]:
+    def _quality(self, force: Array) -> tuple[bool, float]:
         """Whether it does not hold; the residual by the scale of the whole system, or how far contacts stray."""
         product, size = products(self.a, force)
         violation = violation_of(self.a.diagonal(), product, force, self.b)

@@ -1,9 +1,9 @@
-"""A contact system taken apart: each part solved by what suits it, judged, and rescued by other methods.
+"""A contact system taken apart: each part solved by what suits it, checked, and passed to other methods in need.
 
 Contacts that share no free body, not even through others, do not depend on
 each other: they are separate islands. Small islands of like size are solved
 together as one batch; large ones by the interior point method. What was found
-is judged by the residual of the whole system. Where it is too large, or where
+is accepted by the residual of the whole system. Where it is too large, or where
 forces ran away, the other methods are tried, and a proof that there is nothing
 to find.
 """
@@ -88,7 +88,7 @@ class Parts:
                 )
                 self._take(index, self._island(index).by_gauss(huge=10 * HUGE))
         for island in self._failing(label, size > SMALL):
-            self._rescue(np.flatnonzero((label == island) & (diagonal > 0)))
+            self._fall_back(np.flatnonzero((label == island) & (diagonal > 0)))
 
     def _small(
         self, a: Any, label: IntArray, size: IntArray, chosen: BoolArray
@@ -150,7 +150,7 @@ class Parts:
         astray |= (size > LARGE * largest[label]) & hard
         return np.unique(np.append(label[missed | astray], np.flatnonzero(unsure)))
 
-    def _rescue(self, index: IntArray) -> None:
+    def _fall_back(self, index: IntArray) -> None:
         """An island that the first method did not surely solve; one more look whether it falls apart."""
         part = self.system.A[index][:, index]
         label = _components(part)
@@ -158,7 +158,7 @@ class Parts:
             here = index[label == k]
             if not np.any(self.system.b[here] < 0):
                 continue
-            found = self._island(here).rescued(self.force[here])
+            found = self._island(here).best_there_is(self.force[here])
             if found.proof is not None:
                 self.proof[here] = found.proof
             if found.method:

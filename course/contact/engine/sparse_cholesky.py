@@ -9,6 +9,11 @@ below. A factored panel subtracts its products from the later ones at once
 (E. Ng and B. Peyton, SIAM Journal on Scientific Computing 14(5), 1993). Where
 they go depends on the pattern alone and is found once, which SciPy's own
 sparse factors would do for every new set of numbers.
+
+Why by hand: eliminations that go row by row leave BLAS out. QDLDL, and a compiled
+up-looking L D L' (T. A. Davis, "Algorithm 849", ACM TOMS 31(4), 2005), take the same
+Newton steps, but ``solve`` then takes 1.2 to 1.4 times as long on piles of 840
+contacts, where it is as fast as Clarabel, and twice as long on piles of 4,300.
 """
 
 from __future__ import annotations

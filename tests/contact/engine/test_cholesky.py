@@ -89,7 +89,7 @@ def test_solutions_are_those_of_the_dense_matrix(kind, name):
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda k: k.__name__)
-def test_a_matrix_that_is_not_positive_definite_is_told_and_does_no_lasting_harm(kind):
+def test_a_matrix_that_is_not_positive_definite_raises_and_does_no_lasting_harm(kind):
     pattern = PATTERNS["grid"]
     cholesky, rng = kind(pattern), np.random.default_rng(5)
     dense = matrix_on(pattern, rng)

@@ -123,7 +123,7 @@ def test_table_on_four_legs():
     )
 
 
-def test_large_forces_are_told_from_no_force():
+def test_large_forces_are_told_apart_from_no_force():
     for tilt in (1e-2, 1e-4, 1e-6):
         g = np.array([[1.0, -1.0], [0.0, tilt]])  # two nearly opposite pushes
         found = solve_nnls(g.T @ g, [-1.0, -1.0], factor=g)
