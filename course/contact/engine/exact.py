@@ -55,9 +55,9 @@ def solve_exact(
         indefinite, or after PIVOTS times c + 1 pivots.
     """
     tableau = _Tableau(np.asarray(matrix), bias)
-    for k in () if pushing is None else np.flatnonzero(pushing).tolist():
-        if tableau.rows[k][k] > 0:
-            tableau.pivot(k)
+    for guessed in () if pushing is None else np.flatnonzero(pushing).tolist():
+        if tableau.rows[guessed][guessed] > 0:
+            tableau.pivot(guessed)
     for _ in range(PIVOTS * (bias.size + 1)):
         k = tableau.first_wrong()
         if k is None:

@@ -52,7 +52,8 @@ class Parts:
         self.matrix = dense(system.A) if system.b.size <= SMALL else system.A
         self.force, self.proof = np.zeros(system.b.shape), np.zeros(system.b.shape)
         self.exact = np.zeros(system.b.shape, dtype=bool)
-        self.iterations, self._used, self._factor = 0, set[str](), None
+        self.iterations, self._used = 0, set[str]()
+        self._factor: Any = None
         self._largest = float(np.abs(system.b).max(initial=0.0))
 
     @property
