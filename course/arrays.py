@@ -181,9 +181,22 @@ def inertias(name: str, value: ArrayLike) -> Array:
     asymmetry = np.abs(array - np.swapaxes(array, -1, -2)).max(axis=(-2, -1))
     size = np.abs(array).max(axis=(-2, -1))
     _require(name, asymmetry <= UNIT_TOLERANCE * size, expected, asymmetry, "asymmetry")
-    least = np.linalg.eigvalsh(array)[..., 0]
+    least = graded_eigh(array)[0][..., 0]
     _require(name, least > 0, expected, least, "least eigenvalue")
     return array
+
+
+def graded_eigh(matrix: Array) -> tuple[Array, Array]:
+    """Eigenvalues, least first, and axes of symmetric matrices, (..., n, n), with the least as exact as their entries.
+
+    LAPACK's rounding is relative to the largest eigenvalue, unless small
+    entries come first: so the axes are sorted by the diagonal on the way.
+    """
+    order = np.argsort(np.diagonal(matrix, axis1=-2, axis2=-1), axis=-1)
+    rows = np.take_along_axis(matrix, order[..., :, None], axis=-2)
+    values, axes = np.linalg.eigh(np.take_along_axis(rows, order[..., None, :], -1))
+    back = np.argsort(order, axis=-1)
+    return values, np.take_along_axis(axes, back[..., :, None], axis=-2)
 
 
 def indices(name: str, value: ArrayLike, count: int | None = None) -> IntArray:

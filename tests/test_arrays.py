@@ -124,3 +124,34 @@ def test_read_only_copies_what_others_can_write():
     assert arrays.read_only(kept) is kept
     view = kept[:2]
     assert arrays.read_only(view) is not view
+
+
+@pytest.mark.parametrize(
+    "value,text",
+    [
+        (np.float64(-1.0), "-1.0"),
+        (np.int64(3), "3"),
+        ([np.float64(1), (np.bool_(True), "a")], "[1.0, (True, 'a')]"),
+        (np.array([1, 2]), "array([1, 2])"),
+        (np.str_("x"), "'x'"),
+        (None, "None"),
+    ],
+)
+def test_what_came_is_written_without_types(value, text):
+    assert arrays.written(value) == text
+    assert len(arrays.written([value] * 10**4)) <= 60
+
+
+@pytest.mark.parametrize(
+    "call,text",
+    [
+        (lambda: arrays.whole_number("k", np.float64(2)), "k: expected a whole number of at least 0; got 2.0"),
+        (lambda: arrays.positive("m", np.float64(-1)), "m: expected positive numbers; got -1.0"),
+        (lambda: arrays.positive("m", [1.0, -1.0]), "m: expected positive numbers; got -1.0 in entry 1"),
+        (lambda: arrays.vectors("x", [[0, 0, 0], [0, np.inf, 0]]),
+         "x: expected finite vectors of shape (..., 3); got inf in entry (1, 1)"),
+    ],
+)  # fmt: skip
+def test_complaints_in_plain_words(call, text):
+    with pytest.raises(ValueError, match=f"^{re.escape(text)}$"):
+        call()

@@ -13,6 +13,7 @@ from course.arrays import (
     BoolArray,
     broadcast,
     failure,
+    graded_eigh,
     inertias,
     positive,
     read_only,
@@ -102,7 +103,7 @@ def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
     Raises:
         ValueError: inertia is not symmetric and positive definite.
     """
-    moments, axes = np.linalg.eigh(inertias("inertia", inertia))
+    moments, axes = graded_eigh(inertias("inertia", inertia))
     # The last axis is turned round where the three are left-handed.
     sign = np.where(np.linalg.det(axes) < 0, -1.0, 1.0)
     axes[..., 2] *= sign[..., None]
@@ -317,7 +318,7 @@ def _solid(
         got += f"{np.abs(tensor[~held][0]).max():g} kg m^2"
         raise failure(guilty, "a solid whose mass and inertia float64 can hold", got)
     unit = np.ldexp(inertia, -np.frexp(np.abs(inertia).max((-2, -1), keepdims=True))[1])
-    values, axes = np.linalg.eigh(unit)
+    values, axes = graded_eigh(unit)
     # What rounding of the entries does to the least moment: nothing in the axes of a needle, all of it in others.
     slim = np.abs(axes[..., 0])
     lost = np.einsum("...i,...ij,...j->...", slim, np.abs(unit), slim)

@@ -1,5 +1,8 @@
 """Impulses between two bodies: formulas of syllabus rows 15-17, and what they must keep."""
 
+import warnings
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -293,3 +296,28 @@ def test_refuses_contacts_with_bodies_that_are_not_there_and_wrong_lengths():
         ValueError, match="impulse: expected a batch that broadcasts with contacts"
     ):
         apply_impulse(bodies, contacts, [1.0, 1.0])
+
+
+@pytest.mark.parametrize(
+    "m_1,m_2",
+    [(1e308, 1e308), (1.7e308, 1e300), (1e-308, 1e-308), (1e308, 1e-300), (1e-320, 1.0), (3.0, 1e308)],
+)  # fmt: skip
+@pytest.mark.parametrize("closing", [1.0, 1e-3])
+def test_masses_at_the_ends_of_float64(m_1, m_2, closing):
+    """mu = m1 m2/(m1 + m2) in rational numbers: neither the product nor the sum is held by float64."""
+    mu = Fraction(m_1) * Fraction(m_2) / (Fraction(m_1) + Fraction(m_2))
+    motion = [-closing, 0, 0], [0.0, 0, 0]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        p_hat = impulse_central(m_1, m_2, *motion, X, 0.5)
+        lost = kinetic_energy_lost(m_1, m_2, *motion, X, 0.5)
+    speed = Fraction(closing)
+    assert p_hat == pytest.approx(float(Fraction(3, 2) * mu * speed), rel=1e-14, abs=1e-322)
+    right = float(Fraction(3, 8) * mu * speed**2)
+    assert lost == pytest.approx(right, rel=1e-14, abs=1e-322)
+
+
+def test_the_square_of_a_minute_speed_is_not_formed():
+    """By hand: mu = 5e299, T_lost = 3/8 5e299 (1e-170)^2."""
+    lost = kinetic_energy_lost(1e300, 1e300, [-1e-170, 0, 0], [0, 0, 0], X, 0.5)
+    assert lost == pytest.approx(1.875e-41, rel=1e-13)

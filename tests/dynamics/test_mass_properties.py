@@ -1,6 +1,9 @@
 """Mass, centre and inertia against closed forms, quadrature, chance, and trimesh."""
 
+import itertools
 import re
+import warnings
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -329,6 +332,55 @@ REFUSED = [
 def test_bad_input_is_refused_by_name(call, message):
     with pytest.raises(ValueError, match=re.escape(message)):
         call()
+
+
+@pytest.mark.parametrize("thin", [1e-3, 1e-7, 1e-10])
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_every_moment_of_a_needle_is_exact(thin, axis):
+    """Along an axis: box e = (1, a, a) m/3 (2 a^2, 1 + a^2, 1 + a^2), in rational numbers; the hull of its corners
+    is the same; a capsule by its formula."""
+    e = np.full(3, thin)
+    e[axis] = 1.0
+    a = Fraction(thin)
+    mass = 8 * a * a
+    right = [float(mass / 3 * m) for m in (2 * a * a, 1 + a * a, 1 + a * a)]
+    box = box_mass_properties([0, 0, 0], np.eye(3), e, density=1)
+    corners = np.array(list(itertools.product([-1, 1], repeat=3))) * e
+    hull = hull_mass_properties(corners, density=1)
+    for solid in (box, hull):
+        moments = principal_axes(solid.inertia)[0]
+        np.testing.assert_allclose(moments, right, rtol=1e-13, atol=0)
+    end = np.zeros(3)
+    end[axis] = 1.0
+    capsule = capsule_mass_properties(-end, end, thin, density=1)
+    m_c, m_s = 2 * np.pi * thin**2, 4 / 3 * np.pi * thin**3
+    along = m_c * thin**2 / 2 + 0.4 * m_s * thin**2
+    assert principal_axes(capsule.inertia)[0][0] == pytest.approx(along, rel=1e-14)
+    assert capsule.inertia_about(end)[axis, axis] == pytest.approx(along, rel=1e-14)
+
+
+TURNED = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1.0]])
+NEEDLE = box_mass_properties([0, 0, 0], np.eye(3), [1, 1e-9, 1e-9], density=1)
+
+
+@pytest.mark.parametrize(
+    "name,call",
+    [
+        ("radius", lambda: sphere_mass_properties([0, 0, 0], 1e-120, density=1)),
+        ("radius", lambda: sphere_mass_properties([0, 0, 0], 1e120, density=1)),
+        ("density", lambda: sphere_mass_properties([0, 0, 0], 10, density=1e308)),
+        ("half_extents", lambda: box_mass_properties([0, 0, 0], TURNED, [1, 1e-9, 1e-9], density=1)),
+        ("radius", lambda: capsule_mass_properties([0, 0, 0], [0.6, 0.8, 0], 1e-9, density=1)),
+        ("vertices", lambda: solid(1e-120 * CUBE)),
+        ("vertices", lambda: solid(1e120 * CUBE)),
+        ("rotation", lambda: NEEDLE.moved(TURNED, [0, 0, 0])),
+    ],
+)  # fmt: skip
+def test_what_float64_cannot_hold_is_refused_by_the_name_of_the_argument(name, call):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(ValueError, match=f"^{name}: expected a solid whose"):
+            call()
 
 
 @pytest.mark.peers
