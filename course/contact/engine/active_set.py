@@ -70,7 +70,7 @@ def settle(
             ~pushing & (motion < -0.1 * tolerance),
         )
         wrong = int(np.count_nonzero(pulls | approaches))
-        solved = kept.residual <= tolerance and kept.stray == 0
+        solved = kept.residual <= tolerance and kept.stray(tolerance) == 0
         if solved or not wrong or wrong > 0.7 * wrong_before:
             break
         wrong_before = wrong

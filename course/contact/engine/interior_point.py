@@ -96,7 +96,11 @@ class _Best:
     @property
     def settled(self) -> bool:
         """Whether the residual is small and no contact strays."""
-        return self.trial is not None and self._good and self.trial.stray == 0
+        return (
+            self.trial is not None
+            and self._good
+            and self.trial.stray(self._tolerance) == 0
+        )
 
     def stalls(self) -> bool:
         """Whether the residual is small and the contacts stray less no more; asked once an iterate.
@@ -105,7 +109,7 @@ class _Best:
         """
         if self.trial is None or not self._good:
             return False
-        before, self._stray = self._stray, self.trial.stray
+        before, self._stray = self._stray, self.trial.stray(self._tolerance)
         falls = self._stray <= 0.5 * before
         self._patience = PATIENCE if falls else self._patience - 1
         return self._stray == 0 or self._patience < 0
@@ -136,7 +140,10 @@ class _Finish:
 def _better(one: Trial, other: Trial, tolerance: float) -> bool:
     """Whether its residual is less, or small enough and the contacts stray less."""
     if one.residual <= tolerance and other.residual <= tolerance:
-        return (one.stray, one.residual) < (other.stray, other.residual)
+        return (one.stray(tolerance), one.residual) < (
+            other.stray(tolerance),
+            other.residual,
+        )
     return one.residual < other.residual
 
 

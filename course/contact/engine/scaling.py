@@ -89,12 +89,12 @@ class Trial:
         """``complementarity_residual``."""
         return float(np.max(np.abs(np.minimum(*self.rows)), initial=0.0))
 
-    @cached_property
-    def stray(self) -> float:
-        """The largest |min(D f, w)|, 0 where no contact ``strays``."""
+    def stray(self, tolerance: float) -> float:
+        """The largest |min(D f, w)|, 0 where no contact ``strays`` for a residual of this tolerance."""
         force, product, size = self.products
-        violation = violation_of(self.system.diagonal, product, force, self.system.bias)
-        if not np.any(strays(violation, size, self.system.bias)):
+        system = self.system
+        violation = violation_of(system.diagonal, product, force, system.bias)
+        if not np.any(strays(violation, size, system.bias, tolerance=tolerance)):
             return 0.0
         return float(np.max(violation))
 
