@@ -20,8 +20,8 @@ from scipy.sparse import csc_matrix, eye_array
 
 from benchmarks.measure import Row, ratio
 from course.contact import ContactSystem, solve
+from course.contact.engine.mass_weighting import mass_weighted_jacobian
 from course.contact.solvers import complementarity_residual
-from course.contact.solvers.mass_factor import mass_factor
 from course.contact.solvers.qp import solve_qp
 from course.scenes import pile, shaken, stack, table, wall
 
@@ -167,7 +167,7 @@ def _in_forces(system: ContactSystem) -> _Programme:
 
 def _in_accelerations(system: ContactSystem) -> _Programme:
     """In units of the masses, a = M^-1/2 x from the free ones: P = 1; only what moves."""
-    factor = mass_factor(system).tocsc()
+    factor = mass_weighted_jacobian(system).tocsc()
     rows = csc_matrix(factor[:, np.flatnonzero(np.diff(factor.indptr))])
     size = rows.shape[1]
     return _Programme(

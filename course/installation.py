@@ -152,6 +152,7 @@ def _set_up(root: Path, venv: Path, now: str, extras: bool) -> None:
     install(venv, python, lock, stamp if in_place else None)
     link_project(venv, python, root)
     compile_ahead(venv, python, root)
+    warm_kernels(venv, python)
     write_stamp(venv, want)
     say(f"Ready after {time.monotonic() - started:.0f} s.")
 
@@ -356,6 +357,13 @@ def compile_ahead(venv: Path, python: Path, root: Path) -> None:
         may_fail=True,
     )
     show("compiled", end=True)
+
+
+def warm_kernels(venv: Path, python: Path) -> None:
+    """Compile the loops of course/jit.py, some seconds; a failure only means that the first use does it."""
+    show("compiling loops")
+    run(venv, [str(python), "-I", "-m", "course.warming"], may_fail=True)
+    show("compiled loops", end=True)
 
 
 def write_stamp(venv: Path, stamp: dict) -> None:

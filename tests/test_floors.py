@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from course import jit
+
 ROOT = Path(__file__).resolve().parents[1]
 
 FLOORS = [
@@ -29,8 +31,9 @@ FLOORS = [
 ]
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 SHARED = {                                               # rooms of several modules that stand directly in course/
-    "arrays": "foundation", "rotations": "foundation",
+    "arrays": "foundation", "rotations": "foundation", "jit": "foundation",
     "cli": "entrance", "__main__": "entrance", "testing": "entrance",
+    "warming": "entrance",
 }  # fmt: skip
 GROUND = {
     "environment",
@@ -43,6 +46,7 @@ NUMERIC_LIBRARIES = {"numpy", "scipy"}
 FORMULAS = "formulas"
 # What else a numeric module may import, and only inside a function.
 WHEN_CALLED = {
+    "course.jit": {"numba"},  # through it all kernels have Numba
     "course.contact.solvers.qp": {"cvxpy"},
     "course.formulas.contact_forces": {"cvxpy"},
     "course.study.engines": {
@@ -61,6 +65,7 @@ WHEN_CALLED = {
 CVXPY = {"course.contact.solvers.qp", "course.formulas.contact_forces"}
 HEAVY = {
     "scipy",
+    "numba",
     "matplotlib",
     "cvxpy",
     "sympy",
@@ -223,6 +228,89 @@ def test_floors_are_kept(module, path):
     )
 
 
+KERNELS = jit.kernel_modules()
+
+
+def kernel_faults(source, module, kernels=frozenset(KERNELS), *, package=False):
+    """What breaks the rules of ``course.jit``: who imports a kernel module at its top, and what a kernel names.
+
+    Machine code is kept under a hash of the kernel modules: a constant from elsewhere
+    could change unseen.
+    """
+    said = []
+    if module not in kernels:
+        return [
+            f"{module} imports the kernel module {name} at module level"
+            for name, top in imports(source, module, package=package)
+            if top and name in kernels
+        ]
+    tree = ast.parse(source)
+    foreign = {
+        alias.asname or alias.name: node.module
+        for node in tree.body
+        if isinstance(node, ast.ImportFrom) and node.module not in kernels
+        for alias in node.names
+    }
+    for function in tree.body:
+        marks = getattr(function, "decorator_list", [])
+        if "compiled" not in [ast.unparse(mark) for mark in marks]:
+            continue
+        names = {
+            n.id for s in function.body for n in ast.walk(s) if isinstance(n, ast.Name)
+        }
+        said += [
+            f"{module}.{function.name} uses {name} of {foreign[name]}, no kernel module"
+            for name in sorted(names & foreign.keys())
+        ]  # fmt: skip
+    if not any(isinstance(n, ast.FunctionDef) and n.name == "warm" for n in tree.body):
+        said.append(f"{module} has no warm()")
+    return said
+
+
+@pytest.mark.parametrize(
+    "module, path", list(modules()), ids=lambda v: v if isinstance(v, str) else ""
+)
+def test_kernels_are_imported_where_they_are_called(module, path):
+    package = path.name == "__init__.py"
+    assert (
+        kernel_faults(path.read_text(encoding="utf-8"), module, package=package) == []
+    )
+
+
+def test_a_broken_rule_of_kernels_is_reported():
+    kernels = {"course.a.sweeps", "course.a.steps"}
+    top = "from course.jit import compiled\n"
+    kernel = "@compiled\ndef f(x):\n    return x + EPS\ndef warm(): f(1.0)\n"
+    for source, module, said in (
+        ("from course.a.sweeps import f", "course.a.other", "at module level"),
+        (top + "from course.arrays import EPS\n" + kernel, "course.a.sweeps", "uses EPS of course.arrays"),
+        (top + "@compiled\ndef f(x):\n    return x\n", "course.a.sweeps", "no warm()"),
+    ):  # fmt: skip
+        assert any(said in line for line in kernel_faults(source, module, kernels))
+    for source, module in (
+        ("def g():\n    from course.a.sweeps import f", "course.a.other"),
+        (top + "from course.a.steps import EPS\n" + kernel, "course.a.sweeps"),
+        (top + "EPS = 1e-9\n" + kernel, "course.a.sweeps"),
+    ):
+        assert kernel_faults(source, module, kernels) == []
+
+
+def test_solvers_stand_below_the_engine():
+    """docs/architecture.md: the engine is built from the lecture's solvers, never the other way round."""
+    for module, path in modules():
+        if module.startswith("course.contact.solvers"):
+            source = path.read_text(encoding="utf-8")
+            names = {
+                name
+                for name, _ in imports(
+                    source, module, package=path.name == "__init__.py"
+                )
+            }
+            assert not {n for n in names if n.startswith("course.contact.engine")}, (
+                module
+            )
+
+
 def test_every_module_is_looked_at():
     assert {
         "course",
@@ -322,6 +410,12 @@ def test_no_module_bears_the_name_of_a_function_it_holds():
         ("course.scenes.balls", "def f():\n    print(1)", "prints (line 2)"),
         ("course.attic", "import numpy", "no floor is given to attic"),
         (
+            "course.contact.solvers.nnls",
+            "import numba",
+            "imports numba at module level",
+        ),
+        ("course.contact.collisions", "def f():\n    import numba", "imports numba"),
+        (
             "course.dynamics.impulse",
             "def f():\n    import matplotlib.pyplot as plt",
             "imports matplotlib",
@@ -388,10 +482,11 @@ def test_a_broken_floor_is_reported(module, source, said):
     [
         ("course.contact.solvers.qp", "def solve():\n    import cvxpy"),
         ("course.rotations", "from course.arrays import vectors"),
+        ("course.jit", "def f():\n    import numba"),
         ("course.formulas.impulse", "import numpy\ndef f():\n    import sympy as sp"),
         ("course.formulas.contact_forces", "def f():\n    import cvxpy as cp"),
         ("course.dynamics.impulse", "from course import formulas"),
-        ("course.contact.solve", "from course.contact.solvers.nnls import solve"),
+        ("course.contact.solving", "from course.contact.solvers.nnls import solve"),
         (
             "course.contact.collisions",
             "from course.dynamics import Bodies\nimport scipy.optimize",

@@ -1,8 +1,14 @@
 """What contact does to bodies: collisions at an instant, and the forces of resting contact."""
 
+from course.contact.assembly import (
+    ContactSystem,
+    contact_jacobian,
+    contact_system,
+    contact_wrench,
+    inverse_mass_matrix,
+)
 from course.contact.collisions import CollisionsUnresolved, resolve_collisions
-from course.contact.contact_system import ContactSystem, contact_system, contact_wrench
-from course.contact.separation import (
+from course.contact.gaps import (
     normal_rate,
     resting,
     separation,
@@ -11,7 +17,7 @@ from course.contact.separation import (
     separation_rate,
 )
 from course.contact.solution import ContactSolution, NoContactForce, NotConverged
-from course.contact.solve import solve
+from course.contact.solving import solve
 
 __all__ = [
     "CollisionsUnresolved",
@@ -19,8 +25,10 @@ __all__ = [
     "ContactSystem",
     "NoContactForce",
     "NotConverged",
+    "contact_jacobian",
     "contact_system",
     "contact_wrench",
+    "inverse_mass_matrix",
     "normal_rate",
     "resolve_collisions",
     "resting",

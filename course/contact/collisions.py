@@ -171,17 +171,17 @@ class _Motion:
     velocity: Array
     root_mass: Array
     root: Array
-    spin: Array
+    angular: Array  # C^-1 omega
 
 
 def _motion(bodies: Bodies) -> _Motion:
     fixed = bodies.fixed[:, None, None]
     root = np.linalg.cholesky(np.where(fixed, np.eye(3), bodies.world_inverse_inertia))
-    spin = np.asarray(
+    angular = np.asarray(
         np.linalg.solve(root, bodies.angular_velocity[:, :, None])[:, :, 0],
         dtype=np.float64,
     )
-    return _Motion(bodies.velocity, bodies.mass**0.5, root, spin)
+    return _Motion(bodies.velocity, bodies.mass**0.5, root, angular)
 
 
 def _island(
@@ -200,7 +200,9 @@ def _island(
         free.size == touched.size
     ):  # nothing fixed: a common motion is no collision's business
         velocity = velocity - velocity.mean(axis=0)
-    start = np.concatenate([velocity * root_mass[:, None], motion.spin[free]], axis=1)
+    start = np.concatenate(
+        [velocity * root_mass[:, None], motion.angular[free]], axis=1
+    )
     factor = np.zeros((chosen.size, free.size, 6))
     for body, sign in ((contacts.body_a[chosen], 1.0), (contacts.body_b[chosen], -1.0)):
         moves = np.flatnonzero(~bodies.fixed[body])
@@ -259,22 +261,13 @@ def _at_once(
 
 def _in_turn(island: _Island, e: float) -> tuple[Array, bool]:
     """One contact after the other, each as if it were alone, until none approaches."""
+    from course.contact.sequential_impulses import Passes
+
     g, change, limit = island.factor, np.zeros(island.start.shape), -island.tolerance
-    matrix = g.T @ g
-    mass_felt = (1.0 / np.diagonal(matrix)).tolist()
-    # Plain lists: an impulse changes u only at the few contacts that share a body with it.
-    sharing = [[(int(j), float(row[j])) for j in np.flatnonzero(row)] for row in matrix]
+    passes = Passes(g.T @ g)
     for _ in range(MAX_ROUNDS):
-        u = (
-            g.T @ (island.start + change)
-        ).tolist()  # afresh, so that rounding does not add up
-        if min(u) >= limit:
+        u = g.T @ (island.start + change)  # afresh, so that rounding does not add up
+        if np.min(u) >= limit:
             return change, True
-        impulse = [0.0] * len(u)
-        for i, mass in enumerate(mass_felt):
-            if u[i] < limit:
-                p = impulse[i] = -(1 + e) * u[i] * mass
-                for j, coupling in sharing[i]:
-                    u[j] += coupling * p
-        change = change + g @ np.array(impulse)
+        change = change + g @ passes.once(u, e, limit)
     return change, False

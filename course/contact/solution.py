@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, BoolArray
-from course.contact.contact_system import ContactSystem
+from course.contact.assembly import ContactSystem
 from course.contact.solvers.residual import (
     products,
     residual_of,

@@ -45,15 +45,16 @@ def impulses_in_turn(
         restitution: e, from 0 to 1.
         passes: how many at most.
     """
+    from course.contact.sequential_impulses import Passes
+
     a, u, e = _impact(matrix, normal_velocity, restitution)
     impulse, limit = np.zeros(u.size), -APPROACHING * max(-float(u.min()), 0.0)
+    each = Passes(a)
     for used in range(whole_number("passes", passes)):
-        if np.all(u + a @ impulse >= limit):
+        now = u + a @ impulse
+        if np.all(now >= limit):
             return impulse, used
-        for i in range(u.size):
-            now = u[i] + a[i] @ impulse
-            if now < limit:
-                impulse[i] -= (1 + e) * now / a[i, i]
+        impulse += each.once(now, e, limit)
     return impulse, passes
 
 
@@ -73,14 +74,15 @@ def impulses_at_once(
         matrix, normal_velocity, restitution: as for ``impulses_in_turn``.
         sweeps: how many.
     """
+    from course.contact.solvers.projected_gauss_seidel import (
+        solve_projected_gauss_seidel,
+    )
+
     a, u, e = _impact(matrix, normal_velocity, restitution)
-    impulse = np.zeros(u.size)
-    for _ in range(whole_number("sweeps", sweeps)):
-        for i in range(u.size):
-            impulse[i] = max(
-                0.0, impulse[i] - (a[i] @ impulse + (1 + e) * u[i]) / a[i, i]
-            )
-    return impulse, sweeps
+    found = solve_projected_gauss_seidel(
+        a, (1 + e) * u, tolerance=-1.0, max_sweeps=sweeps
+    )
+    return found.force, sweeps
 
 
 def impulses_by_springs(

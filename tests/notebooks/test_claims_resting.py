@@ -14,8 +14,13 @@ from lesson_text import prose
 from scenes.parts import bodies_and_contacts
 from scipy.optimize import brentq
 
-from course.contact import NoContactForce, resolve_collisions, solve
-from course.contact.contact_system import contact_jacobian, inverse_mass_matrix
+from course.contact import (
+    NoContactForce,
+    contact_jacobian,
+    inverse_mass_matrix,
+    resolve_collisions,
+    solve,
+)
 from course.dynamics import (
     Dome,
     effective_mass,

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
-from course.contact.solvers.certificate import certificate
 
 #: Numbers below this times the largest of their kind count as 0 (in units of the diagonal).
 ROUNDING = 1e-11
@@ -21,14 +20,15 @@ class PivotSolution:
         force: f >= 0, (c,), as far as it came.
         pivots: how often a contact joined or left the pushing ones.
         finished: whether every contact has been dealt with.
-        certificate: None, or y >= 0, (c,), with A y = 0 and b.y < 0, the proof
-            that no force exists.
+        ray: None, or y >= 0, (c,), its largest entry 1, along which forces may grow
+            for ever: A y = 0 and b.y < 0 as far as the tableau can tell.
+            ``engine.certificates.certificate`` makes a proof of it, or refutes it.
     """
 
     force: Array
     pivots: int
     finished: bool
-    certificate: Array | None = None
+    ray: Array | None = None
 
 
 def solve_pivot(
@@ -43,8 +43,7 @@ def solve_pivot(
     0; those that push already keep w = 0 meanwhile. When one of them would
     pull, it leaves; when one at rest would approach, it joins. A redundant
     contact never has to join: its force changes no w, and grows only until
-    another's has become 0. If nothing stops it, it is the certificate that no
-    force exists.
+    another's has become 0. If nothing stops it, no force exists.
 
     The tableau says how the forces of those that push and the w of the others
     answer to a unit of force at each; a pivot changes it by a matrix of rank 1.
@@ -69,10 +68,12 @@ def solve_pivot(
     for contact in np.argsort(b * scale, kind="stable"):
         ray = tableau.settle(int(contact), limit)
         if ray is not None:
-            # Forces that may grow for ever by the tableau, which has its own rounding: so by A?
-            proof = certificate(a, b, ray * scale, search=False)
+            ray = ray * scale
             return PivotSolution(
-                np.maximum(tableau.f, 0) * scale, tableau.pivots, False, proof
+                np.maximum(tableau.f, 0) * scale,
+                tableau.pivots,
+                False,
+                ray / ray.max(),
             )
         if tableau.pivots >= limit:
             return PivotSolution(
@@ -98,7 +99,7 @@ class _Tableau:
         self.pivots = 0
 
     def settle(self, d: int, limit: int) -> Array | None:
-        """Raise the force at d until w_d is 0; the certificate if nothing stops it."""
+        """Raise the force at d until w_d is 0; the ray if nothing stops it."""
         self.dealt_with[d] = True
         size, still = float(np.abs(self.b).max()), 0
         while not self.pushing[d] and self.w[d] < -ROUNDING * (

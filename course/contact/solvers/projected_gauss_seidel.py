@@ -1,4 +1,7 @@
-"""Contact forces by sweeping over the contacts, and how fast that converges."""
+"""Contact forces by sweeping over the contacts, and how fast that converges.
+
+A kernel module (``course.jit``): import it where it is called.
+"""
 
 from __future__ import annotations
 
@@ -18,10 +21,45 @@ from course.arrays import (
     whole_number,
     written,
 )
-from course.contact.solvers.residual import scaled_rows
+from course.contact.solvers.residual import residual_of
+from course.jit import compiled
 
-#: Up to this many contacts the rows of a colour are kept dense.
-DENSE = 400
+
+@compiled
+def step(
+    i: int,
+    begin: IntArray,
+    column: IntArray,
+    entry: Array,
+    diagonal: Array,
+    bias: Array,
+    relaxation: float,
+    force: Array,
+) -> None:
+    """f_i <- max(0, f_i - relaxation w_i / a_ii), w_i = (A f + b)_i of the newest forces.
+
+    Row i of A is entry[begin[i]:begin[i + 1]] in these columns; force is changed.
+    """
+    w = bias[i]
+    for k in range(begin[i], begin[i + 1]):
+        w += entry[k] * force[column[k]]
+    force[i] = max(0.0, force[i] - relaxation * w / diagonal[i])
+
+
+@compiled
+def sweep(
+    begin: IntArray,
+    column: IntArray,
+    entry: Array,
+    diagonal: Array,
+    bias: Array,
+    relaxation: float,
+    force: Array,
+) -> None:
+    """One contact after the other; one that no force moves is left out."""
+    for i in range(bias.size):
+        if diagonal[i] > 0.0:
+            step(i, begin, column, entry, diagonal, bias, relaxation, force)
 
 
 @dataclass(frozen=True)
@@ -50,14 +88,10 @@ def solve_projected_gauss_seidel(
     (R. W. Cottle, J.-S. Pang, R. E. Stone, The Linear Complementarity Problem,
     1992, section 5.2; converges for 0 < relaxation < 2.)
 
-    Contacts are taken by colours: those of one colour share no entry of A, so
-    that moving all of them at once is the same as one after the other
-    (``sweep_order``).
-
     Args:
         matrix: A, (c, c), sparse or dense, positive semidefinite.
         bias: b, (c,).
-        tolerance: residual at which it stops.
+        tolerance: residual at which it stops; below 0 it never does.
         max_sweeps: how often all contacts are gone through at most.
         relaxation: above 0, below 2; over 1 looks ahead.
         start: forces to begin with, (c,); negative ones count as 0. The
@@ -76,72 +110,55 @@ def solve_projected_gauss_seidel(
     shaped("start", f, b.shape)
     system = _Sweeps(matrix, b)
     f = np.where(system.diagonal > 0, f, 0.0)
-    sweep, check = 0, 0
+    count, check = 0, 0
     while True:
-        if sweep == check:
+        if count == check:
             residual = system.residual(f)
             # Looking costs as much as a sweep, so it is done ever more rarely.
-            check = min(sweep + 1 + sweep // 10, max_sweeps)
-            if residual <= tolerance or sweep >= max_sweeps:
-                return Swept(f, residual, sweep)
-        f = system.swept(f, factor)
-        sweep += 1
+            check = min(count + 1 + count // 10, max_sweeps)
+            if residual <= tolerance or count >= max_sweeps:
+                return Swept(f, residual, count)
+        system.sweep(f, factor)
+        count += 1
 
 
 class _Sweeps:
-    """A system with its rows sorted by colour."""
+    """A system by its rows, as the kernels take it."""
 
     def __init__(self, matrix: Any, bias: Array) -> None:
         from scipy.sparse import csr_array, issparse
 
-        self.matrix: Any = (
-            csr_array(matrix) if issparse(matrix) else scalars("matrix", matrix)
+        rows = csr_array(matrix if issparse(matrix) else scalars("matrix", matrix))
+        shaped("matrix", rows, (bias.size, bias.size))
+        self.matrix: Any = rows
+        self.bias, self.diagonal = bias, np.asarray(rows.diagonal())
+        self._magnitude = abs(rows)
+        self.rows = (
+            rows.indptr.astype(np.intp),
+            rows.indices.astype(np.intp),
+            rows.data.astype(np.float64),
+            self.diagonal,
+            np.ascontiguousarray(bias),
         )
-        self.bias, self.diagonal = bias, self.matrix.diagonal()
-        self._magnitude = abs(self.matrix)
-        self._colours = []
-        for rows in sweep_order(self.matrix):
-            rows = rows[self.diagonal[rows] > 0]
-            part: Any = self.matrix[rows]
-            if issparse(part) and bias.size <= DENSE:
-                part = part.toarray()
-            self._colours.append((rows, part, bias[rows], 1.0 / self.diagonal[rows]))
 
-    def swept(self, force: Array, relaxation: float) -> Array:
-        f = force.copy()
-        for rows, part, b, inverse in self._colours:
-            f[rows] = np.maximum(f[rows] - relaxation * inverse * (part @ f + b), 0.0)
-        return f
+    def sweep(self, force: Array, relaxation: float) -> None:
+        """Go through all contacts once; force is changed."""
+        sweep(*self.rows, relaxation, force)
 
     def residual(self, f: Array) -> float:
-        rows = scaled_rows(
-            self.diagonal, self.matrix @ f, self._magnitude @ f, f, self.bias
-        )
-        return float(np.abs(np.minimum(*rows)).max(initial=0.0))
+        product, size = self.matrix @ f, self._magnitude @ f
+        return float(residual_of(self.diagonal, product, size, f, self.bias))
 
 
-def sweep_order(matrix: Any) -> list[IntArray]:
-    """The contacts by colours, in the order in which a sweep takes them.
-
-    Greedy: each contact takes the first colour that none of those coupled to
-    it has. Two contacts of one colour have a_ij = 0.
-
-    Args:
-        matrix: A, (c, c), sparse or dense.
-    """
-    from scipy.sparse import csr_array
-
-    rows = csr_array(matrix)
-    start, neighbours = rows.indptr.tolist(), rows.indices.tolist()
-    colour = [-1] * rows.shape[0]
-    for i in range(rows.shape[0]):
-        taken = {colour[j] for j in neighbours[start[i] : start[i + 1]]}
-        k = 0
-        while k in taken:
-            k += 1
-        colour[i] = k
-    colours = np.array(colour, dtype=np.intp)
-    return [np.flatnonzero(colours == k) for k in range(colours.max(initial=-1) + 1)]
+def gauss_seidel_path(matrix: Any, bias: ArrayLike, sweeps: int) -> Array:
+    """The forces from 0 on, after each single step of the sweeps, (sweeps c + 1, c)."""
+    system = _Sweeps(matrix, scalars("bias", bias))
+    force = np.zeros(system.bias.size)
+    path = [force.copy()]
+    for i in list(range(force.size)) * whole_number("sweeps", sweeps):
+        step(i, *system.rows, 1.0, force)
+        path.append(force.copy())
+    return np.array(path)
 
 
 def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> float:
@@ -169,9 +186,8 @@ def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> fl
     a = matrix.toarray() if hasattr(matrix, "toarray") else scalars("matrix", matrix)
     if not a.size:
         return 0.0
-    order = np.concatenate(sweep_order(a))
-    root = np.sqrt(a.diagonal())[order]
-    a = a[np.ix_(order, order)] / (root[:, None] * root)
+    root = np.sqrt(a.diagonal())
+    a = a / (root[:, None] * root)
     nullity = int(np.count_nonzero(eigvalsh(a) < 1e-12 * len(a)))
     lower = np.tril(a, -1) + np.eye(len(a)) / relaxation
     values = eigvals(solve_triangular(lower, lower - a, lower=True))
@@ -196,9 +212,9 @@ def measured_gauss_seidel_factor(
     system = _Sweeps(matrix, scalars("bias", bias))
     f, changes = np.zeros(system.bias.size), []
     for _ in range(sweeps):
-        after = system.swept(f, relaxation)
-        changes.append(float(np.linalg.norm(np.sqrt(system.diagonal) * (after - f))))
-        f = after
+        before = f.copy()
+        system.sweep(f, relaxation)
+        changes.append(float(np.linalg.norm(np.sqrt(system.diagonal) * (f - before))))
         if changes[-1] <= 1e-11 * float(np.linalg.norm(np.sqrt(system.diagonal) * f)):
             break
     tail = max(len(changes) // 10, 1)
@@ -218,3 +234,9 @@ def optimal_relaxation(factor: float) -> float:
     if not 0 <= rho < 1:
         raise failure("factor", "a number from 0, below 1", written(rho))
     return 2.0 / (1.0 + float(np.sqrt(1.0 - rho)))
+
+
+def warm() -> None:
+    """Call the kernels once (``course.jit``)."""
+    gauss_seidel_path(np.eye(1), [-1.0], 1)
+    solve_projected_gauss_seidel(np.eye(1), [-1.0])

@@ -1,0 +1,149 @@
+"""Method "auto": a small system whole, a batch at once; by parts, with other methods, where that does not settle it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import prod
+
+import numpy as np
+
+from course.arrays import Array
+from course.contact.assembly import ContactSystem
+from course.contact.engine.acceptance import (
+    doubtful,
+    require_convergence,
+    require_semidefinite,
+    require_solution,
+)
+from course.contact.engine.block_pivots import (
+    Pivoted,
+    block_pivot,
+    block_pivot_one,
+)
+from course.contact.engine.fallbacks import dense
+from course.contact.engine.parts import SMALL, Parts
+from course.contact.solution import ContactSolution, contact_solution
+from course.contact.solvers.residual import products
+
+#: Rounds of a system solved whole, before it is looked at more closely; of 20 it ever solves, 19 are solved by then.
+ROUNDS = 20
+
+
+def solve_auto(
+    system: ContactSystem,
+    *,
+    tolerance: float,
+    max_iterations: int | None = None,
+    start: Array | None = None,
+) -> ContactSolution:
+    """``solve`` with method "auto"; see there."""
+    if start is not None:
+        force = np.maximum(start, 0.0)
+        kept = contact_solution(system, force, 0, "auto: start", tolerance)
+        if np.all(kept.converged):
+            if system.jacobian is None:
+                require_semidefinite(system.A)
+            return kept
+    if system.b.ndim > 1:
+        return _batch(system, tolerance, max_iterations)
+    found = _whole(system, tolerance, max_iterations) if len(system) <= SMALL else None
+    return _in_parts(system, tolerance, max_iterations) if found is None else found
+
+
+def _whole(
+    system: ContactSystem, tolerance: float, limit: int | None
+) -> ContactSolution | None:
+    """A small system at one go; None where none pushes, where forces are in doubt, or where one moves nothing."""
+    a, b = dense(system.A), system.b
+    if not (b.min(initial=0.0) < 0 < a.diagonal().min()):
+        return None
+    found = block_pivot_one(
+        a, b, max_iterations=ROUNDS if limit is None else min(limit, ROUNDS)
+    )
+    # A tolerance below what rounding allows is for other methods to try.
+    missed = found.indefinite or not found.residual <= tolerance
+    if missed or doubtful(found.residual, found.size, b):
+        return None
+    return _pivoted(found, b, tolerance)
+
+
+def _pivoted(found: Pivoted, b: Array, tolerance: float) -> ContactSolution:
+    """The same, as ``solve`` gives it."""
+    motion, residual, method = found.product + b, found.residual, "auto: block_pivot"
+    return ContactSolution(
+        found.force, motion, residual, found.iterations, method, residual <= tolerance
+    )
+
+
+def _in_parts(
+    system: ContactSystem, tolerance: float, limit: int | None
+) -> ContactSolution:
+    """A system island by island, and by other methods where the first fails."""
+    parts = Parts(system, tolerance, limit)
+    parts.solve()
+    require_solution(parts.proof, system.b)
+    known = products(parts.matrix, parts.force)
+    solution = contact_solution(
+        system,
+        parts.force,
+        parts.iterations,
+        parts.method,
+        tolerance,
+        known=known,
+        exact=parts.exact,
+    )
+    require_convergence(solution, tolerance)
+    return solution
+
+
+def _batch(
+    system: ContactSystem, tolerance: float, limit: int | None
+) -> ContactSolution:
+    """All systems of a batch at once where they are small; one by one where that is in doubt."""
+    shape, count = system.b.shape, len(system)
+    a, b = (
+        system.A.reshape(prod(shape[:-1]), count, count),
+        system.b.reshape(prod(shape[:-1]), count),
+    )
+    # With the batch as the fastest axis: reductions over the few contacts of each system are quicker by far.
+    b = np.asfortranarray(b)
+    used = set[str]()
+    if count <= SMALL:
+        found = block_pivot(a, b, max_iterations=limit)
+        bad = ~(found.residual <= tolerance) | found.indefinite
+        bad |= doubtful(found.residual, found.size, b)
+        bad |= ~np.diagonal(a, axis1=1, axis2=2).all(axis=1)
+        if not np.any(bad):
+            whole = _pivoted(found, b, tolerance)
+            arrays = {k: v for k, v in vars(whole).items() if k != "method"}
+            return replace(
+                whole,
+                **{
+                    k: v.reshape(shape if v.ndim > 1 else shape[:-1])
+                    for k, v in arrays.items()
+                },
+            )
+        used.add("block_pivot")
+        force, iterations = found.force, found.iterations
+    else:
+        force, iterations = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp)
+        bad = np.ones(len(b), dtype=bool)
+    proof, exact = np.zeros(b.shape), np.zeros(b.shape, dtype=bool)
+    for k in np.flatnonzero(bad):
+        parts = Parts(ContactSystem(a[k], b[k]), tolerance, limit)
+        parts.solve()
+        force[k], proof[k], iterations[k] = parts.force, parts.proof, parts.iterations
+        exact[k] = parts.exact
+        used.add(parts.method.removeprefix("auto: "))
+    require_solution(proof.reshape(shape), system.b)
+    method = "auto: " + ", ".join(sorted(used))
+    solution = contact_solution(
+        system,
+        force.reshape(shape),
+        iterations.reshape(shape[:-1]),
+        method,
+        tolerance,
+        exact=exact.reshape(shape),
+    )
+    require_convergence(solution, tolerance)
+    return solution
