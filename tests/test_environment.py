@@ -427,7 +427,7 @@ def test_going_on_leaves_other_pythons_behind(project, monkeypatch):
 
 # The set-up, step by step, with fakes
 
-STEPS = ["venv", "ensurepip", "install", "link", "compile"]
+STEPS = ["venv", "ensurepip", "install", "link", "compile", "warm"]
 
 
 class FakeRun:
@@ -438,7 +438,8 @@ class FakeRun:
 
     def __call__(self, venv, command, *, progress=None, may_fail=False):
         step = next(name for word, name in [("venv", "venv"), ("ensurepip", "ensurepip"), ("-e", "link"),
-                                            ("compileall", "compile"), ("install", "install")]
+                                            ("compileall", "compile"), ("course.warming", "warm"),
+                                            ("install", "install")]
                     if word in command)  # fmt: skip
         assert not (venv / environment.STAMP).exists(), (
             f"{step}: the stamp would be untrue meanwhile"
@@ -508,7 +509,7 @@ def test_a_changed_lock_is_followed_in_place(project, fake):
     assert environment.state(str(project)) == "stale"
     run = fake()
     installation.make(project)
-    assert run.done == ["install", "link", "compile"]
+    assert run.done == ["install", "link", "compile", "warm"]
     assert environment.state(str(project)) == "complete"
 
 

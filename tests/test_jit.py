@@ -22,7 +22,7 @@ import numpy as np
 {before}
 from course.contact import ContactSystem, solve
 from course.study.impact_laws import impulses_in_turn
-from course.study.resting_scenes import pile, shaken, stack, wall
+from course.scenes import pile, shaken, stack, wall
 
 rng = np.random.default_rng(3)
 numbers = []

@@ -30,7 +30,7 @@ def test_the_wheel_holds_all_of_the_package_and_nothing_else(wheel):
     there = {
         path.relative_to(ROOT).as_posix()
         for path in (ROOT / "course").rglob("*")
-        if path.is_file() and path.suffix != ".pyc"
+        if path.is_file() and "__pycache__" not in path.parts
     }
     assert names == there
     assert "course/py.typed" in names

@@ -139,6 +139,8 @@ def test_a_slip_in_simultaneous_impulses_is_seen():
     for case in exercise.draw(3):
         answer = formulas.simultaneous_impulses(*case.arguments.values())
         pushed = np.flatnonzero(answer > 1e-3)
+        if not pushed.size:  # all part: no impulse to be wrong in
+            continue
         for sign in (1e-4, -1e-4):
             slipped = answer.copy()
             slipped[pushed[0]] += sign
