@@ -41,6 +41,12 @@ CHANGES = frozenset(
 )
 TWO_PATHS = frozenset({"os.rename", "os.link", "os.symlink"})
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+HERE = os.path.dirname(os.path.realpath(__file__))
+#: What runs beside an answer in its process: its lines stand in tracebacks.
+LOADED = frozenset(
+    [os.path.join(HERE, name) for name in os.listdir(HERE)]
+    + [os.path.join(os.path.dirname(HERE), "exercises", "answer.py")]
+)
 #: Numbers of Linux.
 COMMANDS: dict[str, tuple[int, ...]] = (
     {"fcntl.fcntl": FCNTL_COMMANDS, "fcntl.ioctl": IOCTL_COMMANDS}
@@ -131,6 +137,8 @@ class _Guard:
         place = os.path.realpath(os.fsdecode(path))
         if any(_is_in(place, folder) for folder in self._shut):
             words = "the course's own files cannot be read while an answer is marked"
+            if place in LOADED:  # by Python, for the lines of a traceback
+                raise PermissionError(words)
             self._refuse(f"reading {place}", words)
         if mode is None and os.path.isdir(place) and not _is_in(place, self._own):
             words = f"a folder outside the working folder cannot be opened: {place}"
