@@ -159,6 +159,7 @@ class Session:
         )  # fmt: skip
         self._inbox: queue.SimpleQueue[tuple[bytes, bytes] | None] = queue.SimpleQueue()
         self._room = threading.Semaphore(MOST_WAITING)
+        self._over = threading.Event()
         self._listener = threading.Thread(target=self._listen, daemon=True)
         self._listener.start()
         self._ready = False
@@ -225,7 +226,8 @@ class Session:
                 os.killpg(self._process.pid, signal.SIGKILL)
         self._process.kill()
         self._process.wait()
-        self._room.release(1_000_000)  # what it still reads is nobody's any more
+        self._over.set()  # what it still reads is nobody's any more
+        self._room.release()
         self._listener.join(1.0)
         if not self._listener.is_alive():  # to close what it reads would wait for it
             for pipe in (self._process.stdout, self._process.stderr):
@@ -292,7 +294,8 @@ class Session:
         with contextlib.suppress(OSError, ValueError):
             while (message := messages.receive(pipe.read)) is not None:
                 self._inbox.put(message)
-                self._room.acquire()
+                if not self._over.is_set():
+                    self._room.acquire()
         self._inbox.put(None)
 
     def _send(self, request: Mapping[str, Any]) -> None:
