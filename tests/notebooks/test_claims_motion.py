@@ -318,6 +318,7 @@ def test_lengths_by_euler_and_rk4():
     assert np.divide(errors[:-1], errors[1:]) == pytest.approx([16, 16], rel=0.05)
 
 
+@pytest.mark.slow
 def test_an_even_spin_of_a_crate():
     (most,) = said(
         "09", "off by # degrees at most within a second, whichever way it leans"

@@ -135,6 +135,7 @@ def test_what_more_work_cures_in_the_landings():
         assert impulses_by_steps(matrix, u, 0.3)[1] == 6
 
 
+@pytest.mark.slow
 def test_two_pegs_spin_the_rod_by_three_radians_a_second():
     says(
         "12",

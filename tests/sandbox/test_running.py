@@ -542,6 +542,7 @@ send(b'A', b'')
 """
 
 
+@pytest.mark.slow
 @POSIX
 def test_a_process_that_never_stops_sending_fills_no_memory():
     sandbox = compromised("while True: send(b'N', bytes(50_000))")
