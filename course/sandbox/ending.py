@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from typing import Literal
+from typing import Literal, get_args
 
 #: "replied": results came. "time", "files", "memory", "threads": a limit was passed. The
 #: rest came without a reply: "ended" by the program itself, "crashed", "killed" from
@@ -19,17 +19,7 @@ End = Literal[
     "killed",
     "unreadable",
 ]
-ENDS: tuple[End, ...] = (
-    "replied",
-    "time",
-    "files",
-    "memory",
-    "threads",
-    "ended",
-    "crashed",
-    "killed",
-    "unreadable",
-)
+ENDS: tuple[End, ...] = get_args(End)
 #: Ends that say nothing of the answer: another run may end otherwise, and a person has to look.
 WITHOUT_REPLY = ("ended", "crashed", "killed", "unreadable")
 
