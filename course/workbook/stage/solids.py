@@ -1,11 +1,14 @@
-"""What the viewer draws, as triangles in body axes: boxes, spheres, capsules, any mesh,
-several joined, and arrows.
+"""What the stage draws: boxes, balls, capsules, walls, any mesh, several joined.
+
+Each is triangles in body axes for a view into space, and for a flat one its parts: the
+convex hull of a few points, grown by a radius. A ball is one point grown, a capsule two,
+a box eight points not grown; what is seen of them from any side is the hull of their
+projections, grown by the same radius.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,7 +28,21 @@ from course.workbook.plots.figure import PALETTE
 
 #: How finely round things are drawn: points around, and from pole to pole.
 AROUND, POLE_TO_POLE = 24, 13
-_SIDES = 8  # of an arrow's shaft
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """A convex part: the hull of some points grown by a radius.
+
+    Args:
+        core: (k, 3) points in body axes [m].
+        radius: by which they are grown [m].
+        color: a name of the palette.
+    """
+
+    core: Array
+    radius: float
+    color: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +55,10 @@ class Solid:
         colors: (v,) names of the palette.
         what: one word for alternative text, "box".
         smooth: whether shading hides the edges between triangles.
+        parts: the same body as convex parts.
+        label: stands on the body in a flat view, "1".
+        fixed: drawn as what does not move: a floor, a wall, a peg.
+        endless: reaches as far as the picture does, which does not grow for it.
     Raises:
         ValueError: shapes that do not fit, a vertex that is not there, an unknown
             colour.
@@ -48,6 +69,10 @@ class Solid:
     colors: tuple[str, ...]
     what: str
     smooth: bool = False
+    parts: tuple[Part, ...] = ()
+    label: str = ""
+    fixed: bool = False
+    endless: bool = False
 
     def __post_init__(self) -> None:
         vertices = vectors("vertices", self.vertices)
@@ -117,10 +142,11 @@ def box(
         np.array(triangles),
         tuple(name for name in names for _ in range(8)),
         "box",
+        parts=(Part(np.unique(placed, axis=0), 0.0, names[0]),),
     )
 
 
-def sphere(
+def ball(
     radius: float, *, center: ArrayLike = (0.0, 0.0, 0.0), color: str = "blue"
 ) -> Solid:
     """A ball of this radius [m]."""
@@ -130,8 +156,9 @@ def sphere(
         _placed(vertices, center, None),
         triangles,
         (color,) * len(vertices),
-        "sphere",
+        "ball",
         smooth=True,
+        parts=(Part(_placed(np.zeros((1, 3)), center, None), size, color),),
     )
 
 
@@ -161,6 +188,7 @@ def capsule(
         (color,) * len(vertices),
         "capsule",
         smooth=True,
+        parts=(Part(np.stack([a, b]), size, color),),
     )
 
 
@@ -175,7 +203,9 @@ def mesh(
     anticlockwise from outside.
     """
     array = vectors("vertices", vertices)
-    return Solid(array, np.asarray(triangles), (color,) * len(array), "mesh", smooth)
+    part = Part(array, 0.0, color)
+    colors = (color,) * len(array)
+    return Solid(array, np.asarray(triangles), colors, "mesh", smooth, (part,))
 
 
 def joined(*solids: Solid, what: str = "body") -> Solid:
@@ -193,61 +223,24 @@ def joined(*solids: Solid, what: str = "body") -> Solid:
         tuple(name for s in solids for name in s.colors),
         what,
         smooth=all(s.smooth for s in solids),
+        parts=tuple(part for s in solids for part in s.parts),
     )
 
 
-def arrow_vertices(origin: Array, arrow: Array, width: float) -> Array:
-    """Vertices (..., m, v, 3) of arrows from their origins (..., m, 3) and lengths
-    (..., m, 3) [m].
+def standing(solid: Solid, *, endless: bool = False) -> Solid:
+    """The solid as one that does not move: grey and hatched, a floor, a wall, a peg.
 
-    ``width`` is the radius of the shaft [m]; a short arrow is thinner, with a smaller
-    head.
+    Args:
+        endless: whether it reaches as far as the picture does.
     """
-    length = np.linalg.norm(arrow, axis=-1)
-    frame = _frames(arrow)
-    head = np.minimum(5.0 * width, 0.6 * length)
-    thick = np.minimum(width, 0.2 * length)
-    turn = np.linspace(0, 2 * np.pi, _SIDES, endpoint=False)
-    ring = np.stack([np.cos(turn), np.sin(turn), np.zeros(_SIDES)], axis=-1)
-    up = np.array([0.0, 0.0, 1.0])
-
-    def at(radius: Any, height: Any) -> Array:
-        return (
-            np.asarray(radius)[..., None, None] * ring
-            + np.asarray(height)[..., None, None] * up
-        )
-
-    local = np.concatenate(
-        [
-            at(thick, 0 * length),
-            at(thick, length - head),
-            at(2.4 * thick, length - head),
-            np.zeros((*length.shape, 1, 3)),
-            length[..., None, None] * up,
-        ],
-        axis=-2,
-    )
-    return np.einsum("...ij,...kj->...ki", frame, local) + origin[..., None, :]
+    parts = tuple(replace(part, color="grey") for part in solid.parts)
+    colors = ("grey",) * len(solid.colors)
+    return replace(solid, parts=parts, colors=colors, fixed=True, endless=endless)
 
 
-def arrow_triangles(count: int) -> IntArray:
-    """The triangles of ``count`` arrows whose vertices are as ``arrow_vertices`` gives
-    them, (f, 3).
-    """
-    here = np.arange(_SIDES)
-    after = (here + 1) % _SIDES
-    shaft, rim, foot, tip = _SIDES, 2 * _SIDES, 3 * _SIDES, 3 * _SIDES + 1
-    one = np.concatenate(
-        [
-            np.stack([np.full(_SIDES, foot), after, here], axis=-1),
-            np.stack([here, after, after + shaft], axis=-1),
-            np.stack([here, after + shaft, here + shaft], axis=-1),
-            np.stack([here + shaft, after + shaft, after + rim], axis=-1),
-            np.stack([here + shaft, after + rim, here + rim], axis=-1),
-            np.stack([here + rim, after + rim, np.full(_SIDES, tip)], axis=-1),
-        ]
-    )
-    return (one + (3 * _SIDES + 2) * np.arange(count)[:, None, None]).reshape(-1, 3)
+def labelled(solid: Solid, label: str) -> Solid:
+    """The solid with a word or a number on it."""
+    return replace(solid, label=label)
 
 
 def _round(shift: Array, radius: float) -> tuple[Array, IntArray]:

@@ -1,0 +1,451 @@
+// The stage in a page: pictures, charts, controls, hands and keys around one clock.
+
+import { asker, draggedValue, slid, unslid } from "./asking.js";
+import { drawChart } from "./charts.js";
+import { Clock } from "./clock.js";
+import { between, decoded, momentAt, written } from "./film.js";
+import { arrowEnds, drawFlat, flatFrame } from "./flat.js";
+import { onDark, themeOf } from "./look.js";
+import { SpaceView, cameraOf, drawAbove } from "./space.js";
+
+const SPEEDS = [[1, "real time"], [0.5, "half speed"], [0.25, "quarter speed"], [0.1, "a tenth"]];
+
+// Drawn, since not every machine's fonts have these signs.
+const ICONS = {
+  play: "M5 3l12 7-12 7z", pause: "M5 3h4v14H5zM11 3h4v14h-4z", start: "M4 3h3v14H4zM17 3v14L7 10z",
+  back: "M13 4v12l-7-6zM14 4h2v12h-2z", on: "M7 4v12l7-6zM4 4h2v12H4z",
+  full: "M3 3h5v2H5v3H3zM12 3h5v5h-2V5h-3zM3 12h2v3h3v2H3zM15 12h2v5h-5v-2h3z",
+};
+
+function icon(name) {
+  return `<svg viewBox="0 0 20 20" width="1em" height="1em" aria-hidden="true"><path fill="currentColor" d="${ICONS[name]}"/></svg>`;
+}
+
+/** An element with attributes, properties that begin with a dot, and children. */
+export function made(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name.startsWith(".")) element[name.slice(1)] = value;
+    else if (value !== false && value !== null) element.setAttribute(name, value === true ? "" : value);
+  }
+  element.append(...children.filter((c) => c !== null && c !== undefined));
+  return element;
+}
+
+/** The stage for one exhibit. `ask(values, id)` asks Python for a film; none: nobody answers. */
+export class Stage {
+  constructor(root, exhibit, ask = null) {
+    Object.assign(this, { root, exhibit, hidden: new Set(), trails: true, pictures: [], charts: [], painting: false });
+    this.values = Object.fromEntries((exhibit.knobs || []).map((k) => [k.name, k.value]));
+    this.clock = new Clock(() => this.paintSoon());
+    this.questions = ask && asker(ask);
+    this.#build();
+    this.receive(exhibit.film, null);
+    for (const { arrows, segments } of this.film.panes) {
+      for (const item of [...arrows, ...segments]) if (!item.shown) this.hidden.add(item.name);
+    }
+    this.#overlays();
+    this.sizes = new ResizeObserver(() => this.paintSoon());
+    this.sizes.observe(root);
+    this.dark = matchMedia("(prefers-color-scheme: dark)");
+    this.dark.addEventListener("change", this.repaint = () => this.paintSoon());
+    this.themes = new MutationObserver(this.repaint);
+    this.themes.observe(document.body, { attributes: true });
+  }
+
+  /** Another film: the answer to a question, or a preset's. */
+  receive(film, id) {
+    const before = this.film;
+    this.film = decoded(film);
+    this.clock.load(this.film);
+    if (!before || before.panes.length !== this.film.panes.length || before.charts.length !== this.film.charts.length) {
+      this.#pictures();
+    }
+    for (const picture of this.pictures) if (!picture.camera && this.film.view.kind === "space") picture.camera = cameraOf(this.film.view, this.film.view.camera);
+    this.#words();
+    this.paintSoon();
+    if (this.questions && id !== null) this.questions.answered(id);
+  }
+
+  destroy() {
+    this.clock.pause();
+    this.sizes.disconnect();
+    this.themes.disconnect();
+    this.dark.removeEventListener("change", this.repaint);
+    for (const picture of this.pictures) if (picture.space) picture.space.release();
+  }
+
+  // ---- what stands on the page
+
+  #build() {
+    const { root, exhibit } = this;
+    root.classList.add("stage");
+    root.classList.toggle("large", Boolean(exhibit.large));
+    root.tabIndex = 0;
+    root.setAttribute("role", "group");
+    root.setAttribute("aria-roledescription", "film");
+    root.setAttribute("data-lm-suppress-shortcuts", "true"); // JupyterLab leaves our keys alone
+    root.addEventListener("keydown", (event) => this.#key(event));
+    this.parts = Object.fromEntries(["title", "caption", "question", "presets", "pictures", "clock", "overlays", "knobs", "numbers"]
+      .map((name) => [name, made("div", { class: name })]));
+    root.replaceChildren(...Object.values(this.parts));
+    this.#question();
+    this.#presets();
+    this.#controls();
+    this.#knobs();
+  }
+
+  #question() {
+    const { question, answer } = this.exhibit;
+    if (!question) return;
+    this.answer = made("span", { class: "answer", hidden: true }, answer || "");
+    const show = made("button", { type: "button", onclick: () => this.showAnswer(), title: "key a" }, "answer");
+    this.parts.question.append(made("span", {}, question), " ", answer ? show : null, " ", this.answer);
+  }
+
+  showAnswer() { if (this.answer) this.answer.hidden = !this.answer.hidden; }
+
+  #presets() {
+    (this.exhibit.presets || []).forEach((preset, k) => {
+      const button = made("button", { type: "button", title: `key ${k + 1}`, onclick: () => this.choose(k) }, preset.label);
+      this.parts.presets.append(button);
+    });
+  }
+
+  /** A preset: its values on the knobs, its film from the start. */
+  choose(k) {
+    const preset = (this.exhibit.presets || [])[k];
+    if (!preset) return;
+    this.#set(preset.values || {});
+    this.clock.reset();
+    if (preset.film) { this.receive(preset.film, null); this.clock.play(); } else { this.startsAgain = true; this.#ask(); }
+  }
+
+  #controls() {
+    const button = (label, sign, act, key) => made("button",
+      { type: "button", "aria-label": label, title: `${label} (${key})`, onclick: act, ".innerHTML": icon(sign) });
+    this.playButton = button("play", "play", () => this.clock.toggle(), "space");
+    this.scrub = made("input", { type: "range", min: 0, max: 1000, step: 1, value: 0, class: "time", "aria-label": "time",
+      oninput: () => { this.clock.pause(); this.clock.seek(this.clock.first + (this.scrub.value / 1000) * (this.clock.last - this.clock.first)); } });
+    this.now = made("output", { class: "now" });
+    const slow = made("select", { "aria-label": "speed", onchange: (e) => { this.clock.slow = Number(e.target.value); } },
+      ...SPEEDS.map(([value, words]) => made("option", { value }, words)));
+    this.cameras = made("select", { "aria-label": "view from", hidden: true,
+      onchange: () => this.look(this.cameras.value) });
+    const full = button("full screen", "full", () => this.fullScreen(), "f");
+    this.parts.clock.append(button("back to the start", "start", () => this.clock.reset(), "r"),
+      button("a step back", "back", () => this.clock.step(-1), "left arrow"), this.playButton,
+      button("a step on", "on", () => this.clock.step(1), "right arrow"), this.scrub, this.now, slow, this.cameras, full);
+  }
+
+  look(preset) {
+    for (const picture of this.pictures) picture.camera = cameraOf(this.film.view, preset);
+    this.paintSoon();
+  }
+
+  fullScreen() {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else if (this.root.requestFullscreen) this.root.requestFullscreen();
+  }
+
+  #knobs() {
+    this.sliders = {};
+    for (const knob of this.exhibit.knobs || []) {
+      const said = made("output", {});
+      const slider = made("input", { type: "range", min: 0, max: 1000, step: knob.log ? 10 : Math.max(1, Math.round((1000 * knob.step) / (knob.high - knob.low))),
+        "aria-label": `${knob.label}${knob.unit ? `, ${knob.unit}` : ""}`, disabled: !this.questions,
+        oninput: () => { this.#set({ [knob.name]: unslid(knob, Number(slider.value)) }); this.#ask(); } });
+      this.sliders[knob.name] = { knob, slider, said };
+      this.parts.knobs.append(made("label", {}, made("span", {}, knob.label), slider, said));
+    }
+    if (this.exhibit.film && !this.questions) this.parts.knobs.hidden = true;
+    this.#set(this.values);
+  }
+
+  #set(values) {
+    Object.assign(this.values, values);
+    for (const [name, { knob, slider, said }] of Object.entries(this.sliders)) {
+      slider.value = slid(knob, this.values[name]);
+      said.textContent = `${written(this.values[name])} ${knob.unit || ""}`.trim();
+      slider.setAttribute("aria-valuetext", said.textContent);
+    }
+  }
+
+  #ask() {
+    if (!this.questions) return;
+    this.asked = performance.now();
+    this.questions.ask(Object.assign({}, this.values));
+  }
+
+  #overlays() {
+    const names = new Set(this.film.panes.flatMap((p) => [...p.arrows, ...p.segments].map((a) => a.name)));
+    const toggle = (name, on, act) => {
+      const box = made("input", { type: "checkbox", ".checked": on, onchange: () => { act(box.checked); this.paintSoon(); } });
+      return made("label", {}, box, this.#key_of(name), name);
+    };
+    const boxes = [...names].map((name) => toggle(name, !this.hidden.has(name), (on) => {
+      if (on) this.hidden.delete(name); else this.hidden.add(name);
+    }));
+    if (this.film.panes.some((p) => p.trails.length)) boxes.push(toggle("trails", this.trails, (on) => { this.trails = on; }));
+    this.parts.overlays.replaceChildren(...boxes);
+    this.parts.overlays.hidden = !boxes.length;
+  }
+
+  /** The colour in which an overlay is drawn, where all of it has one. */
+  #key_of(name) {
+    const item = this.film.panes.flatMap((p) => [...p.arrows, ...p.segments]).find((a) => a.name === name);
+    const colors = item && (item.colors ? [...new Set(item.colors)] : [item.color]);
+    return colors && colors.length === 1 ? made("i", { class: "key", "data-color": colors[0] }) : null;
+  }
+
+  #pictures() {
+    for (const picture of this.pictures) if (picture.space) picture.space.release();
+    const space = this.film.view.kind === "space";
+    this.pictures = this.film.panes.map((pane, k) => {
+      const [canvas, above] = [made("canvas", { role: "img" }), made("canvas", { class: "above", "aria-hidden": "true" })];
+      const caption = made("figcaption", {});
+      const frame = made("div", { class: "picture" }, canvas, space ? above : null);
+      const picture = { k, canvas, above, caption, frame, figure: made("figure", {}, caption, frame), labels: [] };
+      this.#hands(picture, space ? above : canvas);
+      return picture;
+    });
+    this.charts = this.film.charts.map((chart, k) => {
+      const canvas = made("canvas", { role: "img", "aria-label": chart.title });
+      const seek = (event) => {
+        if (!(event.buttons & 1) || !this.charts[k].timeAt) return;
+        this.clock.pause();
+        this.clock.seek(this.charts[k].timeAt(event.offsetX));
+      };
+      canvas.addEventListener("pointerdown", (event) => { canvas.setPointerCapture(event.pointerId); seek(event); });
+      canvas.addEventListener("pointermove", seek);
+      return { canvas, frame: made("div", { class: "chart" }, canvas), texts: [] };
+    });
+    const wide = !space && this.#aspect() > 1.9;
+    this.parts.pictures.classList.toggle("wide", wide);
+    this.parts.pictures.replaceChildren(
+      made("div", { class: "panes" }, ...this.pictures.map((p) => p.figure)),
+      this.charts.length ? made("div", { class: "charts" }, ...this.charts.map((c) => c.frame)) : "");
+    this.cameras.hidden = !space;
+    if (space) {
+      this.cameras.replaceChildren(...Object.keys(this.film.view.cameras).map((name) => made("option", { value: name }, name)));
+      this.cameras.value = this.film.view.camera;
+    }
+  }
+
+  #aspect() {
+    if (this.film.view.kind === "space") return 1.35;
+    const { window: w, low, high, right, up } = this.film.view;
+    const size = (axis) => Math.abs(high.reduce((s, v, i) => s + (v - low[i]) * axis[i], 0));
+    const aspect = w ? (w[2] - w[0]) / (w[3] - w[1]) : (size(right) || 1) / (size(up) || 1);
+    return Math.min(6, Math.max(0.6, aspect));
+  }
+
+  #words() {
+    const { parts, film, root } = this;
+    parts.title.textContent = film.title;
+    parts.caption.textContent = film.caption;
+    root.setAttribute("aria-label", film.title || "film");
+    for (const picture of this.pictures) {
+      const pane = film.panes[picture.k];
+      picture.caption.textContent = pane.title;
+      picture.canvas.setAttribute("aria-label", `${pane.title ? `${pane.title}. ` : ""}${film.description}`);
+    }
+    const { panes, rows } = film.numbers;
+    parts.numbers.hidden = !rows.length;
+    const several = panes.length > 1;
+    const head = several ? [made("tr", {}, made("th", {}), ...panes.map((p) => made("th", { scope: "col" }, p)))] : [];
+    parts.numbers.replaceChildren(made("table", { "aria-label": "key numbers" }, ...head,
+      ...rows.map(([name, unit, ...values]) => made("tr", {}, made("th", { scope: "row" }, name),
+        ...values.map((v) => made("td", several && values.length === 1 ? { colspan: panes.length } : {}, `${v} ${unit}`.trim()))))));
+  }
+
+  // ---- painting
+
+  /** Paint at the display's next frame, once however often this is called. */
+  paintSoon() {
+    if (this.painting) return;
+    this.painting = true;
+    requestAnimationFrame(() => { this.painting = false; this.paint(); });
+  }
+
+  paint() {
+    if (!this.root.isConnected) return;
+    const { film, clock, root } = this;
+    const dark = onDark(root.parentElement || document.body);
+    if (!this.theme || this.theme.dark !== dark) this.theme = themeOf(dark, film.palette);
+    root.dataset.theme = dark ? "dark" : "light";
+    const font = parseFloat(getComputedStyle(root).fontSize);
+    for (const key of root.querySelectorAll("[data-color]")) key.style.background = this.theme.palette[key.dataset.color];
+    const options = { theme: this.theme, font, hidden: this.hidden, trails: this.trails };
+    for (const picture of this.pictures) this.#paintPane(picture, film.panes[picture.k], options);
+    this.charts.forEach((drawn, k) => {
+      const size = fitted(drawn.canvas, drawn.frame, Math.min(1.5, Math.max(1.15, 24 / font)));
+      Object.assign(drawn, drawChart(size.context, film.charts[k], film, clock.time, Object.assign({}, options, size, { font: 0.9 * font })));
+    });
+    const counted = film.counters.map((c) => `${c.name} ${written(between(c.values, { index: momentAt(film.times, clock.time).index, part: 0 }, 0, 1)[0], 6)}`);
+    this.now.textContent = [`${clock.time.toFixed(2)} s`, ...counted].join("   ");
+    const span = clock.last - clock.first;
+    this.scrub.value = span ? Math.round((1000 * (clock.time - clock.first)) / span) : 0;
+    this.scrub.setAttribute("aria-valuetext", `${clock.time.toFixed(2)} s of ${clock.last.toFixed(2)} s`);
+    const sign = clock.playing ? "pause" : "play";
+    if (this.playButton.getAttribute("aria-label") !== sign) {
+      this.playButton.innerHTML = icon(sign);
+      this.playButton.setAttribute("aria-label", sign);
+      this.playButton.title = `${sign} (space)`;
+    }
+    root.labels = [...this.pictures.map((p) => p.labels), ...this.charts.map((c) => c.texts)];
+    root.paints = (root.paints || 0) + 1;
+    root.now = clock.time;
+    if (this.startsAgain && !this.questions.busy) { this.startsAgain = false; this.clock.play(); }
+  }
+
+  #paintPane(picture, pane, options) {
+    const { film, clock } = this;
+    const flat = film.view.kind === "flat";
+    const size = fitted(picture.canvas, picture.frame, this.#aspect(), this.exhibit.height, flat);
+    const all = Object.assign({}, options, size);
+    if (flat) {
+      picture.labels = drawFlat(size.context, film, pane, clock.time, all);
+      this.#paintHands(picture, size, all);
+      return;
+    }
+    const above = fitted(picture.above, picture.frame, this.#aspect(), this.exhibit.height);
+    if (!picture.space) picture.space = new SpaceView(picture.canvas);
+    const eye = picture.space.draw(film, pane, clock.time, Object.assign({ camera: picture.camera }, all));
+    picture.labels = drawAbove(above.context, film, pane, clock.time, eye, Object.assign(all, above));
+  }
+
+  // ---- hands
+
+  /** The handles of a pane, where they are on the canvas now. */
+  #handles(picture, size) {
+    const pane = this.film.panes[picture.k];
+    const moment = momentAt(this.film.times, this.clock.time);
+    const frame = flatFrame(this.film.view, size.width, size.height);
+    return (this.exhibit.hands || [])
+      .filter((h) => this.questions && (h.until === null || this.clock.time <= h.until))
+      .map((hand) => {
+        if (hand.body !== null) return { hand, frame, at: frame.screen(between(pane.position, moment, 3 * hand.body, 3)), scale: 1 };
+        const arrows = pane.arrows.find((a) => a.name === hand.arrows);
+        const [, tip] = arrowEnds(arrows, hand.index, this.film.view, moment, frame);
+        return { hand, frame, at: tip, scale: arrows.scale };
+      });
+  }
+
+  #paintHands(picture, size, { theme, font }) {
+    const { context } = size;
+    for (const { hand, at } of this.#handles(picture, size)) {
+      const held = this.held && this.held.hand === hand;
+      context.beginPath();
+      context.arc(at[0], at[1], 0.5 * font + (held ? 3 : 0), 0, 7);
+      context.fillStyle = theme.veil;
+      context.fill();
+      context.lineWidth = held ? 3 : 2;
+      context.strokeStyle = theme.ink;
+      context.stroke();
+    }
+  }
+
+  #hands(picture, canvas) {
+    const size = () => ({ width: canvas.clientWidth, height: canvas.clientHeight });
+    const nearest = (event) => this.film.view.kind !== "flat" ? null : this.#handles(picture, size())
+      .map((h) => Object.assign(h, { far: Math.hypot(h.at[0] - event.offsetX, h.at[1] - event.offsetY) }))
+      .filter((h) => h.far < 26).sort((a, b) => a.far - b.far)[0];
+    canvas.addEventListener("pointerdown", (event) => {
+      const found = nearest(event);
+      if (found) {
+        this.clock.pause();
+        this.held = { hand: found.hand, scale: found.scale, from: found.frame.world(event.offsetX, event.offsetY), values: Object.assign({}, this.values) };
+      } else if (picture.camera) this.turning = { x: event.offsetX, y: event.offsetY };
+      else return;
+      event.preventDefault();
+      this.root.focus({ preventScroll: true });
+      canvas.setPointerCapture(event.pointerId);
+      this.paintSoon();
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (this.held) this.#drag(flatFrame(this.film.view, size().width, size().height).world(event.offsetX, event.offsetY));
+      else if (this.turning && picture.camera) this.#turn(event);
+      else canvas.style.cursor = nearest(event) ? "grab" : picture.camera ? "move" : "default";
+    });
+    for (const name of ["pointerup", "pointercancel"]) {
+      canvas.addEventListener(name, () => { this.held = null; this.turning = null; this.paintSoon(); });
+    }
+    canvas.addEventListener("wheel", (event) => {
+      if (!picture.camera || document.activeElement !== this.root) return; // else the page scrolls
+      event.preventDefault();
+      for (const p of this.pictures) p.camera.distance *= Math.exp(0.001 * event.deltaY);
+      this.paintSoon();
+    }, { passive: false });
+  }
+
+  #drag(place) {
+    const { hand, scale, from, values } = this.held;
+    const moved = place.map((v, i) => v - from[i]);
+    for (const { knob: name, direction } of hand.knobs) {
+      const { knob } = this.sliders[name];
+      this.#set({ [name]: draggedValue(knob, values[name], moved, direction, scale) });
+    }
+    this.#ask();
+    this.paintSoon();
+  }
+
+  /** All panes are seen from the same side. */
+  #turn(event) {
+    const [dx, dy] = [event.offsetX - this.turning.x, event.offsetY - this.turning.y];
+    this.turning = { x: event.offsetX, y: event.offsetY };
+    for (const { camera } of this.pictures) {
+      camera.yaw -= 0.008 * dx;
+      camera.pitch = Math.min(1.56, Math.max(-1.56, camera.pitch + 0.008 * dy));
+    }
+    this.paintSoon();
+  }
+
+  // ---- keys
+
+  #key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const tag = event.target.tagName;
+    const sliding = tag === "INPUT" && event.target.type === "range" && event.target !== this.scrub;
+    if ((event.key.startsWith("Arrow") && (sliding || tag === "SELECT"))
+      || (event.key === " " && event.target !== this.root && tag !== "CANVAS" && event.target !== this.scrub)) return;
+    const acts = { " ": () => this.clock.toggle(), ArrowLeft: () => this.clock.step(-1), ArrowRight: () => this.clock.step(1),
+      r: () => this.clock.reset(), f: () => this.fullScreen(), a: () => this.showAnswer() };
+    const act = acts[event.key] || (/^[1-9]$/.test(event.key) && (() => this.choose(Number(event.key) - 1)));
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+}
+
+/** A canvas as wide as its frame, sharp on this display; its size in the page's pixels. */
+function fitted(canvas, frame, aspect, most, flat = true) {
+  const width = Math.max(160, Math.floor(frame.clientWidth));
+  const height = Math.round(Math.min(width / aspect, most || Infinity));
+  const dense = Math.min(2, devicePixelRatio || 1);
+  const [w, h] = [Math.round(width * dense), Math.round(height * dense)];
+  if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
+  const context = flat ? canvas.getContext("2d") : null;
+  if (context) context.setTransform(dense, 0, 0, dense, 0, 0);
+  return { width, height, context };
+}
+
+/** A widget's view: the exhibit from Python, films as answers to questions. */
+function render({ model, el }) {
+  const root = el.appendChild(document.createElement("div"));
+  const ask = model.get("answers") ? (values, id) => model.send({ kind: "ask", id, values }) : null;
+  const stage = new Stage(root, model.get("exhibit"), ask);
+  const receive = (message) => {
+    if (message.kind === "film") stage.receive(message.film, message.id);
+    if (message.kind === "failed") { stage.questions.answered(message.id); stage.parts.caption.textContent = message.words; }
+  };
+  const replace = () => { stage.receive(model.get("exhibit").film, null); };
+  model.on("msg:custom", receive);
+  model.on("change:exhibit", replace);
+  return () => { model.off("msg:custom", receive); model.off("change:exhibit", replace); stage.destroy(); };
+}
+
+export default { render };
