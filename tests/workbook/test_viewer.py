@@ -6,11 +6,11 @@ import re
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
 
 from course import rotations
 from course.workbook import viewer
 from course.workbook.plots.figure import figure_html
-from course.workbook.viewer.solids import arrow_triangles, arrow_vertices
 from course.workbook.viewer.still import _quartered
 from course.workbook.viewer.widget import MOST_FRAMES, camera_of
 

@@ -40,18 +40,20 @@ export function drawChart(context, chart, film, time, options) {
     const left = align === "left" ? x : align === "right" ? x - w : x - w / 2;
     texts.push({ text: words, box: [left, y - 0.6 * font, left + w, y + 0.6 * font] });
   };
-  const legend = legendRows(context, chart, width, font);
-  const box = { left: 3.6 * font, top: 1.7 * font + 1.35 * font * legend.length, right: width - 0.8 * font,
+  const path = chart.kind === "path";
+  // A small picture of two numbers needs its place for itself.
+  const legend = path && height < 14 * font ? [] : legendRows(context, chart, width, font);
+  const box = { left: (path ? 4.6 : 3.6) * font, top: 1.7 * font + 1.35 * font * legend.length, right: width - 0.8 * font,
     bottom: height - 2.7 * font };
-  const axes = chart.kind === "path" ? pathAxes(chart) : {
+  const axes = path ? pathAxes(chart) : {
     x: spread(film.times[0], film.times[film.times.length - 1]), y: limitsOf(chart),
     across: "time [s]", up: chart.unit };
-  if (chart.kind === "path" && chart.equal) widen(axes, box);
+  if (path && chart.equal) widen(axes, box);
   const at = {
     x: (v) => box.left + ((v - axes.x[0]) / (axes.x[1] - axes.x[0])) * (box.right - box.left),
     y: (v) => box.bottom - ((v - axes.y[0]) / (axes.y[1] - axes.y[0])) * (box.bottom - box.top),
   };
-  const unit = chart.kind === "path" ? "" : chart.unit && ` [${chart.unit}]`;
+  const unit = path ? "" : chart.unit && ` [${chart.unit}]`;
   text(`${chart.title}${unit}`, width / 2, 0.85 * font, "center");
   drawLegend(context, legend, theme, font, text);
   drawAxes(context, axes, at, box, theme, font, text);
@@ -59,10 +61,10 @@ export function drawChart(context, chart, film, time, options) {
   context.beginPath();
   context.rect(box.left, box.top - 2, box.right - box.left, box.bottom - box.top + 4);
   context.clip();
-  if (chart.kind === "path") drawPath(context, chart, film, time, at, theme);
+  if (path) drawPath(context, chart, film, time, at, theme);
   else drawCurves(context, chart, film, time, at, box, theme);
   context.restore();
-  return { texts, timeAt: chart.kind === "path" ? null : (x) => axes.x[0]
+  return { texts, timeAt: path ? null : (x) => axes.x[0]
     + ((x - box.left) / (box.right - box.left)) * (axes.x[1] - axes.x[0]) };
 }
 
@@ -90,8 +92,8 @@ function widen(axes, box) {
 function drawAxes(context, axes, at, box, theme, font, text) {
   context.lineWidth = 1;
   context.strokeStyle = theme.grid;
-  const across = ticks(axes.x[0], axes.x[1], (box.right - box.left) / (4.6 * font));
-  const up = ticks(axes.y[0], axes.y[1], (box.bottom - box.top) / (2.4 * font));
+  const across = ticks(axes.x[0], axes.x[1], Math.max(2, (box.right - box.left) / (4.6 * font)));
+  const up = ticks(axes.y[0], axes.y[1], Math.max(2, (box.bottom - box.top) / (2.4 * font)));
   context.beginPath();
   for (const v of across) { context.moveTo(at.x(v), box.top); context.lineTo(at.x(v), box.bottom); }
   for (const v of up) { context.moveTo(box.left, at.y(v)); context.lineTo(box.right, at.y(v)); }
@@ -101,7 +103,14 @@ function drawAxes(context, axes, at, box, theme, font, text) {
   for (const v of across) text(written(v, 6), at.x(v), box.bottom + 0.8 * font, "center", theme.soft);
   for (const v of up) text(written(v, 6), box.left - 0.35 * font, at.y(v), "right", theme.soft);
   text(axes.across, (box.left + box.right) / 2, box.bottom + 2 * font, "center", theme.soft);
-  if (axes.up && axes.across !== "time [s]") text(axes.up, 0.2 * font, box.top - 0.9 * font, "left", theme.soft);
+  if (axes.across === "time [s]") return;
+  context.save();
+  context.translate(0.75 * font, (box.top + box.bottom) / 2);
+  context.rotate(-Math.PI / 2);
+  context.textAlign = "center";
+  context.fillStyle = theme.soft;
+  context.fillText(axes.up, 0, 0);
+  context.restore();
 }
 
 function colorOf(chart, k) {
@@ -111,8 +120,8 @@ function colorOf(chart, k) {
 /** The names of a chart's curves in rows that are no wider than the picture. */
 function legendRows(context, chart, width, font) {
   const names = chart.kind === "path"
-    ? [] : chart.curves.map((c, k) => ({ name: c.name, color: colorOf(chart, k), dash: DASHES[k % DASHES.length], stacked: chart.stacked }));
-  if (names.length < 2 && !chart.stacked) return names.length && names[0].name !== chart.title ? [names] : [];
+    ? chart.guides.map((g, k) => ({ name: g.name, color: "grey", dash: DASHES[k % DASHES.length], stacked: false })) : chart.curves.map((c, k) => ({ name: c.name, color: colorOf(chart, k), dash: DASHES[k % DASHES.length], stacked: chart.stacked }));
+  if (names.length < 2 && !chart.stacked && chart.kind !== "path") return names.length && names[0].name !== chart.title ? [names] : [];
   const rows = [[]];
   let used = 0;
   for (const item of names) {
@@ -121,7 +130,7 @@ function legendRows(context, chart, width, font) {
     rows[rows.length - 1].push(Object.assign(item, { width: w }));
     used += w;
   }
-  return rows;
+  return rows[0].length ? rows : [];
 }
 
 function drawLegend(context, rows, theme, font, text) {

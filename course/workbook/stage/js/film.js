@@ -108,7 +108,8 @@ export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** The convex hull of points in the plane, anticlockwise (Andrew's monotone chain). */
 export function hull(points) {
-  const sorted = points.slice().sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const sorted = points.slice().sort((a, b) => a[0] - b[0] || a[1] - b[1])
+    .filter((p, k, all) => !k || p[0] !== all[k - 1][0] || p[1] !== all[k - 1][1]);
   if (sorted.length < 3) return sorted;
   const turn = (o, a, b) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
   const chain = (list) => {
@@ -140,7 +141,7 @@ export function ticks(low, high, count) {
   if (!(span > 0) || !Number.isFinite(span)) return [low];
   const rough = span / Math.max(1, count);
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find((s) => s * power >= rough * 0.999);
+  const step = power * [1, 2, 5, 10].find((s) => s * power >= 0.75 * rough);
   const out = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1) out.push(k * step);
   return out;

@@ -8,6 +8,8 @@ import { arrowEnds, drawFlat, flatFrame } from "./flat.js";
 import { onDark, themeOf } from "./look.js";
 import { SpaceView, cameraOf, drawAbove } from "./space.js";
 
+const LEAST_PANE = 240; // pixels, before a room
+const LEAST_CHART = 10; // lines of text
 const SPEEDS = [[1, "real time"], [0.5, "half speed"], [0.25, "quarter speed"], [0.1, "a tenth"]];
 
 // Drawn, since not every machine's fonts have these signs.
@@ -87,9 +89,11 @@ export class Stage {
     root.setAttribute("aria-roledescription", "film");
     root.setAttribute("data-lm-suppress-shortcuts", "true"); // JupyterLab leaves our keys alone
     root.addEventListener("keydown", (event) => this.#key(event));
-    this.parts = Object.fromEntries(["title", "caption", "question", "presets", "pictures", "clock", "overlays", "knobs", "numbers"]
+    this.parts = Object.fromEntries(["heading", "caption", "question", "pictures", "clock", "overlays", "knobs", "numbers"]
       .map((name) => [name, made("div", { class: name })]));
     root.replaceChildren(...Object.values(this.parts));
+    this.parts.title = this.parts.heading.appendChild(made("span", { class: "title" }));
+    this.parts.presets = this.parts.heading.appendChild(made("span", { class: "presets" }));
     this.#question();
     this.#presets();
     this.#controls();
@@ -134,9 +138,10 @@ export class Stage {
     this.cameras = made("select", { "aria-label": "view from", hidden: true,
       onchange: () => this.look(this.cameras.value) });
     const full = button("full screen", "full", () => this.fullScreen(), "f");
+    this.more = made("button", { type: "button", title: "another chart (c)", hidden: true, onclick: () => this.nextChart() }, "chart");
     this.parts.clock.append(button("back to the start", "start", () => this.clock.reset(), "r"),
       button("a step back", "back", () => this.clock.step(-1), "left arrow"), this.playButton,
-      button("a step on", "on", () => this.clock.step(1), "right arrow"), this.scrub, this.now, slow, this.cameras, full);
+      button("a step on", "on", () => this.clock.step(1), "right arrow"), this.scrub, this.now, slow, this.cameras, this.more, full);
   }
 
   look(preset) {
@@ -221,8 +226,7 @@ export class Stage {
       canvas.addEventListener("pointermove", seek);
       return { canvas, frame: made("div", { class: "chart" }, canvas), texts: [] };
     });
-    const wide = !space && this.#aspect() > 1.9;
-    this.parts.pictures.classList.toggle("wide", wide);
+    this.wide = !space && this.#aspect() > 1.9;
     this.parts.pictures.replaceChildren(
       made("div", { class: "panes" }, ...this.pictures.map((p) => p.figure)),
       this.charts.length ? made("div", { class: "charts" }, ...this.charts.map((c) => c.frame)) : "");
@@ -253,11 +257,12 @@ export class Stage {
     }
     const { panes, rows } = film.numbers;
     parts.numbers.hidden = !rows.length;
+    parts.numbers.classList.toggle("several", panes.length > 1);
     const several = panes.length > 1;
     const head = several ? [made("tr", {}, made("th", {}), ...panes.map((p) => made("th", { scope: "col" }, p)))] : [];
-    parts.numbers.replaceChildren(made("table", { "aria-label": "key numbers" }, ...head,
+    parts.numbers.replaceChildren(made("table", { "aria-label": "key numbers" }, made("tbody", {}, ...head,
       ...rows.map(([name, unit, ...values]) => made("tr", {}, made("th", { scope: "row" }, name),
-        ...values.map((v) => made("td", several && values.length === 1 ? { colspan: panes.length } : {}, `${v} ${unit}`.trim()))))));
+        ...values.map((v) => made("td", several && values.length === 1 ? { colspan: panes.length } : {}, `${v} ${unit}`.trim())))))));
   }
 
   // ---- painting
@@ -278,10 +283,16 @@ export class Stage {
     const font = parseFloat(getComputedStyle(root).fontSize);
     for (const key of root.querySelectorAll("[data-color]")) key.style.background = this.theme.palette[key.dataset.color];
     const options = { theme: this.theme, font, hidden: this.hidden, trails: this.trails };
-    for (const picture of this.pictures) this.#paintPane(picture, film.panes[picture.k], options);
+    const room = this.#room(font);
+    for (const picture of this.pictures) this.#paintPane(picture, film.panes[picture.k], Object.assign({ most: room.pane }, options));
+    const count = this.charts.length;
+    this.more.hidden = room.charts >= count;
     this.charts.forEach((drawn, k) => {
-      const size = fitted(drawn.canvas, drawn.frame, Math.min(1.5, Math.max(1.15, 24 / font)));
-      Object.assign(drawn, drawChart(size.context, film.charts[k], film, clock.time, Object.assign({}, options, size, { font: 0.9 * font })));
+      drawn.frame.hidden = (k - (this.firstChart || 0) % count + count) % count >= room.charts;
+      if (drawn.frame.hidden) { drawn.texts = []; return; }
+      const size = fitted(drawn.canvas, drawn.frame, 1.5, room.chart);
+      Object.assign(drawn, drawChart(size.context, film.charts[k], film, clock.time,
+        Object.assign({}, options, size, { font: room.large ? font : 0.9 * font })));
     });
     const counted = film.counters.map((c) => `${c.name} ${written(between(c.values, { index: momentAt(film.times, clock.time).index, part: 0 }, 0, 1)[0], 6)}`);
     this.now.textContent = [`${clock.time.toFixed(2)} s`, ...counted].join("   ");
@@ -300,17 +311,40 @@ export class Stage {
     if (this.startsAgain && !this.questions.busy) { this.startsAgain = false; this.clock.play(); }
   }
 
+  /** How high pictures may be. Before a room everything else must be on the screen too. */
+  #room(font) {
+    const { root, parts, exhibit } = this;
+    const large = Boolean(exhibit.large) || document.fullscreenElement === root;
+    root.classList.toggle("large", large);
+    parts.pictures.classList.toggle("wide", this.wide);
+    if (!large) return { large, pane: exhibit.height || 440, chart: Infinity, charts: this.charts.length };
+    const others = Object.values(parts).filter((p) => p.parentElement === root && p !== parts.pictures).reduce((sum, p) => sum + p.offsetHeight, 0);
+    const left = innerHeight - others - 3 * font;
+    const titles = this.film.panes[0].title ? 1.6 * font : 0;
+    const least = LEAST_CHART * font;
+    if (!this.wide) {
+      const charts = Math.min(this.charts.length, Math.max(1, Math.floor(left / least)));
+      return { large, pane: Math.max(LEAST_PANE, left - titles), chart: Math.max(least, left / (charts || 1) - 8), charts };
+    }
+    const charts = Math.min(this.charts.length, Math.max(1, Math.floor(this.root.clientWidth / (1.6 * least))));
+    const chart = charts ? Math.max(least, 0.4 * left) : 0;
+    return { large, pane: Math.max(LEAST_PANE, (left - chart) / this.pictures.length - titles), chart, charts };
+  }
+
+  /** Where not all charts have room, the next of them comes up. */
+  nextChart() { this.firstChart = (this.firstChart || 0) + 1; this.paintSoon(); }
+
   #paintPane(picture, pane, options) {
     const { film, clock } = this;
     const flat = film.view.kind === "flat";
-    const size = fitted(picture.canvas, picture.frame, this.#aspect(), this.exhibit.height, flat);
+    const size = fitted(picture.canvas, picture.frame, this.#aspect(), options.most, flat);
     const all = Object.assign({}, options, size);
     if (flat) {
       picture.labels = drawFlat(size.context, film, pane, clock.time, all);
       this.#paintHands(picture, size, all);
       return;
     }
-    const above = fitted(picture.above, picture.frame, this.#aspect(), this.exhibit.height);
+    const above = fitted(picture.above, picture.frame, this.#aspect(), options.most);
     if (!picture.space) picture.space = new SpaceView(picture.canvas);
     const eye = picture.space.draw(film, pane, clock.time, Object.assign({ camera: picture.camera }, all));
     picture.labels = drawAbove(above.context, film, pane, clock.time, eye, Object.assign(all, above));
@@ -411,7 +445,7 @@ export class Stage {
     if ((event.key.startsWith("Arrow") && (sliding || tag === "SELECT"))
       || (event.key === " " && event.target !== this.root && tag !== "CANVAS" && event.target !== this.scrub)) return;
     const acts = { " ": () => this.clock.toggle(), ArrowLeft: () => this.clock.step(-1), ArrowRight: () => this.clock.step(1),
-      r: () => this.clock.reset(), f: () => this.fullScreen(), a: () => this.showAnswer() };
+      r: () => this.clock.reset(), f: () => this.fullScreen(), c: () => this.nextChart(), a: () => this.showAnswer() };
     const act = acts[event.key] || (/^[1-9]$/.test(event.key) && (() => this.choose(Number(event.key) - 1)));
     if (!act) return;
     event.preventDefault();

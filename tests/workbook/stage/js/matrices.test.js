@@ -1,0 +1,54 @@
+import assert from "node:assert/strict";
+import test from "node:test";
+
+import {
+  arrowCorners, corners, frameAlong, lookAt, multiplied, perspective, placed, projected, shadowOn,
+} from "../../../../course/workbook/stage/js/matrices.js";
+
+const applied = (m, p) => [0, 1, 2, 3].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r] * (p[3] ?? 1));
+const close = (a, b, tolerance = 1e-5) => a.forEach((v, i) => assert.ok(Math.abs(v - b[i]) <= tolerance, `${a} is not ${b}`));
+
+test("what is looked at is in the middle of the picture, what is above it higher", () => {
+  const eye = multiplied(perspective(0.6, 1.5, 0.1, 100), lookAt([5, -6, 3], [0, 0, 0], [0, 0, 1]));
+  close(projected(eye, [0, 0, 0], 600, 400).point, [300, 200], 1e-3);
+  assert.ok(projected(eye, [0, 0, 1], 600, 400).point[1] < 200);
+  assert.equal(projected(eye, [50, -60, 30], 600, 400).before, false);
+});
+
+test("a body's place turns and moves it", () => {
+  const m = placed([1, 2, 3], [0, 0, Math.SQRT1_2, Math.SQRT1_2]);
+  close(applied(m, [1, 0, 0]).slice(0, 3), [1, 3, 3]);
+});
+
+test("a shadow lies on the ground, along the light", () => {
+  const light = [0.3, -0.2, -1];
+  const shadow = shadowOn(-2, light);
+  const p = [0.7, 0.4, 1.5];
+  const fallen = applied(shadow, p);
+  const far = (-2 - p[2]) / light[2];
+  close(fallen.slice(0, 3), p.map((v, i) => v + far * light[i]));
+});
+
+test("faces of a box keep their normals, a ball's normals point outward", () => {
+  const vertices = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  const out = corners(vertices, [0, 1, 2], [[1, 0, 0], [1, 0, 0], [1, 0, 0]], false);
+  close(Array.from(out.slice(3, 6)), [0, 0, 1]);
+  assert.equal(out.length, 27);
+});
+
+test("an arrow's mesh runs from 0 to 1 along z", () => {
+  for (const head of [0, 1]) {
+    const mesh = arrowCorners(8, head);
+    const heights = Array.from({ length: mesh.length / 6 }, (_, k) => mesh[6 * k + 2]);
+    assert.equal(Math.min(...heights), 0);
+    assert.equal(Math.max(...heights), 1);
+  }
+});
+
+test("the frame along a direction is right-handed and orthonormal", () => {
+  for (const d of [[1, 0, 0], [0, 1, 0], [0, 0, -1], [1, 2, 3]]) {
+    const [a, b, c] = frameAlong(d);
+    const cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    close(cross, c, 1e-12);
+  }
+});
