@@ -243,6 +243,31 @@ def demo(
     raise typer.Exit(code)
 
 
+@app.command()
+def film(
+    name: Annotated[str | None, typer.Argument(help="The film's name.")] = None,
+    listing: Annotated[bool, typer.Option("--list", help="Name the films, with slide and minutes.")] = False,
+    out: Annotated[Path | None, typer.Option(help="The file: .html, .svg or .gif.")] = None,
+    time: Annotated[float | None, typer.Option(help="The moment that an .svg shows [s].")] = None,
+    large: Annotated[bool, typer.Option("--large", help="Text and controls for a lecture room.")] = False,
+) -> None:  # fmt: skip
+    """Write a film as one file: HTML that plays from disk, without a network; SVG; or GIF."""
+    from course.workbook.films import listing as films
+
+    if listing or name is None:
+        typer.echo(films.table())
+        return
+    from course.workbook.stage.export import export
+
+    target = out or Path(f"{name}.html")
+    with plainly(RuntimeError):
+        shown = films.find_film(name)
+        size = export(
+            shown.exhibit(), target, time=shown.still if time is None else time, large=large
+        )  # fmt: skip
+        typer.echo(f"{target}: {size / 1000:,.0f} kB")
+
+
 def checkout() -> Path:
     """The project's folder; a sentence and exit code 2 where only the library is installed."""
     root = environment.project_root()

@@ -19,9 +19,7 @@ from xml.etree import ElementTree
 
 Tier = Literal["quick", "standard", "all"]
 TIERS: tuple[Tier, ...] = ("quick", "standard", "all")
-ELSEWHERE = (
-    "browser or peers or fresh or long"  # markers of the tests that only --all runs
-)
+ELSEWHERE = "browser or node or peers or fresh or long"  # markers of the tests that only --all runs
 CELL_SECONDS = 60
 NOTHING_COLLECTED = 5  # pytest's exit code
 
@@ -94,8 +92,9 @@ def stages(tier: Tier) -> list[Stage]:
         Stage("lessons as built", ("-m", "course", "build", "--check")),
         Stage("solutions, strict", (*notebooks, "--nbval", "solutions"), needs="solutions/*.ipynb"),
         Stage("lessons, as handed out", (*notebooks, "--nbval-lax", "lessons"), needs="lessons/*.ipynb"),
-        Stage("long tests", (*pytest, *workers, "-m", "long and not (browser or peers or fresh)", "tests"), "all",
+        Stage("long tests", (*pytest, *workers, "-m", "long and not (browser or node or peers or fresh)", "tests"), "all",
               may_be_empty=True),
+        Stage("the stage's program", (*pytest, "-m", "node", "tests"), "all", may_be_empty=True),
         Stage("browser", (*pytest, "-m", "browser", "tests"), "all", may_be_empty=True),
         Stage("peers", (*pytest, "-m", "peers", "tests"), "all", may_be_empty=True),
         Stage("fresh clone", (*pytest, "-m", "fresh", "tests"), "all", may_be_empty=True),

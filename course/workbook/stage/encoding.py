@@ -42,7 +42,10 @@ def encoded(film: Film) -> dict[str, Any]:
         "events": [float(t) for t in film.events],
         "view": _view(film),
         "palette": PALETTE,
-        "panes": [_pane(pane, middle) for pane in film.panes],
+        "panes": [
+            _pane(pane, middle, meshes=isinstance(film.view, Space))
+            for pane in film.panes
+        ],
         "charts": [_chart(chart) for chart in film.charts],
         "counters": [
             {"name": name, "values": _over(film, values)}
@@ -120,10 +123,10 @@ def _view(film: Film) -> dict[str, Any]:
     }
 
 
-def _pane(pane: Pane, middle: Any) -> dict[str, Any]:
+def _pane(pane: Pane, middle: Any, *, meshes: bool) -> dict[str, Any]:
     return {
         "title": pane.title,
-        "solids": [_solid(s) for s in pane.solids],
+        "solids": [_solid(s, mesh=meshes) for s in pane.solids],
         "position": _from_middle(pane.position, middle),
         "orientation": _array(pane.orientation),
         "arrows": [_arrows(a, middle) for a in pane.arrows],
@@ -132,8 +135,9 @@ def _pane(pane: Pane, middle: Any) -> dict[str, Any]:
     }
 
 
-def _solid(solid: Solid) -> dict[str, Any]:
-    return {
+def _solid(solid: Solid, *, mesh: bool) -> dict[str, Any]:
+    """A solid; its triangles only where they are drawn, in space."""
+    shown = {
         "what": solid.what,
         "label": solid.label,
         "fixed": solid.fixed,
@@ -143,6 +147,10 @@ def _solid(solid: Solid) -> dict[str, Any]:
             {"core": p.core.tolist(), "radius": p.radius, "color": p.color}
             for p in solid.parts
         ],
+    }
+    if not mesh:
+        return shown
+    return shown | {
         "vertices": _array(solid.vertices),
         "triangles": _array(solid.triangles, np.uint32),
         "colors": [sorted(set(solid.colors)).index(c) for c in solid.colors],

@@ -22,7 +22,7 @@ body > div {{ margin: auto; }}
 <body><div id="stage"></div><noscript>{still}</noscript>
 <script type="application/json" id="exhibit">{exhibit}</script>
 <script type="module">{program}
-new Stage(document.getElementById("stage"), JSON.parse(document.getElementById("exhibit").textContent));
+window.stage = new Stage(document.getElementById("stage"), JSON.parse(document.getElementById("exhibit").textContent));
 </script></body></html>
 """
 

@@ -119,8 +119,10 @@ function colorOf(chart, k) {
 
 /** The names of a chart's curves in rows that are no wider than the picture. */
 function legendRows(context, chart, width, font) {
+  const look = (k) => ({ dash: DASHES[k % DASHES.length], stacked: Boolean(chart.stacked) });
   const names = chart.kind === "path"
-    ? chart.guides.map((g, k) => ({ name: g.name, color: "grey", dash: DASHES[k % DASHES.length], stacked: false })) : chart.curves.map((c, k) => ({ name: c.name, color: colorOf(chart, k), dash: DASHES[k % DASHES.length], stacked: chart.stacked }));
+    ? chart.guides.map((g, k) => ({ name: g.name, color: "grey", ...look(k) }))
+    : chart.curves.map((c, k) => ({ name: c.name, color: colorOf(chart, k), ...look(k) }));
   if (names.length < 2 && !chart.stacked && chart.kind !== "path") return names.length && names[0].name !== chart.title ? [names] : [];
   const rows = [[]];
   let used = 0;

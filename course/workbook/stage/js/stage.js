@@ -64,7 +64,10 @@ export class Stage {
     if (!before || before.panes.length !== this.film.panes.length || before.charts.length !== this.film.charts.length) {
       this.#pictures();
     }
-    for (const picture of this.pictures) if (!picture.camera && this.film.view.kind === "space") picture.camera = cameraOf(this.film.view, this.film.view.camera);
+    const { view } = this.film;
+    for (const picture of this.pictures) {
+      if (!picture.camera && view.kind === "space") picture.camera = cameraOf(view, view.camera);
+    }
     this.#words();
     this.paintSoon();
     if (this.questions && id !== null) this.questions.answered(id);
@@ -158,7 +161,8 @@ export class Stage {
     this.sliders = {};
     for (const knob of this.exhibit.knobs || []) {
       const said = made("output", {});
-      const slider = made("input", { type: "range", min: 0, max: 1000, step: knob.log ? 10 : Math.max(1, Math.round((1000 * knob.step) / (knob.high - knob.low))),
+      const step = knob.log ? 10 : Math.max(1, Math.round((1000 * knob.step) / (knob.high - knob.low)));
+      const slider = made("input", { type: "range", min: 0, max: 1000, step,
         "aria-label": `${knob.label}${knob.unit ? `, ${knob.unit}` : ""}`, disabled: !this.questions,
         oninput: () => { this.#set({ [knob.name]: unslid(knob, Number(slider.value)) }); this.#ask(); } });
       this.sliders[knob.name] = { knob, slider, said };
