@@ -257,7 +257,7 @@ def film(
     if listing or name is None:
         typer.echo(films.table())
         return
-    from course.workbook.stage.export import export
+    from course.workbook.stage.files import export
 
     target = out or Path(f"{name}.html")
     with plainly(RuntimeError):

@@ -41,6 +41,7 @@ def test_the_tiers_hold_what_the_design_says():
     assert set(names("all")) == {
         *names("standard"),
         "long tests",
+        "the stage's program",
         "browser",
         "peers",
         "fresh clone",
@@ -52,13 +53,14 @@ def command(tier, name):
 
 
 def test_markers_choose_the_tests_of_a_tier():
-    assert "not (browser or peers or fresh or long or slow)" in command(
+    assert "not (browser or node or peers or fresh or long or slow)" in command(
         "quick", "unit tests"
     )
-    assert "not (browser or peers or fresh or long)" in command(
+    assert "not (browser or node or peers or fresh or long)" in command(
         "standard", "unit tests"
     )
     for name, marker in (
+        ("the stage's program", "node"),
         ("browser", "browser"),
         ("peers", "peers"),
         ("fresh clone", "fresh"),
@@ -70,7 +72,7 @@ def test_markers_choose_the_tests_of_a_tier():
 def test_every_marker_is_declared_and_run_by_some_stage():
     lines = subprocess.run([sys.executable, "-m", "pytest", "-p", "no:nbval", "--markers"], cwd=ROOT,
                            capture_output=True, text=True, check=True).stdout  # fmt: skip
-    for marker in ("slow", "long", "browser", "peers", "fresh"):
+    for marker in ("slow", "long", "browser", "node", "peers", "fresh"):
         assert f"@pytest.mark.{marker}: " in lines
 
 

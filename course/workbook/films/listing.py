@@ -41,7 +41,7 @@ class Listed:
 LISTED = (
     Listed(
         "impulse",
-        "impulse",
+        "central_impacts",
         "One impact: masses, velocities, restitution",
         (15, 16, 17),
         5,

@@ -20,7 +20,7 @@ from course.workbook.stage.film import (
     Segments,
     Space,
 )
-from course.workbook.stage.page import page
+from course.workbook.stage.html_page import page
 from course.workbook.stage.solids import (
     Solid,
     ball,

@@ -11,7 +11,7 @@ import numpy as np
 
 from course.arrays import failure
 from course.workbook.stage.exhibit import Exhibit
-from course.workbook.stage.page import page
+from course.workbook.stage.html_page import page
 from course.workbook.stage.still import svg
 
 SUFFIXES = (".html", ".svg", ".gif")

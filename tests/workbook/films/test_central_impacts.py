@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from course.study.central_motion import central_motion, printed_law
-from course.workbook.films.impulse import KNOBS, impulse
+from course.workbook.films.central_impacts import KNOBS, impulse
 
 RIGHT = {"mass_1": 1.0, "mass_2": 2.0, "velocity_1": -2.0, "velocity_2": 2.0}
 
