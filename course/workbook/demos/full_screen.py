@@ -19,10 +19,12 @@ SHARE = Path(__file__).with_name(
 
 def notebook_of(demo: Demo) -> nbformat.NotebookNode:
     """A notebook that shows the demo and nothing else."""
-    heading = nbformat.v4.new_markdown_cell(f"# {demo.title}\n\n{demo.try_this}")
-    code = nbformat.v4.new_code_cell(
-        f"from course.workbook import demos\n\ndemos.{demo.name}()"
-    )
+    large = "large=True" if demo.on_stage else ""
+    shown = f"from course.workbook import demos\n\ndemos.{demo.name}({large})"
+    cells = [nbformat.v4.new_code_cell(shown)]
+    if not demo.on_stage:  # the stage has a title of its own
+        words = f"# {demo.title}\n\n{demo.try_this}"
+        cells.insert(0, nbformat.v4.new_markdown_cell(words))
     metadata = {
         "kernelspec": {
             "display_name": "Python 3",
@@ -30,7 +32,7 @@ def notebook_of(demo: Demo) -> nbformat.NotebookNode:
             "name": "python3",
         }
     }
-    return nbformat.v4.new_notebook(cells=[heading, code], metadata=metadata)
+    return nbformat.v4.new_notebook(cells=cells, metadata=metadata)
 
 
 def serve(name: str, *, browser: bool = True, port: int | None = None) -> int:
@@ -39,6 +41,7 @@ def serve(name: str, *, browser: bool = True, port: int | None = None) -> int:
     Returns Voila's exit code. A taken port gets the next one.
     """
     demo = find_demo(name)
+    print(f"{demo.title}. {demo.try_this}", flush=True)
     with tempfile.TemporaryDirectory(prefix="course-demo-") as folder:
         path = Path(folder) / f"{demo.name}.ipynb"
         nbformat.write(notebook_of(demo), path)

@@ -1,27 +1,10 @@
-"""Widgets for lessons 10 and 11."""
+"""The widget of lesson 11."""
 
 from __future__ import annotations
 
-from course.study import central_impact, wall_reflection
-from course.workbook.demos.panel import Panel, log_slider, slider
-from course.workbook.plots import bounces, impacts
-
-
-def impulse() -> Panel:
-    """Two balls on one line: masses, speeds and restitution, and what the impulse makes
-    of them.
-    """
-    return Panel(
-        lambda **chosen: impacts.impact(central_impact(**chosen)),
-        {
-            "mass_1": log_slider("mass 1 (right)", 2.0, -2, 2, "kg"),
-            "mass_2": log_slider("mass 2 (left)", 1.0, -2, 2, "kg"),
-            "restitution": slider("restitution e", 0.5, 0.0, 1.0, 0.05),
-            "velocity_1": slider("speed 1 along n", -3.0, -4.0, 4.0, 0.25, "m/s"),
-            "velocity_2": slider("speed 2 along n", 1.0, -4.0, 4.0, 0.25, "m/s"),
-        },
-        columns=2,
-    )
+from course.study import wall_reflection
+from course.workbook.demos.panel import Panel, slider
+from course.workbook.plots import bounces
 
 
 def wall() -> Panel:

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
-import ipywidgets
-
+from course.workbook import stage
 from course.workbook.demos import (
     contact_forces,
     contact_matrix,
@@ -17,6 +17,7 @@ from course.workbook.demos import (
     separation,
     spin,
 )
+from course.workbook.films.listing import LISTED, Listed, find_film
 from course.workbook.syllabus import read_syllabus
 
 
@@ -27,14 +28,36 @@ class Demo:
     """
 
     name: str
-    make: Callable[[], ipywidgets.Widget]
+    make: Callable[..., Any]
     title: str
     rows: tuple[int, ...]
     minutes: int
     try_this: str
+    on_stage: bool = False
+
+    @classmethod
+    def of_film(cls, film: Listed) -> Demo:
+        """A film of the stage as a demo."""
+        make = player(film.name)
+        return cls(
+            film.name, make, film.title, film.rows, film.minutes, film.look, True
+        )
+
+
+def player(name: str) -> Callable[..., Any]:
+    """The function that shows a film of this name: ``demos.impulse(large=False)``."""
+
+    def shown(*, large: bool = False) -> Any:
+        film = find_film(name)
+        return stage.show(film.exhibit(), still=film.still, large=large)
+
+    shown.__name__ = shown.__qualname__ = name
+    shown.__doc__ = find_film(name).title
+    return shown
 
 
 DEMOS = (
+    *(Demo.of_film(film) for film in LISTED),
     Demo(
         "tumbling",
         motion.tumbling,
@@ -42,14 +65,6 @@ DEMOS = (
         (14,),
         5,
         "Play: no torque, L stays, and it turns over. Now the other two axes. Then make the tilt ten times smaller.",
-    ),
-    Demo(
-        "impulse",
-        impacts.impulse,
-        "One impact: masses, speeds, restitution",
-        (15, 16, 17),
-        5,
-        "Equal masses and e = 1: they swap. Then make mass 2 a hundred times larger: a wall. Then let them part.",
     ),
     Demo(
         "wall",

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course.study.central_motion import (
+from course.study.meeting_on_a_line import (
     MEETING,
     CentralMotion,
     central_motion,

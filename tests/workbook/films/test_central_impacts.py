@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from course.study.central_motion import central_motion, printed_law
+from course.study.meeting_on_a_line import central_motion, printed_law
 from course.workbook.films.central_impacts import KNOBS, impulse
 
 RIGHT = {"mass_1": 1.0, "mass_2": 2.0, "velocity_1": -2.0, "velocity_2": 2.0}
