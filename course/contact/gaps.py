@@ -141,7 +141,7 @@ def separation_acceleration_terms(
     Returns:
         "force"        N.(F_A/m_A - F_B/m_B)
         "torque"       N.((I_A^-1 tau_A) x r_A - (I_B^-1 tau_B) x r_B)
-        "spin"         N.((I_A^-1 (L_A x omega_A)) x r_A - (I_B^-1 (L_B x omega_B)) x r_B)
+        "gyroscopic"   N.((I_A^-1 (L_A x omega_A)) x r_A - (I_B^-1 (L_B x omega_B)) x r_B)
         "centripetal"  N.(omega_A x (omega_A x r_A) - omega_B x (omega_B x r_B))
         "normal"       2 (p_A_dot - p_B_dot).N_dot, where curved with omega_B x N for N_dot
         "curvature"    zero where nothing is curved
@@ -273,7 +273,7 @@ def signed_terms(
     gyroscopic_size = _cross_size(momentum, omega)
     terms = {
         name: np.zeros((2, len(contacts)))
-        for name in ("force", "torque", "spin", "centripetal")
+        for name in ("force", "torque", "gyroscopic", "centripetal")
     }
     for body, arm, sign in (
         (motion.a, motion.arm_a, 1.0),
@@ -284,7 +284,7 @@ def signed_terms(
         acceleration = (f * bodies.inverse_mass[:, None])[body]
         terms["force"] += _dot(sign * n, acceleration, np.abs(n), np.abs(acceleration))
         for name, moment, moment_size in (
-            ("torque", tau, np.abs(tau)), ("spin", gyroscopic, gyroscopic_size)
+            ("torque", tau, np.abs(tau)), ("gyroscopic", gyroscopic, gyroscopic_size)
         ):  # fmt: skip
             alpha = np.einsum("nij,nj->ni", inverse, moment)[body]
             alpha_size = np.einsum("nij,nj->ni", np.abs(inverse), moment_size)[body]

@@ -17,7 +17,7 @@ from course.dynamics.bounces import (
     wall_bounce,
 )
 from course.dynamics.closed_forms import parabola, pendulum, symmetric_top
-from course.dynamics.domes import Dome
+from course.dynamics.domes import Dome, DomeBias, DomePaths
 from course.dynamics.dropped_boxes import FallingBoxes, falling_boxes
 from course.dynamics.energy import (
     angular_kinetic_energy,
@@ -73,13 +73,23 @@ from course.dynamics.torque_free_top import (
     torque_free_motion,
     torque_free_rotation,
 )
-from course.dynamics.tumbles import Tumble, free_tumble, orientation_error
+from course.dynamics.tumbles import (
+    BodyView,
+    EnergyLines,
+    Tumble,
+    free_tumble,
+    orientation_error,
+)
 
 __all__ = [
     "BallEvents",
     "BallMotion",
     "Bodies",
+    "BodyView",
     "Dome",
+    "DomeBias",
+    "DomePaths",
+    "EnergyLines",
     "FallingBoxes",
     "MassProperties",
     "Tumble",

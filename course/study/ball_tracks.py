@@ -150,14 +150,7 @@ def _collide(
         margin=margin,
     )
     frame = Bodies.balls(np.inf, 1.0, np.zeros((1, 3)))
-    both = Bodies(
-        *(
-            np.concatenate([getattr(state, f), getattr(frame, f)])
-            for f in Bodies.__dataclass_fields__
-        )
-    )
+    both = Bodies.concatenate([state, frame])
     contacts = Contacts.concatenate([touching, sides])
     after = resolve_collisions(both, contacts, restitution, law=law)
-    return replace(
-        state, momentum=after.momentum[:n], angular_momentum=after.angular_momentum[:n]
-    )
+    return after[:n]

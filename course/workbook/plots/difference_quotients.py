@@ -1,10 +1,9 @@
-"""Pictures of what differences of a gap are worth: errors over the step, and by how
-often one looks.
-"""
+"""Pictures of how good difference quotients of a gap are: over the step, and by looks."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -41,33 +40,18 @@ def difference_errors(
     with style():
         ax = axes(ax, size=(7.6, 4.4))
         for i, (name, error) in enumerate(result.error.items()):
-            options = {"marker": MARKERS[i % 6], "color": colours[i % 6]}
-            ax.loglog(
-                result.step,
-                np.maximum(error, FOOT),
-                ls="none",
-                ms=5,
-                label=name,
-                **options,
-            )
+            colour = colours[i % 6]
+            look: dict[str, Any] = {"marker": MARKERS[i % 6], "color": colour, "ms": 5}
+            drawn = np.maximum(error, FOOT)
+            ax.loglog(result.step, drawn, ls="none", label=name, **look)
             if expected is not None:
-                ax.loglog(
-                    result.step,
-                    expected[name],
-                    ls=LINES[i % 4],
-                    marker="",
-                    lw=1.2,
-                    color=colours[i % 6],
-                    label=f"{name}, predicted",
-                )
+                curve = {"ls": LINES[i % 4], "marker": "", "lw": 1.2, "color": colour}
+                label = f"{name}, predicted"
+                ax.loglog(result.step, expected[name], label=label, **curve)
         if formula is not None:
-            ax.axhline(
-                max(formula, FOOT),
-                color="black",
-                lw=1.6,
-                ls=(0, (5, 1)),
-                label="the formula",
-            )
+            dashes = (0, (5, 1))
+            height = max(formula, FOOT)
+            ax.axhline(height, color="black", lw=1.6, ls=dashes, label="the formula")
         ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
         ax.set_title("Errors of difference quotients")
         legend_beside(ax)
