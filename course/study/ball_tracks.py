@@ -72,13 +72,7 @@ def roll(
     )
     choice("law", law, LAWS)
     e = float(in_range("restitution", scalar("restitution", restitution), 0, 1))
-    if np.any(bodies.fixed):
-        raise failure(
-            "bodies",
-            "free balls",
-            "a body of infinite mass",
-            (int(np.argmax(bodies.fixed)),),
-        )
+    _require_free(bodies)
     low, high = _cushions(table, r)
     state, time = bodies, 0.0
     times, places, speeds, events = [0.0], [bodies.position], [bodies.velocity], 0
@@ -98,6 +92,12 @@ def roll(
     return BallTracks(
         np.array(times), np.array(places), np.array(speeds), events, time >= end
     )
+
+
+def _require_free(bodies: Bodies) -> None:
+    if np.any(bodies.fixed):
+        at = (int(np.argmax(bodies.fixed)),)
+        raise failure("bodies", "free balls", "a body of infinite mass", at)
 
 
 def _cushions(

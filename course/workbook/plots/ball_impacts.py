@@ -47,8 +47,8 @@ def impact(result: CentralImpact, *, ax: Axes | None = None) -> Axes:
         bare(ax)
     describe(
         ax,
-        f"Body 1 ({masses[0]:.3g} kg) and body 2 ({masses[1]:.3g} kg) along the normal. "
-        f"Before: {before[0]:.3g} and {before[1]:.3g} m/s; after an impulse of "
+        f"Body 1 ({masses[0]:.3g} kg) and body 2 ({masses[1]:.3g} kg) along the "
+        f"normal. Before: {before[0]:.3g} and {before[1]:.3g} m/s; after an impulse of "
         f"{p_hat:.3g} N s: {after[0]:.3g} and {after[1]:.3g} m/s. Kinetic energy lost: "
         f"{lost:.3g} J of {0.5 * float(masses @ before**2):.3g} J.",
     )

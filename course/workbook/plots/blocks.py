@@ -66,8 +66,8 @@ def block_paths(motion: TwoBlocks, *, ax: Axes | None = None) -> Axes:
     describe(
         ax,
         "Paths of two blocks before a wall, mass ratio "
-        f"{motion.mass[1] / motion.mass[0]:g}: the light block zigzags between the wall "
-        f"and the heavy one, {motion.count} collisions in all, then both leave.",
+        f"{motion.mass[1] / motion.mass[0]:g}: the light block zigzags between the "
+        f"wall and the heavy one, {motion.count} collisions in all, then both leave.",
     )
     return ax
 

@@ -1,4 +1,4 @@
-"""Pictures of the contact matrix: a pushed table, the pattern of A, and what A costs."""
+"""Pictures of the contact matrix: a pushed table, the pattern of A, its costs."""
 
 from __future__ import annotations
 
@@ -60,8 +60,8 @@ def pushed_table(
     describe(
         ax,
         "A table of 1 kg on four feet, from above, its centre of mass at "
-        f"({centre[0]:g}, {centre[1]:g}) m from the middle. It is pushed up with 1 N at "
-        f"({x:g}, {y:g}) m.{spoken}",
+        f"({centre[0]:g}, {centre[1]:g}) m from the middle. It is pushed up with 1 N "
+        f"at ({x:g}, {y:g}) m.{spoken}",
     )
     return ax
 
@@ -89,9 +89,9 @@ def matrix_pattern(system: ContactSystem, *, name: str, ax: Axes | None = None) 
     full = np.count_nonzero(a) / a.size
     describe(
         ax,
-        f"{name}: the pattern of J, {factors.shape[0]} by {factors.shape[1]}, and of A, "
-        f"{len(a)} by {len(a)}, positive and negative entries. {100 * full:.0f} percent "
-        "of A is not 0: only contacts that share a body that can move.",
+        f"{name}: the pattern of J, {factors.shape[0]} by {factors.shape[1]}, and of "
+        f"A, {len(a)} by {len(a)}, positive and negative entries. {100 * full:.0f} "
+        "percent of A is not 0: only contacts that share a body that can move.",
     )
     return ax
 

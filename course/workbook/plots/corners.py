@@ -46,6 +46,7 @@ def passing_a_corner(result: CornerPassing, *, ax: Axes | None = None) -> Axes:
         ax,
         "A point passes from left to right over the corner of a box, at "
         f"{heights}. Over the box the normal points up. Past the corner it leans to "
-        "the right: little by little at the greater height, all at once at the smaller.",
+        "the right: little by little at the greater height, all at once at the "
+        "smaller.",
     )
     return ax

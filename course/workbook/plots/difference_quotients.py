@@ -1,4 +1,4 @@
-"""Pictures of how good difference quotients of a gap are: over the step, and by looks."""
+"""Pictures of the errors of difference quotients: over their step, and by looks."""
 
 from __future__ import annotations
 
@@ -30,11 +30,14 @@ def difference_errors(
     expected: Mapping[str, Sequence[float]] | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Error of difference quotients over their step, both logarithmic: a V for each
-    stencil.
+    """Error of difference quotients over their step: a V for each stencil.
 
-    ``formula`` is the error of the closed formula, drawn as a level line; ``expected``
-    holds predicted curves by stencil. An error of exactly 0 is drawn at 1e-17.
+    Both axes are logarithmic; an error of exactly 0 is drawn at 1e-17.
+
+    Args:
+        result: of ``study.difference_errors``.
+        formula: the error of the closed formula, drawn as a level line.
+        expected: name of a stencil -> the curve predicted for it.
     """
     colours = list(PALETTE.values())
     with style():
@@ -57,8 +60,9 @@ def difference_errors(
         legend_beside(ax)
     describe(
         ax,
-        f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
-        "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
+        f"Error of difference quotients ({', '.join(result.error)}) over the step h, "
+        "both axes logarithmic. Each is a V: from the right it falls as the step "
+        "shrinks; left of its best step it rises again by rounding."
         + (_level_line(formula, result) if formula is not None else ""),
     )
     return ax
@@ -105,8 +109,8 @@ def errors_by_looks(
     spoken = "; ".join(f"{n} {looks[n]}: {_span(errors[n])}" for n in names)
     describe(
         ax,
-        f"{result.problem.name}: error in {result.problem.unit} of each way, a mark for "
-        f"each step; a line marks {tolerance:g}. {spoken}.",
+        f"{result.problem.name}: error in {result.problem.unit} of each way, a mark "
+        f"for each step; a line marks {tolerance:g}. {spoken}.",
     )
     return ax
 

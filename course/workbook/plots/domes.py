@@ -1,4 +1,4 @@
-"""Pictures of a particle on a dome: where it leaves, and what is counted twice there."""
+"""Pictures of a particle on a dome: where it leaves, and what is counted twice."""
 
 from __future__ import annotations
 
@@ -154,8 +154,8 @@ def old_point(result: OldPoint, *, ax: Axes | None = None) -> Axes:
         ax.set_title(f"at {result.angle:.0f}°: b = {bias:+.1f} m/s², {word}")
     describe(
         ax,
-        f"A particle on a dome of 1 m is let go {result.angle:.0f} degrees from the top "
-        f"at {result.speed:.2f} m/s. {result.ahead:.2f} s later its gap to the dome is "
+        f"A particle on a dome of 1 m is let go {result.angle:.0f} degrees from the "
+        f"top at {result.speed:.2f} m/s. {result.ahead:.2f} s later its gap to the dome is "
         f"{1000 * result.gap:.1f} mm; measured along its new normal from the point it "
         f"touched before, {1000 * result.from_old_point:.1f} mm.",
     )

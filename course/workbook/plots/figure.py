@@ -97,9 +97,9 @@ def arrow(
     length = float(np.linalg.norm(end - tail))
     if length < 1e-9:
         return
-    look = {"arrowstyle": style, "lw": lw, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0,
-            "mutation_scale": head}  # fmt: skip
-    ax.annotate("", tuple(end), tuple(tail), arrowprops=look | options)
+    look = {"arrowstyle": style, "lw": lw, "color": PALETTE[colour]}
+    look |= {"shrinkA": 0, "shrinkB": 0, "mutation_scale": head} | options
+    ax.annotate("", tuple(end), tuple(tail), arrowprops=look)
     if label:
         x, y = (end if beyond > 0 else tail) + beyond * (end - tail) / length
         behind = {"fc": "white", "ec": "none", "pad": 1.0, "alpha": 0.8}

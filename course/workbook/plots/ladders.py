@@ -120,7 +120,7 @@ def ladder_forces(
         ax,
         "Forces of floor and wall on a ladder that slides down, over its angle. Marks "
         f"lie on the lines of the closed form until it leaves the wall at {left} "
-        f"degrees. After that the closed form of the wall falls to {exact[last, 1]:.0f} "
-        f"N and the solved one stays at {f[last, 1] + 0:.0f} N.",
+        f"degrees. After that the closed form of the wall falls to "
+        f"{exact[last, 1]:.0f} N and the solved one stays at {f[last, 1] + 0:.0f} N.",
     )
     return ax

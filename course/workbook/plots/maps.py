@@ -99,7 +99,8 @@ def course_map(*, ax: Axes | None = None) -> Axes:
     )
     describe(
         ax,
-        f"The loop of a program that moves bodies, in six stages. {spoken} Then it begins again.",
+        f"The loop of a program that moves bodies, in six stages. {spoken} Then it "
+        "begins again.",
     )
     return ax
 

@@ -1,4 +1,4 @@
-"""Pictures of motion: energies over time, and the constant L as a turning body sees it."""
+"""Pictures of motion: energies over time, and L as a turning body sees it."""
 
 from __future__ import annotations
 

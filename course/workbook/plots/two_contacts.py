@@ -109,9 +109,9 @@ def _plane_in_words(result: TwoForces) -> str:
     return (
         "The plane of two contact forces in newtons, with ellipses around "
         f"({forced[0]:.0f}, {forced[1]:.0f}), where both d_ddot are 0, and the allowed "
-        f"quadrant. The least value in it is at ({f[0] + 0:.0f}, {f[1] + 0:.0f}), where "
-        f"d_ddot is ({plain(w[0])}, {plain(w[1])}) m/s². Three sweeps from (0, 0), each "
-        f"step along one axis, lead to ({end[0]:.0f}, {end[1]:.0f})."
+        f"quadrant. The least value in it is at ({f[0] + 0:.0f}, {f[1] + 0:.0f}), "
+        f"where d_ddot is ({plain(w[0])}, {plain(w[1])}) m/s². Three sweeps from "
+        f"(0, 0), each step along one axis, lead to ({end[0]:.0f}, {end[1]:.0f})."
     )
 
 
