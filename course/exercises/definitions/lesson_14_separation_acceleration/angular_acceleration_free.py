@@ -48,7 +48,9 @@ def _turning_bodies(rng: np.random.Generator) -> Sequence[Case]:
             {**ball, "angular_velocity": 0.5 * ball["angular_momentum"]},
             "edge",
         ),
-        Case("three bodies, as many as a vector has components", turning((3,)), "batch"),
+        Case(
+            "three bodies, as many as a vector has components", turning((3,)), "batch"
+        ),
         Case("a 2 by 4 batch", turning((2, 4)), "batch"),
     ]
 
