@@ -98,8 +98,15 @@ def _is_foreign(line: str) -> bool:
 
 
 def _instead(line: str) -> str:
-    """What stands for a line of IPython's: ``%time name = value`` does bind the name."""
+    """What stands for a line of IPython's: ``%time name = value`` and ``name = !command`` do bind the name."""
     margin = line[: len(line) - len(line.lstrip())]
+    left, equals, right = line.partition("=")
+    if (
+        equals
+        and right.lstrip().startswith(("%", "!"))
+        and TARGETS.fullmatch(left.strip())
+    ):
+        return f"{left}= 0" if right.startswith(" ") else f"{left}=0"
     timed = line.strip().removeprefix("%time ").lstrip()
     tree = None if timed[:1] in "%!?" else tree_of(timed)
     return margin + (timed if tree is not None and defined_in(tree) else "0")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import symtable
 import warnings
 from collections.abc import Sequence
@@ -125,6 +126,39 @@ def _names(
             if symbol.is_referenced():
                 used.add(symbol.get_name())
     return frozenset(bound), frozenset(used)
+
+
+def mentions(source: str, name: str) -> bool:
+    """Whether a cell may make ``name``, or have something checked under it, by other ways than defining it.
+
+    It binds it (in a block, as a class, ``global`` in a function, an import), names an attribute or a method so, or
+    says it in a text: ``check(f, "name")``, ``globals()["name"]``, ``exec``. One that does not parse is taken at its
+    word.
+    """
+    if name not in source:
+        return False
+    facts = facts_of(source)
+    if not facts.parsed or name in facts.binds - _only_used(source):
+        return True
+    tree = tree_of(python_only(source))
+    return any(_says(node, name) for node in ast.walk(tree)) if tree else True
+
+
+def _says(node: ast.AST, name: str) -> bool:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return node.value == name or name in re.findall(r"\w+(?=\s*[=(])", node.value)
+    if isinstance(node, ast.Attribute):
+        return node.attr == name
+    inner = isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))
+    return inner and node.name == name  # type: ignore[attr-defined]
+
+
+def _only_used(source: str) -> frozenset[str]:
+    """The names that a cell binds by ``f = use(f)`` alone, as a lesson's own cells do."""
+    tree = tree_of(python_only(source))
+    if tree is None or not all(isinstance(n, (ast.Assign, ast.Expr)) for n in tree.body):  # fmt: skip
+        return frozenset()
+    return facts_of(source).binds - frozenset(facts_of(source).defines)
 
 
 def modules_used(
