@@ -125,7 +125,7 @@ class _Guard:
     def __call__(self, event: str, details: tuple[Any, ...]) -> None:
         if self._aside:
             return
-        if event == "subprocess.Popen" and _looks_up(*details[:2]):
+        if event in LOOKS and LOOKS[event](*details[:2]):
             raise PermissionError(f"{event} is not allowed while an answer is marked")
         if event.startswith("ctypes.") and self._by_compiler():
             if event == "ctypes.dlopen":  # one way of its to have threads; it has more
@@ -227,6 +227,19 @@ def _looks_up(program: Any, words: Any) -> bool:
     first = program or (words[0] if isinstance(words, (list, tuple)) and words else "")
     told = isinstance(first, (str, bytes, os.PathLike))
     return told and os.path.basename(os.fsdecode(first)) in LOOKING_UP
+
+
+def _tries_address(_: Any, address: Any) -> bool:
+    """Whether a free port of this machine is asked for, to see what kinds of address there are."""
+    own = ("::1", "127.0.0.1", "localhost")
+    return isinstance(address, tuple) and address[0] in own and address[1] == 0
+
+
+#: What packages do to learn where they are: refused, not told.
+LOOKS: dict[str, Callable[[Any, Any], bool]] = {
+    "subprocess.Popen": _looks_up,
+    "socket.bind": _tries_address,
+}
 
 
 def _is_data(path: Any) -> bool:

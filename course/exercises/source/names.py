@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from course.exercises.source.cells import python_only
 from course.exercises.source.parsing import UNREADABLE, tree_of
-from course.exercises.source.statements import defined_in, definitions_in
+from course.exercises.source.statements import defined_in, definitions_in, is_use
 
 #: What reads or makes names where no source shows them.
 DYNAMIC = frozenset(
@@ -156,9 +156,10 @@ def _says(node: ast.AST, name: str) -> bool:
 def _only_used(source: str) -> frozenset[str]:
     """The names that a cell binds by ``f = use(f)`` alone, as a lesson's own cells do."""
     tree = tree_of(python_only(source))
-    if tree is None or not all(isinstance(n, (ast.Assign, ast.Expr)) for n in tree.body):  # fmt: skip
-        return frozenset()
-    return facts_of(source).binds - frozenset(facts_of(source).defines)
+    body = tree.body if tree else []
+    used = [n for n in body if isinstance(n, ast.Assign) and is_use(n.value)]
+    names = {t.id for n in used for t in n.targets if isinstance(t, ast.Name)}
+    return frozenset(names.difference(facts_of(source).defines))
 
 
 def modules_used(

@@ -63,7 +63,7 @@ def defined_in(tree: ast.Module) -> tuple[str, ...]:
             names += [n.name for n in all_statements([node]) if is_function(n)]  # type: ignore[attr-defined]
         elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             names.append(node.name)
-        elif isinstance(node, (ast.Assign, ast.AnnAssign)) and not _is_use(node.value):
+        elif isinstance(node, (ast.Assign, ast.AnnAssign)) and not is_use(node.value):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
             parts = [p for t in targets for p in (_parts(t))]
             names += [p.id for p in parts if isinstance(p, ast.Name)]
@@ -124,7 +124,8 @@ def _parts(target: ast.expr) -> list[ast.expr]:
     return target.elts if isinstance(target, (ast.Tuple, ast.List)) else [target]
 
 
-def _is_use(value: ast.expr | None) -> bool:
+def is_use(value: ast.expr | None) -> bool:
+    """Whether a value is what ``use`` gives."""
     return (
         isinstance(value, ast.Call)
         and isinstance(value.func, ast.Name)
