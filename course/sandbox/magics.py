@@ -28,7 +28,7 @@ def kernel_shell(attempts: Attempts) -> Any:
     config = Config()
     config.HistoryManager.enabled = False
     config.IPKernelApp.parent_appname = "notebook"
-    named = type("ZMQInteractiveShell", (InteractiveShell,), {})
+    named: Any = type("ZMQInteractiveShell", (InteractiveShell,), {})
     shell: Any = named.instance(config=config)
     shell.display_formatter.active_types = ["text/plain"]
     _without_commands(shell, attempts)
