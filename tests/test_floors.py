@@ -316,7 +316,7 @@ def test_every_module_is_looked_at():
         "course",
         "course.__main__",
         "course.environment",
-        "course.dynamics.impulse",
+        "course.dynamics.central_impulses",
     } <= dict(modules()).keys()
 
 

@@ -19,7 +19,8 @@ from course.arrays import (
     vectors,
     written,
 )
-from course.contact.gaps import separation_rate, signed_terms
+from course.contact.gap_terms import signed_terms
+from course.contact.gaps import separation_rate
 from course.dynamics.bodies import Bodies
 from course.dynamics.contact_points import require_body_indices
 from course.overlap.contact_arrays import Contacts

@@ -11,7 +11,11 @@ from course.arrays import Array, BoolArray, IntArray, choice, failure, in_range
 from course.contact.solvers.nnls import nonnegative_least_squares
 from course.dynamics.bodies import Bodies
 from course.dynamics.contact_points import require_body_indices
-from course.dynamics.impulse import apply_impulse, effective_mass, normal_velocity
+from course.dynamics.impulses_at_points import (
+    apply_impulse,
+    effective_mass,
+    normal_velocity,
+)
 from course.overlap.contact_arrays import Contacts
 
 LAWS = ("simultaneous", "sequential", "reflection")

@@ -206,6 +206,7 @@ def _safely(
     try:
         with _judging:
             verdict = _judged(exercise, cases, found, answers, limits)
+            verdict = _unless_unlike(verdict, answers)
             # What cannot be told cannot be a verdict either.
             verdict_message(exercise, verdict)
             return verdict
@@ -236,6 +237,17 @@ def _judged(
         told = f"it is checked {len(given)} times, and right {right} times: which one counts?"
         return Verdict(exercise.name, "needs a person", reason=(told,))
     return given[-1]
+
+
+def _unless_unlike(verdict: Verdict, answers: Answers) -> Verdict:
+    """The verdict, but a person's where the answer is not right and leans on what only its author's kernel had."""
+    told = [run.reply.unlike for run in answers.runs if run.reply is not None]
+    what = next(filter(None, told), "")
+    if not what or verdict.state not in ("wrong", "error"):
+        return verdict
+    words = f"it may lean on what was not here while it was marked ({what}): somebody should run it"
+    reason = (words, *verdict.reason)
+    return Verdict(verdict.exercise, "needs a person", reason=reason)
 
 
 def _checked(run: Run) -> bool:

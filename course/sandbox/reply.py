@@ -24,7 +24,8 @@ KINDS = ("value", "none", "raised", "unreadable", "unattempted")
 
 @dataclass(frozen=True)
 class Reply:
-    """What came back, checked: the outcomes, or why there are none; ``checked`` where the notebook itself asked."""
+    """What came back, checked: the outcomes, or why there are none; ``checked`` where the notebook itself asked,
+    ``unlike`` what the answer may lean on that its author's kernel had and this process had not."""
 
     outcomes: tuple[Outcome, ...] = ()
     missing: bool = False
@@ -32,6 +33,7 @@ class Reply:
     fault: str = ""
     held: tuple[str, ...] = ()
     checked: bool = False
+    unlike: str = ""
 
 
 def checked_reply(told: Any, most: Sequence[int], results: int) -> Reply:
@@ -39,7 +41,8 @@ def checked_reply(told: Any, most: Sequence[int], results: int) -> Reply:
     if not isinstance(told, dict):
         raise wire.Unreadable("no table of results")
     held = tuple(word for word in LIMIT_WORDS if word in _list(told.get("held", [])))
-    more: dict[str, Any] = {"held": held, "checked": told.get("checked") is True}
+    more: dict[str, Any] = {"held": held, "checked": told.get("checked") is True,
+                            "unlike": clean(told.get("unlike", ""), 200)}  # fmt: skip
     if told.get("missing") is True:
         return Reply(missing=True, **more)
     if told.get("blank") is True:

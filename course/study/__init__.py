@@ -22,13 +22,41 @@ from course.study.bouncing_ball import (
     event_driven_error,
 )
 from course.study.contact_matrices import (
+    MatrixGrowth,
     exact_matrix,
     matrix_cost,
+    matrix_growth,
     measured_accelerations,
     plain_arrays,
 )
 from course.study.domes import slide_off
+from course.study.force_cases import (
+    PlankForces,
+    PushedTable,
+    TwoForces,
+    plank_forces,
+    pushed_table,
+    two_forces,
+)
+from course.study.gap_cases import (
+    CornerPassing,
+    GapRate,
+    OldPoint,
+    PairStates,
+    corner_passing,
+    gap_rate,
+    old_point,
+    pair_states,
+)
 from course.study.growth import SolverGrowth, solver_growth
+from course.study.impact_cases import (
+    CentralImpact,
+    RodLanding,
+    WallReflection,
+    central_impact,
+    rod_landing,
+    wall_reflection,
+)
 from course.study.impact_laws import (
     impulses_at_once,
     impulses_by_springs,
@@ -36,24 +64,6 @@ from course.study.impact_laws import (
     impulses_in_turn,
 )
 from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
-from course.study.single_cases import (
-    CentralImpact,
-    GapRate,
-    OldPoint,
-    PlankForces,
-    PushedTable,
-    RodLanding,
-    TwoForces,
-    WallReflection,
-    central_impact,
-    gap_rate,
-    old_point,
-    plank_forces,
-    pushed_table,
-    rod_landing,
-    two_forces,
-    wall_reflection,
-)
 from course.study.spinning_impacts import (
     BoxLandings,
     BoxOutcomes,
@@ -106,13 +116,16 @@ __all__ = [
     "BoxLandings",
     "BoxOutcomes",
     "CentralImpact",
+    "CornerPassing",
     "Cost",
     "CradleComparison",
     "DifferenceErrors",
     "GapRate",
+    "MatrixGrowth",
     "Method",
     "OldPoint",
     "OrderOutcomes",
+    "PairStates",
     "PlankForces",
     "Problem",
     "PublishedBouncing",
@@ -133,6 +146,7 @@ __all__ = [
     "box_outcomes",
     "central_impact",
     "compare_cradles",
+    "corner_passing",
     "counting_wrench",
     "cradle",
     "cradle_by_springs",
@@ -151,6 +165,7 @@ __all__ = [
     "impulses_by_steps",
     "impulses_in_turn",
     "matrix_cost",
+    "matrix_growth",
     "measured_accelerations",
     "measured_order",
     "method_of",
@@ -158,6 +173,7 @@ __all__ = [
     "old_point",
     "oscillator_growth",
     "outcomes_by_order",
+    "pair_states",
     "plain_arrays",
     "plank_forces",
     "pushed_table",

@@ -7,7 +7,7 @@ from math import prod
 
 import numpy as np
 
-from course.arrays import Array
+from course.arrays import Array, BoolArray, IntArray
 from course.contact.assembly import ContactSystem
 from course.contact.engine.acceptance import (
     doubtful,
@@ -101,34 +101,50 @@ def _batch(
 ) -> ContactSolution:
     """All systems of a batch at once where they are small; one by one where that is in doubt."""
     shape, count = system.b.shape, len(system)
-    a, b = (
-        system.A.reshape(prod(shape[:-1]), count, count),
-        system.b.reshape(prod(shape[:-1]), count),
-    )
+    a = system.A.reshape(prod(shape[:-1]), count, count)
     # With the batch as the fastest axis: reductions over the few contacts of each system are quicker by far.
-    b = np.asfortranarray(b)
-    used = set[str]()
-    if count <= SMALL:
-        found = block_pivot(a, b, max_iterations=limit)
-        bad = ~(found.residual <= tolerance) | found.indefinite
-        bad |= doubtful(found.residual, found.size, b)
-        bad |= ~np.diagonal(a, axis1=1, axis2=2).all(axis=1)
-        if not np.any(bad):
-            whole = _pivoted(found, b, tolerance)
-            arrays = {k: v for k, v in vars(whole).items() if k != "method"}
-            return replace(
-                whole,
-                **{
-                    k: v.reshape(shape if v.ndim > 1 else shape[:-1])
-                    for k, v in arrays.items()
-                },
-            )
-        used.add("block_pivot")
-        force, iterations = found.force, found.iterations
-    else:
+    b = np.asfortranarray(system.b.reshape(prod(shape[:-1]), count))
+    if count > SMALL:
         force, iterations = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp)
-        bad = np.ones(len(b), dtype=bool)
+        return _one_by_one(
+            system,
+            a,
+            b,
+            np.ones(len(b), dtype=bool),
+            force,
+            iterations,
+            tolerance,
+            limit,
+        )
+    found = block_pivot(a, b, max_iterations=limit)
+    bad = ~(found.residual <= tolerance) | found.indefinite
+    bad |= doubtful(found.residual, found.size, b)
+    bad |= ~np.diagonal(a, axis1=1, axis2=2).all(axis=1)
+    if np.any(bad):
+        force, iterations = found.force, found.iterations
+        return _one_by_one(system, a, b, bad, force, iterations, tolerance, limit)
+    whole = _pivoted(found, b, tolerance)
+    arrays = {k: v for k, v in vars(whole).items() if k != "method"}
+    shaped = {
+        k: v.reshape(shape if v.ndim > 1 else shape[:-1]) for k, v in arrays.items()
+    }
+    return replace(whole, **shaped)
+
+
+def _one_by_one(
+    system: ContactSystem,
+    a: Array,
+    b: Array,
+    bad: BoolArray,
+    force: Array,
+    iterations: IntArray,
+    tolerance: float,
+    limit: int | None,
+) -> ContactSolution:
+    """The systems that are in doubt, each in parts; of the others the force is known and kept."""
+    shape = system.b.shape
     proof, exact = np.zeros(b.shape), np.zeros(b.shape, dtype=bool)
+    used = {"block_pivot"} if len(system) <= SMALL else set[str]()
     for k in np.flatnonzero(bad):
         parts = Parts(ContactSystem(a[k], b[k]), tolerance, limit)
         parts.solve()
@@ -136,12 +152,11 @@ def _batch(
         exact[k] = parts.exact
         used.add(parts.method.removeprefix("auto: "))
     require_solution(proof.reshape(shape), system.b)
-    method = "auto: " + ", ".join(sorted(used))
     solution = contact_solution(
         system,
         force.reshape(shape),
         iterations.reshape(shape[:-1]),
-        method,
+        "auto: " + ", ".join(sorted(used)),
         tolerance,
         exact=exact.reshape(shape),
     )

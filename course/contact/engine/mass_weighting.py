@@ -51,13 +51,15 @@ def mass_weighted_jacobian(system: Any) -> Any:
         (root[body, row, column], (6 * body + row, 6 * body + column)),
         shape=(6 * n, 6 * n),
     )
-    factor = csr_array(csr_array(system.jacobian) @ sparse_root)
-    largest = (
-        np.maximum.reduceat(np.append(np.abs(factor.data), 0.0), factor.indptr[:-1])
-        if factor.nnz
-        else np.zeros(0)
-    )
-    length = np.diff(factor.indptr)
-    factor.data[np.abs(factor.data) <= ROUNDING * np.repeat(largest, length)] = 0.0
-    factor.eliminate_zeros()
+    return _without_rounding(csr_array(csr_array(system.jacobian) @ sparse_root))
+
+
+def _without_rounding(factor: Any) -> Any:
+    """A sparse matrix without the entries that are rounding beside the largest of their row."""
+    if factor.nnz:
+        sizes = np.append(np.abs(factor.data), 0.0)
+        largest = np.maximum.reduceat(sizes, factor.indptr[:-1])
+        row_by_row = np.repeat(largest, np.diff(factor.indptr))
+        factor.data[np.abs(factor.data) <= ROUNDING * row_by_row] = 0.0
+        factor.eliminate_zeros()
     return factor

@@ -51,14 +51,8 @@ def solved(
             continue
         if pushing.size < count:  # contacts that no force moves
             a, b = a[pushing][:, pushing], b[pushing]
-        options = _Options(
-            system,
-            pushing,
-            tolerance,
-            limit,
-            relaxation,
-            None if begin is None else begin[index],
-        )
+        known = None if begin is None else begin[index]
+        options = _Options(system, pushing, tolerance, limit, relaxation, known)
         found, iterations[index] = one(a, b, options)
         force[(*index, pushing)] = np.maximum(found, 0.0)
     return contact_solution(system, force, iterations[()], method, tolerance)
