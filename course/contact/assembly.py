@@ -22,7 +22,6 @@ from course.arrays import (
 from course.contact.gap_terms import signed_terms
 from course.contact.gaps import separation_rate
 from course.dynamics.bodies import Bodies
-from course.dynamics.contact_points import require_body_indices
 from course.overlap.contact_arrays import Contacts
 
 if TYPE_CHECKING:
@@ -257,7 +256,7 @@ def contact_wrench(
     """
     f = scalars("force", force)
     shaped("force", f, (len(contacts),))
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     push = f[:, None] * contacts.normal
     total, torque = np.zeros((len(bodies), 3)), np.zeros((len(bodies), 3))
     for body, point, sign in contacts.sides:
@@ -267,7 +266,7 @@ def contact_wrench(
 
 
 def _refuse_fixed_pairs(bodies: Bodies, contacts: Contacts) -> None:
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     both: BoolArray = bodies.fixed[contacts.body_a] & bodies.fixed[contacts.body_b]
     if np.any(both):
         i = int(np.argmax(both))

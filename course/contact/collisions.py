@@ -10,7 +10,6 @@ import numpy as np
 from course.arrays import Array, BoolArray, IntArray, choice, failure, in_range
 from course.contact.solvers.nnls import nonnegative_least_squares
 from course.dynamics.bodies import Bodies
-from course.dynamics.contact_points import require_body_indices
 from course.dynamics.impulses_at_points import (
     apply_impulse,
     effective_mass,
@@ -92,7 +91,7 @@ def resolve_collisions(
         )
     e = float(in_range("restitution", restitution, 0, 1))
     choice("law", law, LAWS)
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     if not len(contacts):
         return bodies
     u, alone, groups = _groups(bodies, contacts)
@@ -265,7 +264,7 @@ def _at_once(
 
 def _in_turn(island: _Island, e: float) -> tuple[Array, bool]:
     """One contact after the other, each as if it were alone, until none approaches."""
-    from course.contact.sequential_impulses import Passes
+    from course.contact.sequential_collisions import Passes
 
     g, change, limit = island.factor, np.zeros(island.start.shape), -island.tolerance
     passes = Passes(g.T @ g)
