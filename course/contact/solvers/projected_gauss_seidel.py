@@ -1,4 +1,4 @@
-"""Contact forces by sweeping over the contacts, and how fast that converges.
+"""Contact forces by projected Gauss-Seidel sweeps over the contacts, and how fast these converge.
 
 A kernel module (``course.jit``): import it where it is called.
 """
@@ -21,6 +21,7 @@ from course.arrays import (
     whole_number,
     written,
 )
+from course.contact.solvers.arguments import dense, relaxation_of, square_system
 from course.contact.solvers.residual import residual_of
 from course.jit import compiled
 
@@ -101,14 +102,12 @@ def solve_projected_gauss_seidel(
     Raises:
         ValueError: relaxation outside 0..2, shapes that do not belong together.
     """
-    b = scalars("bias", bias)
-    factor = scalar("relaxation", relaxation)
-    if not 0 < factor < 2:
-        raise failure("relaxation", "a number above 0 and below 2", written(factor))
+    a, b = square_system(matrix, bias)
+    r = relaxation_of(relaxation)
     whole_number("max_sweeps", max_sweeps)
     f = np.zeros(b.size) if start is None else np.maximum(scalars("start", start), 0.0)
     shaped("start", f, b.shape)
-    system = _Sweeps(matrix, b)
+    system = _Sweeps(a, b)
     f = np.where(system.diagonal > 0, f, 0.0)
     count, check = 0, 0
     while True:
@@ -118,7 +117,7 @@ def solve_projected_gauss_seidel(
             check = min(count + 1 + count // 10, max_sweeps)
             if residual <= tolerance or count >= max_sweeps:
                 return Swept(f, residual, count)
-        system.sweep(f, factor)
+        system.sweep(f, r)
         count += 1
 
 
@@ -126,10 +125,9 @@ class _Sweeps:
     """A system by its rows, as the kernels take it."""
 
     def __init__(self, matrix: Any, bias: Array) -> None:
-        from scipy.sparse import csr_array, issparse
+        from scipy.sparse import csr_array
 
-        rows = csr_array(matrix if issparse(matrix) else scalars("matrix", matrix))
-        shaped("matrix", rows, (bias.size, bias.size))
+        rows = csr_array(matrix)
         self.matrix: Any = rows
         self.bias, self.diagonal = bias, np.asarray(rows.diagonal())
         self._magnitude = abs(rows)
@@ -152,7 +150,7 @@ class _Sweeps:
 
 def gauss_seidel_path(matrix: Any, bias: ArrayLike, sweeps: int) -> Array:
     """The forces from 0 on, after each single step of the sweeps, (sweeps c + 1, c)."""
-    system = _Sweeps(matrix, scalars("bias", bias))
+    system = _Sweeps(*square_system(matrix, bias))
     force = np.zeros(system.bias.size)
     path = [force.copy()]
     for i in list(range(force.size)) * whole_number("sweeps", sweeps):
@@ -183,7 +181,7 @@ def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> fl
     """
     from scipy.linalg import eigvals, eigvalsh, solve_triangular
 
-    a = matrix.toarray() if hasattr(matrix, "toarray") else scalars("matrix", matrix)
+    a = scalars("matrix", dense(matrix))
     if not a.size:
         return 0.0
     root = np.sqrt(a.diagonal())
@@ -209,7 +207,7 @@ def measured_gauss_seidel_factor(
         relaxation: above 0, below 2.
     """
     whole_number("sweeps", sweeps, minimum=20)
-    system = _Sweeps(matrix, scalars("bias", bias))
+    system = _Sweeps(*square_system(matrix, bias))
     f, changes = np.zeros(system.bias.size), []
     for _ in range(sweeps):
         before = f.copy()
