@@ -114,7 +114,7 @@ def resolve_collisions(
     after = replace(bodies, momentum=momentum, angular_momentum=angular_momentum)
     if stuck:
         message = (
-            f"{stuck} island(s) of touching bodies still collide after {MAX_ROUNDS} rounds, "
+            f"{stuck} group(s) of touching bodies still collide after {MAX_ROUNDS} rounds, "
             f"law {law!r}, e = {e:g}"
         )
         raise CollisionsUnresolved(message, after)

@@ -1,4 +1,4 @@
-"""One call for the forces of resting contact, whatever the method."""
+"""``solve``: one call for the forces of resting contact, whatever the method."""
 
 from __future__ import annotations
 

@@ -347,7 +347,7 @@ def test_a_ball_pinned_between_walls_stops_at_the_cap_with_the_state_reached(
     monkeypatch.setattr(collisions, "MAX_ROUNDS", 200)
     bodies, contacts = pinned()
     with pytest.raises(
-        CollisionsUnresolved, match=f"1 island.* after 200 rounds, law '{law}', e = 1"
+        CollisionsUnresolved, match=f"1 group.* after 200 rounds, law '{law}', e = 1"
     ) as caught:
         resolve_collisions(bodies, contacts, 1, law=law)
     assert np.allclose(

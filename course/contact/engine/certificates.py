@@ -1,4 +1,4 @@
-"""The proof that a contact system has no solution."""
+"""Certificates: Farkas' proof that a contact system has no solution."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ class PivotSolution:
 def solve_pivot(
     matrix: ArrayLike, bias: ArrayLike, *, max_pivots: int | None = None
 ) -> PivotSolution:
-    """A force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
+    """Pivoting: a force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
 
     D. Baraff, "Fast contact force computation for nonpenetrating rigid
     bodies", SIGGRAPH 1994, after R. W. Cottle and G. B. Dantzig, "Complementary

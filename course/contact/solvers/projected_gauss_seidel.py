@@ -57,7 +57,7 @@ def sweep(
     relaxation: float,
     force: Array,
 ) -> None:
-    """One contact after the other; one that no force moves is left out."""
+    """One Gauss-Seidel sweep: one contact after the other; one that no force moves is left out."""
     for i in range(bias.size):
         if diagonal[i] > 0.0:
             step(i, begin, column, entry, diagonal, bias, relaxation, force)
@@ -81,7 +81,7 @@ def solve_projected_gauss_seidel(
     relaxation: float = 1.0,
     start: ArrayLike | None = None,
 ) -> Swept:
-    """Give each contact in turn the force that makes its own w = 0, but never one below 0.
+    """Projected Gauss-Seidel: each contact in turn gets the force that makes its own w = 0, never one below 0.
 
     f_i <- max(0, f_i - relaxation w_i / a_ii). What is limited is the
     accumulated force, not its change: clipping changes instead answers
@@ -149,7 +149,7 @@ class _Sweeps:
 
 
 def gauss_seidel_path(matrix: Any, bias: ArrayLike, sweeps: int) -> Array:
-    """The forces from 0 on, after each single step of the sweeps, (sweeps c + 1, c)."""
+    """The Gauss-Seidel path: the forces from 0 on, after each single step of the sweeps, (sweeps c + 1, c)."""
     system = _Sweeps(*square_system(matrix, bias))
     force = np.zeros(system.bias.size)
     path = [force.copy()]
@@ -160,7 +160,7 @@ def gauss_seidel_path(matrix: Any, bias: ArrayLike, sweeps: int) -> Array:
 
 
 def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> float:
-    """By what factor a sweep brings the forces closer to the solution in the end, where all contacts push.
+    """The convergence factor of Gauss-Seidel sweeps where all contacts push: what is left of the error after each.
 
     The largest |eigenvalue| of (D/r + L)^-1 ((1/r - 1) D - L'), A = L + D +
     L' in the order of the sweep (Cottle, Pang and Stone, section 5.2; D. M.
@@ -177,7 +177,7 @@ def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> fl
             eigenvalues are computed, so c should not exceed about 1,000.
         relaxation: r, above 0, below 2.
     Returns:
-        The factor; below 1 it converges.
+        The convergence factor; below 1 it converges.
     """
     from scipy.linalg import eigvals, eigvalsh, solve_triangular
 
@@ -196,7 +196,7 @@ def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> fl
 def measured_gauss_seidel_factor(
     matrix: Any, bias: ArrayLike, *, sweeps: int = 200, relaxation: float = 1.0
 ) -> float:
-    """By what factor a sweep shrinks the change of the forces, measured over the last tenth of the sweeps.
+    """The convergence factor measured: by what a sweep shrinks the change of the forces, over the last tenth.
 
     Sweeps stop before rounding takes over, when the change has fallen to
     1e-11 of the forces.
@@ -221,16 +221,16 @@ def measured_gauss_seidel_factor(
     return float((changes[-1] / changes[-1 - tail]) ** (1 / tail))
 
 
-def optimal_relaxation(factor: float) -> float:
-    """The relaxation with the fastest convergence, from the factor at relaxation 1.
+def optimal_relaxation(convergence_factor: float) -> float:
+    """The relaxation with the fastest convergence, from the convergence factor at relaxation 1.
 
-    2 / (1 + sqrt(1 - factor)) (Young, 1971, for matrices such as a stack's,
+    2 / (1 + sqrt(1 - rho)) (Young, 1971, for matrices such as a stack's,
     with one contact an interface, whose contacts couple in a chain); it brings
-    the factor down to ``optimal_relaxation - 1``.
+    rho, the convergence factor, down to ``optimal_relaxation - 1``.
     """
-    rho = scalar("factor", factor)
+    rho = scalar("convergence_factor", convergence_factor)
     if not 0 <= rho < 1:
-        raise failure("factor", "a number from 0, below 1", written(rho))
+        raise failure("convergence_factor", "a number from 0, below 1", written(rho))
     return 2.0 / (1.0 + float(np.sqrt(1.0 - rho)))
 
 

@@ -18,7 +18,7 @@ def solve_qp(
     tolerance: float = 1e-10,
     max_iterations: int | None = None,
 ) -> tuple[Array | None, int]:
-    """Minimise f'A f/2 + b.f subject to f >= 0, by Clarabel through CVXPY.
+    """The quadratic programme: minimise f'A f/2 + b.f subject to f >= 0, by Clarabel through CVXPY.
 
     The slide's x'Q x/2 + c.x with A x <= b means Q = A_contact, c =
     b_contact, and the constraint -f <= 0 (syllabus row 25, misprint 13). Its

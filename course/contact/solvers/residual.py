@@ -10,7 +10,7 @@ from course.arrays import Array, ArrayLike, failure, scalars, shaped
 
 
 def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> Array:
-    """Scaled violation of w = A f + b >= 0, f >= 0, f.w = 0 (syllabus row 20).
+    """The residual: scaled violation of w = A f + b >= 0, f >= 0, f.w = 0 (syllabus row 20).
 
     max_i |min(D_i f_i, w_i)| / ((|A| |f|)_i + max_j |b_j|) with D = diag A:
     each row is judged against its own terms, so that heavy and light bodies
