@@ -428,8 +428,16 @@ def test_no_module_bears_the_name_of_a_function_it_holds():
         ("course.simulation.scene", "def f():\n    import k3d", "imports k3d"),
         ("course.contact.solvers.qp", "import cvxpy", "imports cvxpy at module level"),
         ("course.contact.solvers.nnls", "def f():\n    import cvxpy", "imports cvxpy"),
-        ("course.formulas.lesson_10_impulse", "import sympy", "imports sympy at module level"),
-        ("course.formulas.lesson_10_impulse", "def f():\n    import cvxpy", "formulas use NumPy"),
+        (
+            "course.formulas.lesson_10_impulse",
+            "import sympy",
+            "imports sympy at module level",
+        ),
+        (
+            "course.formulas.lesson_10_impulse",
+            "def f():\n    import cvxpy",
+            "formulas use NumPy",
+        ),
         (
             "course.formulas.lesson_10_impulse",
             "from course.dynamics import impulse",
@@ -482,8 +490,14 @@ def test_a_broken_floor_is_reported(module, source, said):
         ("course.contact.solvers.qp", "def solve():\n    import cvxpy"),
         ("course.rotations", "from course.arrays import vectors"),
         ("course.jit", "def f():\n    import numba"),
-        ("course.formulas.lesson_10_impulse", "import numpy\ndef f():\n    import sympy as sp"),
-        ("course.formulas.lesson_16_contact_forces", "def f():\n    import cvxpy as cp"),
+        (
+            "course.formulas.lesson_10_impulse",
+            "import numpy\ndef f():\n    import sympy as sp",
+        ),
+        (
+            "course.formulas.lesson_16_contact_forces",
+            "def f():\n    import cvxpy as cp",
+        ),
         ("course.dynamics.impulse", "from course import formulas"),
         ("course.contact.solving", "from course.contact.solvers.nnls import solve"),
         (
