@@ -8,6 +8,7 @@ problem, which also shows where no force exists.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from course.arrays import Array, ArrayLike, failure, scalars, written
 from course.contact.engine.acceptance import strays
 from course.contact.engine.certificates import certificate
 from course.contact.engine.refusals import INDEFINITE
-from course.contact.solvers.arguments import proof_by_the_unmoved, square_system
+from course.contact.solvers.arguments import dense, proof_by_the_unmoved, square_system
 from course.contact.solvers.nnls import ACCEPTED, nonnegative_least_squares
 from course.contact.solvers.residual import (
     complementarity_residual,
@@ -41,7 +42,7 @@ class NonNegativeSolution:
 
 
 def solve_nnls(
-    matrix: ArrayLike, bias: ArrayLike, *, columns: ArrayLike | None = None
+    matrix: Any, bias: ArrayLike, *, columns: ArrayLike | None = None
 ) -> NonNegativeSolution:
     """A force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
 
@@ -53,7 +54,7 @@ def solve_nnls(
     b.u < 0. f need not be unique; A f is.
 
     Args:
-        matrix: A, (c, c), symmetric positive semidefinite.
+        matrix: A, (c, c), sparse or dense, symmetric positive semidefinite.
         bias: b, (c,).
         columns: G with G'G = A, (m, c), such as M^-1/2 J'; more accurate than
             the one found from A.
@@ -62,7 +63,7 @@ def solve_nnls(
     Raises:
         ValueError: shapes that do not belong together, A not symmetric or not positive semidefinite.
     """
-    a, b = square_system(matrix, bias)
+    a, b = square_system(dense(matrix), bias)
     if not b.size or np.all(b >= 0):
         return NonNegativeSolution(np.zeros(b.shape), 0.0)
     g = _columns(a) if columns is None else scalars("columns", columns)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray
-from course.contact.solvers.arguments import proof_by_the_unmoved, square_system
+from course.contact.solvers.arguments import dense, proof_by_the_unmoved, square_system
 
 #: Numbers below this times the largest of their kind count as 0 (in units of the diagonal).
 COUNTS_AS_ZERO = 1e-11
@@ -33,7 +34,7 @@ class PivotSolution:
 
 
 def solve_pivot(
-    matrix: ArrayLike, bias: ArrayLike, *, max_pivots: int | None = None
+    matrix: Any, bias: ArrayLike, *, max_pivots: int | None = None
 ) -> PivotSolution:
     """Pivoting: a force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
 
@@ -50,13 +51,13 @@ def solve_pivot(
     answer to a unit of force at each; a pivot changes it by a matrix of rank 1.
 
     Args:
-        matrix: A, (c, c), symmetric positive semidefinite.
+        matrix: A, (c, c), sparse or dense, symmetric positive semidefinite.
         bias: b, (c,).
         max_pivots: 20 c + 100 if not given.
     Raises:
         ValueError: shapes that do not belong together, NaN or infinity.
     """
-    a, b = square_system(matrix, bias)
+    a, b = square_system(dense(matrix), bias)
     root = np.sqrt(np.maximum(a.diagonal(), 0.0))
     unmoved = proof_by_the_unmoved(root, b)
     if unmoved is not None:

@@ -36,6 +36,16 @@ def test_every_solver_refuses_in_the_same_words(solver, matrix, bias, message):
         solver(matrix, bias)
 
 
+@each
+def test_sparse_and_dense_are_solved_alike(solver):
+    a, b = np.array([[1.0, 0.5], [0.5, 1.0]]), np.array([-1.0, -1.0])
+    dense_one, sparse_one = (solver(m, b) for m in (a, csr_array(a)))
+    forces = [
+        f[0] if isinstance(f, tuple) else f.force for f in (dense_one, sparse_one)
+    ]
+    np.testing.assert_allclose(forces, np.full((2, 2), 2 / 3), rtol=1e-7)
+
+
 def test_sparse_matrices_stay_as_they_are():
     sparse = csr_array(np.array([[2.0, 1.0], [1.0, 2.0]]))
     matrix, bias = square_system(sparse, [1, 2])
