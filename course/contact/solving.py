@@ -44,8 +44,8 @@ def solve(
     "projected_gauss_seidel" sweeps; iterations are sweeps;
     "gauss" Gauss' principle in accelerations, an interior point method;
         needs the system's jacobian and inverse mass;
-    "auto" takes the system apart where contacts do not depend on each other,
-        chooses for each part, checks, and tries the next method if need be.
+    "auto" takes the system apart into islands, which do not depend on each other,
+        chooses for each, checks, and tries the next method if need be.
 
     Only "auto" raises where it does not converge; every other method returns
     what it reached, with its residual. f need not be unique, where contacts
