@@ -54,7 +54,7 @@ def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
 
 
 def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
-    """The mass that each contact's impulse feels along n.
+    """Effective mass: what each contact's impulse feels along n.
 
     1/mu = 1/m_A + 1/m_B + (r_A x n).I_A^-1 (r_A x n) + (r_B x n).I_B^-1 (r_B x n)
     (D. Baraff, "An introduction to physically based modeling: rigid body
