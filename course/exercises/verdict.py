@@ -13,6 +13,8 @@ from course.exercises.answer import Outcome, call_all, evaluator
 from course.exercises.comparison import Difference, compare, same
 from course.exercises.definition import Case, Exercise, Mistake
 
+#: What NumPy says where one True or False is wanted of many.
+AMBIGUOUS = "truth value of an array"
 State = Literal["passed", "wrong", "not attempted", "error", "needs a person"]
 
 
@@ -202,7 +204,8 @@ def general_advice(
         for o in outcomes
     ):
         advice.append(
-            "A plain number has no axes to index: np.asarray(s)[..., None] serves numbers and arrays alike."
+            "What has [...] behind it there is a plain number. Where an axis is wanted, np.asarray(s)[..., None] serves "
+            "numbers and arrays alike."
         )
     elif any(
         _says(
@@ -218,10 +221,15 @@ def general_advice(
             "& and | were given numbers, not conditions. They bind more tightly than <, so each comparison needs "
             "brackets: (a < 0) & (b < 0)."
         )
-    elif any("truth value of an array" in o.text for o in outcomes):
+    elif asks_one_question(cases, outcomes):
         advice.append(
             "`if`, `and`, `or`, `not`, a < b < c, min() and max() ask one question, a batch has many answers: "
             "np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for itself."
+        )
+    elif any(_says(o, AMBIGUOUS) for o in outcomes):
+        advice.append(
+            "`if`, `and`, `or`, `not`, in, min() and max() need one True or False. Here a whole array is compared, and "
+            "that in a case that is no batch: is a vector there in the place of a number?"
         )
     elif any(
         "'...' ellipsis" in o.text for o in outcomes
@@ -244,6 +252,14 @@ def general_advice(
             "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
         )
     return tuple(advice)
+
+
+def asks_one_question(cases: Sequence[Case], outcomes: Sequence[Outcome]) -> bool:
+    """Whether an answer stops at an `if` or the like, and with batches only."""
+    kinds = {
+        c.kind for c, o in zip(cases, outcomes, strict=True) if _says(o, AMBIGUOUS)
+    }
+    return kinds == {"batch"}
 
 
 def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...]:

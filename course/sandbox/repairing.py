@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import Any
 
 from course.exercises.answer import Outcome
-from course.exercises.definition import Exercise
+from course.exercises.definition import Case, Exercise
 from course.exercises.repair.places import Code
 from course.exercises.repair.recipe import Recipe
 from course.exercises.repair.search import Repair, Search, drawn_cases
-from course.exercises.verdict import alike
+from course.exercises.verdict import alike, asks_one_question
 from course.sandbox import messages, wire
 from course.sandbox.box import start_plain
 
@@ -121,9 +121,9 @@ def repair_of(
 
     Only where the recipe's source gives in the child what the answer gave in the notebook, ``outcomes``.
     """
-    if _told_already(outcomes):
-        return None
     cases, own = drawn_cases(exercise)
+    if _told_already(cases[:own], outcomes):
+        return None
     try:
         with _warm() as child:
             told = child.ask(_request(exercise, recipe, cases, own))
@@ -153,14 +153,13 @@ def repair_of(
         return None
 
 
-def _told_already(outcomes: Sequence[Outcome]) -> bool:
+def _told_already(cases: Sequence[Case], outcomes: Sequence[Outcome]) -> bool:
     """Whether the outcomes say themselves what is wrong: inputs written to, an `if` on a batch.
 
     What makes these right is a copy or a rewriting; a smaller change that happens to do so is not the cause.
     """
-    return any(
-        o.kind == "wrote" or "truth value of an array" in o.text for o in outcomes
-    )
+    wrote = any(o.kind == "wrote" for o in outcomes)
+    return wrote or asks_one_question(cases, outcomes)
 
 
 def _request(

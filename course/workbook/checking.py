@@ -26,6 +26,7 @@ from course.exercises.definition import (
 from course.exercises.message import Message, Part, verdict_message
 from course.exercises.verdict import Verdict, judge
 from course.workbook import recording
+from course.workbook.facts import borrowed_variables, facts_told
 from course.workbook.notebook import display_message, in_notebook
 from course.workbook.numbers import show
 from course.workbook.repairing import look_for_repair
@@ -52,7 +53,7 @@ def check(answer: Any, name: str | None = None) -> None:
             verdict,
             reason=(*_unfinished_before(lesson, exercise, answer), *verdict.reason),
         )
-        verdict = _with_borrowed(verdict, answer)
+        verdict = _with_facts(exercise, answer, verdict)
     passed_before = recording.state().passed
     recording.record("check", name, state=verdict.state)
     if (
@@ -171,44 +172,17 @@ def _unfinished_before(
     )
 
 
-def _with_borrowed(verdict: Verdict, answer: Any) -> Verdict:
-    """The verdict with the notebook's variables that the answer takes told first.
+def _with_facts(exercise: Exercise, answer: Any, verdict: Verdict) -> Verdict:
+    """The verdict with what its source tells.
 
-    What a property says of the answer is then left out: it was not the answer's own number.
+    Of an answer that takes the notebook's variables no property is told: it was not the answer's own number.
     """
-    names = borrowed_variables(answer)
-    if not names or verdict.mistake is not None:
-        return verdict
-    kind = (
-        "variables of the notebook" if len(names) > 1 else "a variable of the notebook"
-    )
-    words = f"It takes {', '.join(names)}, {kind} and no argument: another cell can change what it gives."
-    lacking = {p.message for p in find_exercise(verdict.exercise)[1].properties}
-    kept = tuple(r for r in verdict.reason if r not in lacking)
-    return replace(verdict, reason=(words, *kept))
-
-
-def borrowed_variables(answer: Any) -> tuple[str, ...]:
-    """The notebook's variables (numbers, arrays, symbols; no functions, classes, modules) that a function reads."""
-    if not inspect.isfunction(answer):
-        return ()
-    codes, names = [answer.__code__], dict[str, None]()
-    while codes:
-        code = codes.pop()
-        codes += [c for c in code.co_consts if inspect.iscode(c)]
-        steps = dis.get_instructions(code)
-        names.update((s.argval, None) for s in steps if s.opname == "LOAD_GLOBAL")
-    values = {n: answer.__globals__[n] for n in names if n in answer.__globals__}
-    return tuple(n for n, v in values.items() if _is_data(v))
-
-
-def _is_data(value: Any) -> bool:
-    """Whether it is a value and no constant that is imported: SymPy's symbols are callable too."""
-    if inspect.ismodule(value) or inspect.isclass(value) or value is None:
-        return False
-    if isinstance(value, float) and value in (np.pi, 2 * np.pi, np.inf):
-        return False
-    return not callable(value) or hasattr(value, "free_symbols")
+    reason = verdict.reason
+    if borrowed_variables(answer) and verdict.mistake is None:
+        lacking = {p.message for p in exercise.properties}
+        reason = tuple(r for r in reason if r not in lacking)
+    before, after = facts_told(exercise, answer, verdict)
+    return replace(verdict, reason=(*before, *reason, *after))
 
 
 def use(answer: Any, name: str | None = None, *, symbols: Sequence[Any] = ()) -> Any:

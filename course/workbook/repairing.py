@@ -18,6 +18,7 @@ from course.exercises.definition import Exercise
 from course.exercises.message import Message, Part
 from course.exercises.repair.recipe import Recipe, expression_recipe
 from course.exercises.repair.search import Repair
+from course.exercises.repair.wording import in_words
 from course.exercises.verdict import Verdict
 
 #: What was found, by exercise: ``hint`` shows the change.
@@ -53,13 +54,18 @@ def repair_message(name: str, repair: Repair, *, capped: bool = True) -> Message
     parts: list[Part] = []
     for which, step in zip(ORDINALS, repair.steps, strict=False):
         label = "look at" if len(repair.steps) == 1 else which
-        parts += [Part(label, step.kind), Part("in the line", step.line, "code")]
+        parts += [
+            Part(label, in_words(step.kind)),
+            Part("in the line", step.line, "code"),
+        ]
     parts += [Part("or in", line, "code") for line in repair.elsewhere]
     both = (
         "With this one change" if len(repair.steps) == 1 else "With these two changes"
     )
     parts.append(
-        Part("tried", f"{both} it passes every case, and those of two other draws.")
+        Part(
+            "tried", f"{both} it passes every case, and two other sets of drawn cases."
+        )
     )
     if not capped:
         half = "half its time: memory cannot be limited on this system"

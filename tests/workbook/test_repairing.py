@@ -87,6 +87,6 @@ def test_what_has_no_source_of_its_name_is_left_alone(answer):
 def test_half_a_search_is_said_to_be_one():
     from course.exercises.repair.search import Repair, Step
 
-    repair = Repair((Step("a sign", "return -a", "-a", "a"),))
+    repair = Repair((Step("a sign", "return -a", "-a", "a"),), "return a")
     assert "half its time" in str(repairing.repair_message("f", repair, capped=False))
     assert "half its time" not in str(repairing.repair_message("f", repair))

@@ -98,6 +98,17 @@ class Code:
         return self._lines[number - 1][1].strip() if number else ""
 
     @cached_property
+    def running(self) -> frozenset[str]:
+        """The names that begin as a number written in the source, or change in place."""
+        names = set()
+        for node in ast.walk(self.tree):
+            if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
+                names.add(node.target.id)
+            elif isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
+                names |= {t.id for t in node.targets if isinstance(t, ast.Name)}
+        return frozenset(names)
+
+    @cached_property
     def functions(self) -> list[ast.FunctionDef]:
         """The functions at the top of the source; inner ones are parts of theirs."""
         return [n for n in self.tree.body if isinstance(n, ast.FunctionDef)]

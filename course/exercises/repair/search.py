@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import ast
+import re
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,11 +24,12 @@ TOGETHER = 40
 ENOUGH = 8
 #: First steps that are followed by a second.
 FIRST_STEPS = 3
+SIGNS = ("a sign", "the sign of a term", "a difference turned round")
 #: Of two kinds of change that both make it right, the one whose words come first is told.
 _ORDER = (
     "a term too many", "a factor too many", "a divisor too many", "a power too many",
     "too many", "in place", "argument", "wrong place", "order of", "without axis", "axis",
-    "axes", "keepdims", "brackets", "condition", "belongs", "sign of a term",
+    "axes", "keepdims", "brackets", "condition", "a number$", "belongs", "sign of a term",
     "turned round", "names of another", "exchanged", "twin", "upside", "a sign",
     "an index", "another name", "another product", "number", "missing",
 )  # fmt: skip
@@ -45,9 +47,12 @@ class Step:
 
 @dataclass(frozen=True)
 class Repair:
-    """What makes an answer right: its steps in turn (one or two), and other lines where the first would do as well."""
+    """What makes an answer right: its steps in turn (one or two), the answer with them made, and other lines where the
+    first would do as well.
+    """
 
     steps: tuple[Step, ...]
+    changed: str
     elsewhere: tuple[str, ...] = ()
 
 
@@ -75,6 +80,7 @@ class Search:
         self._expected = answers_of(
             exercise.sample or exercise.reference, exercise, cases
         )
+        self._opposite: list[Edit] = []
         self.tried = 0
 
     def find(self, code: Code, outcomes: Sequence[Outcome]) -> Repair | None:
@@ -87,7 +93,7 @@ class Search:
             found = self._passing(code, [e for e in edits if e.stage == stage], right)
             if found:
                 return _told(code, found)
-        return self._in_two(code, edits, right)
+        return self._and_a_sign(code, right) or self._in_two(code, edits, right)
 
     def _right(self, index: int, outcome: Outcome) -> bool:
         return passes(
@@ -116,6 +122,8 @@ class Search:
             for edit, (outcome,) in zip(
                 some, self._run(code, some, [probe]), strict=True
             ):
+                if self._right(probe, _turned(outcome)):
+                    self._opposite.append(edit)
                 if self._right(probe, outcome):
                     (outcomes,) = self._run(code, [edit], everything, left=True)
                     if all(map(self._right, everything, outcomes)):
@@ -139,6 +147,17 @@ class Search:
     ) -> list[list[Outcome]]:
         self.tried += len(edits)
         return self._attempt([e.applied(code.source) for e in edits], indices, left)
+
+    def _and_a_sign(self, code: Code, right: Sequence[bool]) -> Repair | None:
+        """A first step that leaves the opposite of what is right, and then a sign."""
+        opposite, self._opposite = sorted(self._opposite, key=_rank), []
+        for first in opposite[:FIRST_STEPS]:
+            changed = Code(first.applied(code.source), code.axes)
+            signs = [e for e in edits_of(changed) if e.kind in SIGNS]
+            found = self._passing(changed, signs, right)
+            if found:
+                return _in_turn(code, first, _told(changed, found))
+        return None
 
     def _in_two(
         self, code: Code, edits: Sequence[Edit], right: Sequence[bool]
@@ -166,15 +185,20 @@ class Search:
                     changed, [e for e in seconds if e.stage == stage], now
                 )
                 if found:
-                    best = _told(changed, found).steps[0]
-                    return Repair((_step(code, first), best))
+                    return _in_turn(code, first, _told(changed, found))
         return None
 
 
+def _turned(outcome: Outcome) -> Outcome:
+    """The opposite of a single result of numbers; anything else as it is."""
+    if len(outcome.values) != 1 or outcome.values[0].dtype.kind != "f":
+        return outcome
+    return replace(outcome, values=(-outcome.values[0],))
+
+
 def _rank(edit: Edit) -> tuple[int, int]:
-    place = next(
-        (i for i, words in enumerate(_ORDER) if words in edit.kind), len(_ORDER)
-    )
+    order = (i for i, words in enumerate(_ORDER) if re.search(words, edit.kind))
+    place = next(order, len(_ORDER))
     return place, sum(abs(b - a) + len(t) for a, b, t in edit.patches)
 
 
@@ -183,9 +207,22 @@ def _told(code: Code, found: Sequence[Edit]) -> Repair:
     best = min(found, key=_rank)
     line = code.line(best.line)
     alike = dict.fromkeys(code.line(e.line) for e in found if e.kind == best.kind)
-    return Repair(
-        (_step(code, best),), tuple(other for other in alike if other != line)
-    )
+    others = tuple(other for other in alike if other != line)
+    return Repair((_step(code, best),), best.applied(code.source), others)
+
+
+def _in_turn(code: Code, first: Edit, then: Repair) -> Repair:
+    """A step and what follows it, the second's line as it stands in the unchanged source where that can be told."""
+    (second,) = then.steps
+    before, after = code.source.splitlines(), first.applied(code.source).splitlines()
+    if len(before) == len(after):
+        at = [
+            b.strip()
+            for b, a in zip(before, after, strict=True)
+            if a.strip() == second.line
+        ]
+        second = replace(second, line=at[0]) if at else second
+    return Repair((_step(code, first), second), then.changed)
 
 
 def _step(code: Code, edit: Edit) -> Step:

@@ -171,6 +171,8 @@ def _other_call(code: Code, node: ast.Call) -> Iterator[Change]:
                 f"{name}() where a cross product belongs",
                 f"np.cross({left}, {right})",
             )
+    if name == "cross" and len(texts) == 2:
+        yield from _product_rule(code, node)
     if name == "solve" and len(texts) == 2:
         yield "solve() where @ belongs", " @ ".join(map(code.closed, node.args))
         yield "solve() of a batch of vectors", solved(*texts)
@@ -191,6 +193,23 @@ def _other_call(code: Code, node: ast.Call) -> Iterator[Change]:
         if len(texts) == 2 and isinstance(node.func, ast.Attribute):
             turned = f"{code.closed(node.func.value)}.reshape({texts[1]}, {texts[0]}).T"
             yield "reshape() where a transpose belongs", turned
+
+
+def _product_rule(code: Code, node: ast.Call) -> Iterator[Change]:
+    """a_dot x b_dot as a_dot x b + a x b_dot, where a_dot is omega x a or has that name."""
+    whole = []
+    for argument in node.args:
+        text = code.text(argument)
+        if name_of_call(argument) == "cross" and isinstance(argument, ast.Call):
+            whole.append(code.text(argument.args[-1]))
+        elif isinstance(argument, ast.Name) and text.endswith("_dot"):
+            whole.append(text.removesuffix("_dot"))
+    if len(whole) == 2:
+        one, two = map(code.text, node.args)
+        yield (
+            "a product of two rates where the product rule belongs",
+            f"np.cross({one}, {whole[1]}) + np.cross({whole[0]}, {two})",
+        )
 
 
 def _other_axis(code: Code, node: ast.Call) -> Iterator[Change]:
@@ -226,7 +245,7 @@ def _other_comparison(code: Code, node: ast.Compare) -> Iterator[Change]:
     left, right = code.closed(node.left), code.closed(node.comparators[0])
     if mine is None:
         return
-    for sign in ("<", "<=", ">", ">=") if mine[0] in "<>" else ("==", "!="):
+    for sign in ("<", "<=", ">", ">=") + (("==", "!=") if mine[0] in "=!" else ()):
         if sign != mine:
             edge = {mine, sign} in ({"<", "<="}, {">", ">="})
             yield (

@@ -23,6 +23,10 @@ def shorter(code: Code, place: Place) -> Iterator[Change]:
         elif isinstance(node.op, ast.Mult):
             yield "a factor too many", left
             yield "a factor too many", right
+            for factor in (node.left, node.right):
+                bare = _without_kept_axis(code, factor)
+                if bare:  # the axis was there for the other factor
+                    yield "a factor too many", bare
         elif isinstance(node.op, ast.MatMult):
             yield "a matrix too many", left
             yield "a matrix too many", right
@@ -87,6 +91,19 @@ def _without_index(code: Code, node: ast.Subscript) -> Iterator[Change]:
         kept = [code.text(p) for p in parts if not isinstance(p, ast.Slice)]
         if kept:
             yield "a slice too many", f"{value}[{', '.join(kept)}]"
+
+
+def _without_kept_axis(code: Code, node: ast.expr) -> str:
+    """x of x[..., None], a sum of one with keepdims=True; empty for anything else."""
+    if isinstance(node, ast.Subscript):
+        parts = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
+        none = [p for p in parts if isinstance(p, ast.Constant) and p.value is None]
+        return code.closed(node.value) if none else ""
+    if isinstance(node, ast.Call):
+        kept = [k for k in node.keywords if k.arg != "keepdims"]
+        if len(kept) < len(node.keywords):
+            return call_text(code, node, keywords=kept)
+    return ""
 
 
 def _without_call(code: Code, node: ast.Call) -> Iterator[Change]:
