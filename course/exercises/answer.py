@@ -156,9 +156,12 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
     import sympy
 
     if isinstance(expression, (list, tuple, set, dict, sympy.FiniteSet)):
+        entry = "its entry, as in solve(...)[0]"
+        if isinstance(expression, dict):
+            entry = "that of the unknown you want, as in solve(...)[p]"
         raise TypeError(
             f"expected one expression; got a {type(expression).__name__} of {len(expression)}. "
-            "sympy.solve returns a list: take its entry, as in solve(...)[0]"
+            f"sympy.solve returns several: take {entry}"
         )
     if isinstance(
         expression,
@@ -340,7 +343,12 @@ def _content(part: Any) -> str:
 
 
 def _described(value: Any) -> str:
-    """The kind of a value; of a SymPy expression also its symbols, by which the notebook's variable is found."""
+    """The kind of a value; of a SymPy expression also its symbols, by which the notebook's variable is found.
+
+    A cvxpy expression is told where its numbers are.
+    """
+    if type(value).__module__.startswith("cvxpy."):
+        return f"a cvxpy {_kind(value)}, whose numbers are in its .value"
     symbols = getattr(value, "free_symbols", None)
     if not isinstance(symbols, set) or not symbols:
         return _kind(value)

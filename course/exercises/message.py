@@ -144,11 +144,14 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
     )
     plain = {
         "raised": f"it stopped with {outcome.text}",
-        "none": "it returned None: is the last line `return ...`?",
+        "none": "it returned None: a way through it ends without `return ...`, or what it returns there is None",
         "unreadable": outcome.text,
         "wrote": f"it wrote into its input ({outcome.text}): += and [...] = change the caller's array. "
         "Work on a copy (.copy()), or make a new array",
     }
+    if outcome.kind == "unreadable" and outcome.text.startswith("expected "):
+        wanted, _, came = outcome.text.removeprefix("expected ").partition("; got ")
+        return [Part("expected", wanted), Part("got", came), *printed]
     if outcome.kind in plain:
         return [
             Part(

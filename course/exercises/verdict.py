@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
+from itertools import permutations
 from typing import Any, Literal
 
 import numpy as np
@@ -76,7 +77,9 @@ def judge(
     )
     mistake = diagnose(exercise, cases, outcomes)
     reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
-    reason += violated(exercise, cases[first], outcomes[first])
+    fault = wrongs[first].fault if wrongs[first] else ""
+    if not fault.startswith("shape"):  # of another shape nothing else can be said
+        reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(
         exercise.name,
         state,
@@ -193,7 +196,8 @@ def general_advice(
         and len(outcomes) > 1
         and _constant(outcomes)
     ):
-        return ("It gives the same for every input: does it use its arguments?",)
+        return ("It gives the same in every case: does it use its arguments?",)
+    advice += _other_order(exercise, cases, outcomes)
     if any(
         _says(
             o,
@@ -204,8 +208,8 @@ def general_advice(
         for o in outcomes
     ):
         advice.append(
-            "What has [...] behind it there is a plain number. Where an axis is wanted, np.asarray(s)[..., None] serves "
-            "numbers and arrays alike."
+            "What has [...] behind it there is a plain number. Where an axis is wanted, np.asarray(s)[..., None] "
+            "serves numbers and arrays alike."
         )
     elif any(
         _says(
@@ -222,14 +226,16 @@ def general_advice(
             "brackets: (a < 0) & (b < 0)."
         )
     elif asks_one_question(cases, outcomes):
+        also = "Besides, it stops at batches: " if wrong_kinds - {"batch"} else ""
         advice.append(
-            "`if`, `and`, `or`, `not`, a < b < c, min() and max() ask one question, a batch has many answers: "
-            "np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for itself."
+            f"{also}`if`, `and`, `or`, `not`, a < b < c, min(), max() and np.arange() ask one question, a batch has "
+            "many answers: np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for "
+            "itself."
         )
     elif any(_says(o, AMBIGUOUS) for o in outcomes):
         advice.append(
-            "`if`, `and`, `or`, `not`, in, min() and max() need one True or False. Here a whole array is compared, and "
-            "that in a case that is no batch: is a vector there in the place of a number?"
+            "`if`, `and`, `or`, `not`, min(), max() and .remove() need one True or False. In a case that is no batch a "
+            "whole array is compared: does a vector stand there in the place of a number?"
         )
     elif any(
         "'...' ellipsis" in o.text for o in outcomes
@@ -252,6 +258,25 @@ def general_advice(
             "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
         )
     return tuple(advice)
+
+
+def _other_order(
+    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome]
+) -> list[str]:
+    """Whether the results, wherever there are any, are the right ones in another order."""
+    came = [(c, o) for c, o in zip(cases, outcomes, strict=True) if o.kind == "value"]
+    if len(exercise.results) < 2 or len(came) < 3:
+        return []
+    expected = answers_of(exercise.reference, exercise, [c for c, _ in came])
+    for order in list(permutations(range(len(exercise.results))))[1:]:
+        turned = [replace(o, values=tuple(o.values[i] for i in order)) for _, o in came]
+        if all(
+            not compare(exercise.results, e.values, t.values).wrong
+            for e, t in zip(expected, turned, strict=True)
+        ):
+            names = ", ".join(r.name for r in exercise.results)
+            return [f"The results are right, but for their order: return {names}."]
+    return []
 
 
 def asks_one_question(cases: Sequence[Case], outcomes: Sequence[Outcome]) -> bool:

@@ -54,10 +54,9 @@ def repair_message(name: str, repair: Repair, *, capped: bool = True) -> Message
     parts: list[Part] = []
     for which, step in zip(ORDINALS, repair.steps, strict=False):
         label = "look at" if len(repair.steps) == 1 else which
-        parts += [
-            Part(label, in_words(step.kind)),
-            Part("in the line", step.line, "code"),
-        ]
+        where = "in the lines" if "\n" in step.line else "in the line"
+        parts.append(Part(label, in_words(step.kind)))
+        parts.append(Part(where, step.line, "code"))
     parts += [Part("or in", line, "code") for line in repair.elsewhere]
     both = (
         "With this one change" if len(repair.steps) == 1 else "With these two changes"

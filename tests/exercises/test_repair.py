@@ -55,6 +55,10 @@ def repair_of_source(name, source, axes, seconds=20.0):
         ("np.sum(velocity * velocity, axis=-1)", "another name"),
         ("-np.sum(velocity * normal, axis=-1)", "a sign"),
         ("velocity * normal", "* where a dot product belongs"),
+        (
+            "np.sum(velocity * normal, axis=-1, keepdims=True) * normal",
+            "a factor too many",
+        ),
     ],
 )
 def test_the_kind_of_a_slip_is_found(wrong, kind):
@@ -142,3 +146,114 @@ def test_an_expression_becomes_a_function_of_numbers():
     exec(recipe.prelude + recipe.source, space)
     assert space["rest_time"](2.0, 0.5, 1.0) == 3.0
     assert expression_recipe("rest_time = ", "rest_time", ["h"]) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "kind", "new"),
+    [
+        # a count is a number, not a name that happens to hold one
+        (
+            "speed_along",
+            "total = 0\n    for i in range(1, 3):\n"
+            "        total += velocity[..., i] * normal[..., i]\n    return total",
+            "a number",
+            "0",
+        ),
+        # the dot product is there; what follows it is too many
+        (
+            "speed_along",
+            "dot = np.sum(velocity * normal, axis=-1)\n    return dot[..., None] * normal",
+            "a factor too many",
+            "dot",
+        ),
+        (
+            "speed_along",
+            "a = velocity * normal\n    b = a\n    b[..., 0] = 0.0\n    return np.sum(a, axis=-1)",
+            "a second name where a copy belongs",
+            "np.array(a)",
+        ),
+        # mirrored, with e as a factor
+        (
+            "wall_bounce",
+            "u = np.sum(velocity * normal, axis=-1)[..., None]\n"
+            "    e = np.asarray(restitution)[..., None]\n"
+            "    return np.where(u < 0, velocity - 2 * e * u * normal, velocity)",
+            "a number times it where 1 + it belongs",
+            "1 + e",
+        ),
+        # both cross products have the same order: a sign is the likelier cause
+        (
+            "separation_rate",
+            "x_a, v_a, w_a = body_a\n    x_b, v_b, w_b = body_b\n"
+            "    rate = v_a + np.cross(w_a, p_a - x_a) - v_b + np.cross(w_b, p_b - x_b)\n"
+            "    return np.sum(rate * n + (p_a - p_b) * n_dot, axis=-1)",
+            "the sign of a term",
+            "v_a + np.cross(w_a, p_a - x_a) - v_b - np.cross(w_b, p_b - x_b)",
+        ),
+    ],
+)
+def test_of_several_changes_the_likeliest_is_told(name, body, kind, new):
+    exercise = find_exercise(name)[1]
+    head = f"def {exercise.signature}:\n    "
+    (step,) = repair_of_source(name, head + body + "\n", {}).steps
+    assert (step.kind, step.new) == (kind, new)
+
+
+def test_the_same_slip_in_two_twin_lines_is_one_change_in_both():
+    source = (
+        "def separation_rate(p_a, p_b, body_a, body_b, n, n_dot):\n"
+        "    x_a, v_a, w_a_now = body_a\n    x_b, v_b, w_b_now = body_b\n"
+        "    p_a_dot = v_a + np.cross(p_a - x_a, w_a_now)\n"
+        "    p_b_dot = v_b + np.cross(p_b - x_b, w_b_now)\n"
+        "    return np.sum((p_a_dot - p_b_dot) * n + (p_a - p_b) * n_dot, axis=-1)\n"
+    )
+    (step,) = repair_of_source("separation_rate", source, {}).steps
+    assert step.kind == "the order of the arguments of cross()"
+    lines = source.splitlines()
+    assert step.line.splitlines() == [lines[3].strip(), lines[4].strip()]
+
+
+def test_a_slip_and_a_sign_are_found_together():
+    source = HEAD + "-3 * np.sum(velocity * normal, axis=-1)\n"
+    repair = repair_of_source("speed_along", source, AXES)
+    kinds = {step.kind for step in repair.steps}
+    assert len(repair.steps) <= 2 and kinds <= {"a factor too many", "a sign"}
+
+
+def test_the_second_line_is_told_as_the_student_wrote_it():
+    """The changed line would show the first change, which only a hint may."""
+    line = "return momentum_1 + 3 * push, np.abs(momentum_2 - push)"
+    source = (
+        "def momentum_after(momentum_1, momentum_2, impulse, normal):\n"
+        f"    push = np.asarray(impulse)[..., None] * normal\n    {line}\n"
+    )
+    repair = repair_of_source("momentum_after", source, {})
+    assert [step.line for step in repair.steps] == [line, line]
+
+
+def test_no_line_is_told_that_only_the_search_wrote():
+    cell = 'a, b = sp.symbols("a b")\np_hat = (1 + e) * (v_2 - v_1) * m_1 * m_2\n'
+    names = ["m_1", "m_2", "v_1", "v_2", "e"]
+    recipe = expression_recipe(cell, "p_hat", names)
+    assert "    p_hat = (1 + e) * (v_2 - v_1) * m_1 * m_2\n" in recipe.source
+    exercise = find_exercise("p_hat")[1]
+    cases, own = drawn_cases(exercise)
+    attempt = here(exercise, cases)
+    (outcomes,) = attempt([recipe.source], range(own))
+    search = Search(exercise, cases, own, attempt, 20.0)
+    repair = search.find(Code(recipe.source), outcomes)
+    told = [*(s.line for s in repair.steps), *repair.elsewhere]
+    assert all(line in cell for line in told)
+
+
+def test_rates_multiplied_are_told_as_the_product_rule():
+    source = (
+        "def edge_normal_rate(e_a, e_b, omega_a, omega_b, n):\n"
+        "    q = np.cross(e_a, e_b)\n"
+        "    q_dot = np.cross(np.cross(omega_a, e_a), np.cross(omega_b, e_b))\n"
+        "    s = np.sign(np.sum(q * n, axis=-1, keepdims=True))\n"
+        "    rate = s * q_dot / np.linalg.norm(q, axis=-1, keepdims=True)\n"
+        "    return rate - np.sum(rate * n, axis=-1, keepdims=True) * n\n"
+    )
+    (step,) = repair_of_source("edge_normal_rate", source, {}).steps
+    assert step.kind == "a product of two rates where the product rule belongs"

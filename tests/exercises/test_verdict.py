@@ -228,3 +228,54 @@ def test_a_comparison_without_its_brackets_is_told(asked):
 def test_what_is_no_number_is_not_said_to_be_one():
     verdict = verdict_of("speed_along", lambda v, n: np.sum[v])
     assert not any("plain number" in r for r in verdict.reason)
+
+
+# Sentences that were said once where they were not so.
+
+
+def reasons(name, function) -> str:
+    return " ".join(verdict_of(name, function).reason)
+
+
+def test_a_batch_is_blamed_only_where_it_is_a_batch_that_stops():
+    def in_a_single_case(n, omega_a, omega_b, face):
+        return np.cross(omega_b if n == "face_b" else omega_a, n)
+
+    said = reasons("normal_rate", in_a_single_case)
+    assert "batch has many" not in said and "a vector stand there" in said
+
+    def with_an_if(velocity, normal, restitution):
+        along = np.sum(velocity * normal, axis=-1, keepdims=True)
+        bounced = velocity - (1 + restitution) * along * normal
+        return bounced if along < 0 else velocity
+
+    assert "batch has many answers" in reasons("wall_bounce", with_an_if)
+    swapped = reasons("wall_bounce", lambda v, n, e: -with_an_if(v, n, e))
+    assert swapped.startswith("Besides, it stops at batches")
+
+
+def test_an_index_into_a_number_is_not_told_to_be_a_missing_axis_only():
+    said = reasons("speed_along", lambda v, n: len(v)[0])
+    assert "is a plain number" in said and "Where an axis is wanted" in said
+
+
+def test_no_property_is_told_of_an_answer_of_another_shape():
+    def outer(p_1, p_2, impulse, normal):
+        change = p_1[..., None] * normal
+        return p_1 - change, p_2 - change
+
+    assert not reasons("momentum_after", outer)
+    lowest = reasons("solve_contact_qp", lambda a, b: -1.0)
+    assert not any(w in lowest for w in ("pulls", "sink", "part"))
+
+
+def test_results_in_the_wrong_order_are_told_so():
+    def turned(height, velocity, step, restitution, gravity):
+        hits = height < 0 and velocity < 0
+        after = -restitution * velocity if hits else velocity - gravity * step
+        return after, height + step * after
+
+    said = reasons("bouncing_ball_step", turned)
+    assert "right, but for their order: return height, velocity." in said
+    wrong = reasons("bouncing_ball_step", lambda h, v, *g: (v, h))
+    assert "order" not in wrong

@@ -205,8 +205,9 @@ def _of_the_repair(told: Told) -> list[str]:
     if told.repair is None:
         return []
     repair, false = told.repair, []
-    if repair.steps[0].line not in told.recipe.source:
-        false.append(f"no such line: {repair.steps[0].line}")
+    lines = "\n".join(step.line for step in repair.steps).splitlines()
+    there = [s.strip() for s in told.recipe.source.splitlines()]
+    false += [f"no such line: {line}" for line in lines if line not in there]
     if not _right(told, repair.changed):
         false.append("the changed answer is not right")
     return false
@@ -242,10 +243,16 @@ def _of_the_facts(verdict, answer, cases, outcomes) -> list[str]:
         false.append(f"not right for one: {failed}")
     if "Right in the ordinary cases" in reason and failed - {"edge"}:
         false.append(f"not right in the ordinary cases: {failed}")
-    if "the same for every input" in reason:
+    if "the same in every case" in reason:
         values = [o.values[0] for o in outcomes if o.kind == "value"]
         if any((v != values[0].flat[0]).any() for v in values):
-            false.append("not the same for every input")
+            false.append("not the same in every case")
+    if "a batch has many answers" in reason and answer.exercise.kind == "function":
+        single = [
+            o.text for c, o in zip(cases, outcomes, strict=True) if c.kind != "batch"
+        ]
+        if any("truth value" in text for text in single):
+            false.append("it is no batch that stops it")
     nodes = {type(n) for n in ast.walk(ast.parse(answer.cell))}
     for words, kinds in WORDS.items():
         if words in reason and not nodes & set(kinds):

@@ -117,7 +117,7 @@ def test_wrong_answer_gives_a_counterexample_that_can_be_pasted(capsys):
         (lambda *a: "four", "where numbers are expected"),
         (lambda *a: 1 / 0, "ZeroDivisionError"),
         (lambda *a: [[1.0], [1.0, 2.0]], "ragged"),
-        (lambda *a: 1.0, "the same for every input"),
+        (lambda *a: 1.0, "the same in every case"),
         (lambda *a: exit(), "SystemExit"),
     ],
 )

@@ -41,7 +41,9 @@ def expression_recipe(cell: str, name: str, arguments: Sequence[str]) -> Recipe 
         target = statement.targets[0]
         if not isinstance(target, ast.Name):
             continue
-        lines.append(f"{target.id} = ({code.text(statement.value)})")
+        text = code.text(statement.value)  # in brackets where it goes over lines
+        whole = f"(\n{text}\n)" if "\n" in text else text
+        lines.append(f"{target.id} = {whole}")
         if target.id == name:
             body = "\n    ".join([*lines, f"return {name}"])
             source = f"def {name}({', '.join(arguments)}):\n    {body}\n"

@@ -12,7 +12,14 @@ import numpy as np
 
 from course.exercises.answer import Outcome
 from course.exercises.definition import Case, Exercise
-from course.exercises.repair.edits import STAGES, Code, Edit, edits_of, patched
+from course.exercises.repair.edits import (
+    STAGES,
+    Code,
+    Edit,
+    edits_of,
+    patched,
+    without_twin,
+)
 from course.exercises.verdict import answers_of, passes
 
 #: Runs sources on the cases of these numbers: for each source the outcomes, in order; with the arguments as they were
@@ -27,7 +34,7 @@ FIRST_STEPS = 3
 SIGNS = ("a sign", "the sign of a term", "a difference turned round")
 #: Of two kinds of change that both make it right, the one whose words come first is told.
 _ORDER = (
-    "a term too many", "a factor too many", "a divisor too many", "a power too many",
+    "a second name", "a term too many", "a factor too many", "a divisor too many", "a power too many",
     "too many", "in place", "argument", "wrong place", "order of", "without axis", "axis",
     "axes", "keepdims", "brackets", "condition", "a number$", "belongs", "sign of a term",
     "turned round", "names of another", "exchanged", "twin", "upside", "a sign",
@@ -37,7 +44,7 @@ _ORDER = (
 
 @dataclass(frozen=True)
 class Step:
-    """A change that was found: its kind in words, the line it is in, and the piece of it before and after."""
+    """A change that was found: its kind, the line it is in (or lines), and the piece of it before and after."""
 
     kind: str
     line: str
@@ -88,12 +95,18 @@ class Search:
         right = [self._right(i, o) for i, o in enumerate(outcomes)]
         if all(right):
             return None
-        edits = edits_of(code)
+        edits = self._edits(code)
         for stage in STAGES:
             found = self._passing(code, [e for e in edits if e.stage == stage], right)
             if found:
                 return _told(code, found)
         return self._and_a_sign(code, right) or self._in_two(code, edits, right)
+
+    def _edits(self, code: Code) -> list[Edit]:
+        """The changes of a source; of an expression's those of its own lines, not of what returns it."""
+        hidden = f"return {self._exercise.name}"
+        whole = self._exercise.kind == "expression"
+        return [e for e in edits_of(code) if not whole or code.line(e.line) != hidden]
 
     def _right(self, index: int, outcome: Outcome) -> bool:
         return passes(
@@ -150,10 +163,17 @@ class Search:
 
     def _and_a_sign(self, code: Code, right: Sequence[bool]) -> Repair | None:
         """A first step that leaves the opposite of what is right, and then a sign."""
-        opposite, self._opposite = sorted(self._opposite, key=_rank), []
-        for first in opposite[:FIRST_STEPS]:
+        own, whole = list(range(self._own)), list[Edit]()
+        for start in range(0, len(self._opposite), TOGETHER):
+            some = self._opposite[start : start + TOGETHER]
+            if self._over():
+                break
+            for edit, run in zip(some, self._run(code, some, own), strict=True):
+                if all(self._right(i, _turned(o)) for i, o in enumerate(run)):
+                    whole.append(edit)
+        for first in sorted(whole, key=_rank)[:FIRST_STEPS]:
             changed = Code(first.applied(code.source), code.axes)
-            signs = [e for e in edits_of(changed) if e.kind in SIGNS]
+            signs = [e for e in self._edits(changed) if e.kind in SIGNS]
             found = self._passing(changed, signs, right)
             if found:
                 return _in_turn(code, first, _told(changed, found))
@@ -179,7 +199,7 @@ class Search:
         better.sort(key=lambda b: -b[0])
         for _, first, now in better[:FIRST_STEPS]:
             changed = Code(first.applied(code.source), code.axes)
-            seconds = edits_of(changed)
+            seconds = self._edits(changed)
             for stage in (1, 2):
                 found = self._passing(
                     changed, [e for e in seconds if e.stage == stage], now
@@ -199,16 +219,37 @@ def _turned(outcome: Outcome) -> Outcome:
 def _rank(edit: Edit) -> tuple[int, int]:
     order = (i for i, words in enumerate(_ORDER) if re.search(words, edit.kind))
     place = next(order, len(_ORDER))
-    return place, sum(abs(b - a) + len(t) for a, b, t in edit.patches)
+    if (
+        edit.kind == "a sign"
+    ):  # one too many first; else that of the whole, not of a part
+        grown = sum(len(t) - (b - a) for a, b, t in edit.patches)
+        return place, grown if grown <= 2 else 10_000 - _size(edit)
+    return place, _size(edit)
+
+
+def _size(edit: Edit) -> int:
+    return sum(abs(b - a) + len(t) for a, b, t in edit.patches)
 
 
 def _told(code: Code, found: Sequence[Edit]) -> Repair:
     """The best of several edits that all make it right, and in which lines others of its kind do."""
-    best = min(found, key=_rank)
-    line = code.line(best.line)
-    alike = dict.fromkeys(code.line(e.line) for e in found if e.kind == best.kind)
+    best = min(found, key=lambda e: (_unlike_its_twins(code, e), *_rank(e)))
+    line = "\n".join(_lines(code, best))
+    alike = dict.fromkeys(
+        "\n".join(_lines(code, e)) for e in found if e.kind == best.kind
+    )
     others = tuple(other for other in alike if other != line)
     return Repair((_step(code, best),), best.applied(code.source), others)
+
+
+def _unlike_its_twins(code: Code, edit: Edit) -> bool:
+    """Whether arguments change places that stand in the same order elsewhere: another cause is likelier."""
+    if "order of the arguments" not in edit.kind or len(edit.patches) > 1:
+        return False
+    start, end, _ = edit.patches[0]
+    mine = without_twin(code.source[start:end])
+    calls = [p.node for p in code.places() if isinstance(p.node, ast.Call)]
+    return sum(without_twin(code.text(c)) == mine for c in calls) > 1
 
 
 def _in_turn(code: Code, first: Edit, then: Repair) -> Repair:
@@ -228,8 +269,16 @@ def _in_turn(code: Code, first: Edit, then: Repair) -> Repair:
 def _step(code: Code, edit: Edit) -> Step:
     start, end = min(p[0] for p in edit.patches), max(p[1] for p in edit.patches)
     moved = tuple((a - start, b - start, t) for a, b, t in edit.patches)
-    old = code.source[start:end]
-    return Step(edit.kind, code.line(edit.line), _tidy(old), _tidy(patched(old, moved)))
+    old, new = code.source[start:end], patched(code.source[start:end], moved)
+    return Step(edit.kind, "\n".join(_lines(code, edit)), _tidy(old), _tidy(new))
+
+
+def _lines(code: Code, edit: Edit) -> list[str]:
+    """The lines of an edit: of a line that moves the one, of the same change in many places all of them."""
+    if any(text == "pass" or start == end for start, end, text in edit.patches):
+        return [code.line(edit.line)]
+    numbers = [code.source.count("\n", 0, p[0]) + 1 for p in sorted(edit.patches)]
+    return [code.line(n) for n in dict.fromkeys(numbers)]
 
 
 def _tidy(text: str) -> str:

@@ -97,6 +97,10 @@ def _other_operation(code: Code, node: ast.BinOp) -> Iterator[Change]:
         yield "* where a cross product belongs", f"np.cross({left}, {right})"
         yield "* where a dot product belongs", dot(left, right)
         yield "* where ** belongs", f"{left} ** {right}"
+        for number, rest in ((node.left, right), (node.right, left)):
+            if isinstance(number, ast.Constant):
+                yield "a number times it where 1 + it belongs", f"1 + {rest}"
+                yield "a number times it where 1 - it belongs", f"1 - {rest}"
     elif isinstance(op, ast.Div):
         yield "/ where * belongs", f"{left} * {right}"
         yield "a quotient upside down", f"{right} / {left}"

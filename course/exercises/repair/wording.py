@@ -14,7 +14,7 @@ _WORDS = {
     "& / |": "& where | belongs, or the other way round",
     "a condition at its edge": "a condition at its edge: with or without equality",
     "unlike the line of its twin": "what stands here for one of the two and there for the other",
-    "the names of another pair": "a pair of names where another pair belongs",
+    "the names of another pair": "two names in a difference or product, where two others belong",
     "dot() where the dot product of vectors belongs": "dot(), which pairs whole arrays, where a sum of products over "
     "axis=-1 belongs",
     "another product than the cross product": "a product where a cross product of other vectors belongs",
