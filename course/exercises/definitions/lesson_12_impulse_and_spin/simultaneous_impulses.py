@@ -250,8 +250,8 @@ SIMULTANEOUS_IMPULSES = Exercise(
         "others.",
         "Start with p = 0 and go through the contacts again and again. For each, compute w_i with the p you have, and "
         "change p_i by what brings w_i to 0, but never below p_i = 0.",
-        "p = np.zeros(len(normal_velocity))\nfor _ in range(500):\n    for i in range(len(p)):\n"
-        "        w = matrix[i] @ p + (1 + restitution) * normal_velocity[i]\n"
-        "        p[i] = max(0.0, p[i] - ____ / ____)\nreturn p",
+        "impulse = np.zeros(len(normal_velocity))\nfor _ in range(500):\n    for i in range(len(impulse)):\n"
+        "        surplus = matrix[i] @ impulse + (1 + restitution) * normal_velocity[i]\n"
+        "        impulse[i] = max(0.0, impulse[i] - ____ / ____)\nreturn impulse",
     ),
 )
