@@ -146,7 +146,7 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
         "raised": f"it stopped with {outcome.text}",
         "none": "it returned None: a way through it ends without `return ...`, or what it returns there is None",
         "unreadable": outcome.text,
-        "wrote": f"it wrote into its input ({outcome.text}): += and [...] = change the caller's array. "
+        "wrote": f"it wrote into its input ({outcome.text}): `+=` and `name[...] = ...` change the caller's array. "
         "Work on a copy (.copy()), or make a new array",
     }
     if outcome.kind == "unreadable" and outcome.text.startswith("expected "):
@@ -162,9 +162,8 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
             *printed,
         ]
     declared = next(r for r in exercise.results if r.name == difference.result)
-    if (
-        difference.fault in verdict.reason
-    ):  # a broken property is reported below; these are the numbers that break it
+    if difference.fault in {p.message for p in exercise.properties}:
+        # a broken property is reported below; these are the numbers that break it
         names = ", ".join(result.name for result in exercise.results)
         came = ", ".join(short(value) for value in outcome.values)
         return [Part("got", f"{names} = {came}", "code"), *printed]
@@ -190,6 +189,8 @@ def _expected_and_got(
         f", at index {list(difference.index)} of the batch" if difference.index else ""
     )
     wanted, came = difference.expected, difference.got
+    if declared.dtype == "float":
+        wanted, came = (_without_noise(v, declared.absolute) for v in (wanted, came))
     if np.size(wanted) > SHOWN_WHOLE:
         wanted, came = wanted[difference.entry], came[difference.entry]
         where += (
@@ -212,6 +213,13 @@ def _expected_and_got(
             )
         )
     return parts
+
+
+def _without_noise(value: Any, absolute: float) -> Any:
+    """Numbers with 0 for those that the tolerance does not tell from 0."""
+    if np.asarray(value).dtype.kind != "f":
+        return value
+    return np.where(np.abs(value) <= absolute, 0.0, value)[()]
 
 
 def pasteable(exercise: Exercise, verdict: Verdict) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -78,7 +79,7 @@ def judge(
     mistake = diagnose(exercise, cases, outcomes)
     reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
     fault = wrongs[first].fault if wrongs[first] else ""
-    if not fault.startswith("shape"):  # of another shape nothing else can be said
+    if not mistake and not fault.startswith("shape"):  # else that says more
         reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(
         exercise.name,
@@ -253,11 +254,30 @@ def general_advice(
         advice.append(
             "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
         )
+    if _cut_off(exercise, outcomes, wrongs):
+        advice.append(
+            "Your numbers are whole: an array of dtype int cuts off the decimals of all that is put into it."
+        )
     if any(v.dtype in (np.float16, np.float32) for o in outcomes for v in o.values):
         advice.append(
             "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
         )
     return tuple(advice)
+
+
+def _cut_off(
+    exercise: Exercise,
+    outcomes: Sequence[Outcome],
+    wrongs: Sequence[Difference | None],
+) -> bool:
+    """Whether an array of whole numbers came where decimals are right."""
+    return any(
+        w is not None and not w.fault and r.dtype == "float"
+        and r.name == w.result and v.dtype.kind in "iu" and v.ndim > 0
+        and not np.array_equal(w.expected, np.round(w.expected))
+        for o, w in zip(outcomes, wrongs, strict=True)
+        for r, v in zip(exercise.results, o.values, strict=False)
+    )  # fmt: skip
 
 
 def _other_order(
@@ -346,8 +366,12 @@ def _alike(exercise: Exercise, one: Outcome, other: Outcome) -> bool:
         return False
     if one.kind == "value":
         return same(exercise.results, other.values, one.values)
-    # The whole error, not its type alone: a TypeError may have any number of causes.
-    return one.kind != "raised" or one.text.split("\n")[0] == other.text.split("\n")[0]
+    return one.kind != "raised" or _error(one) == _error(other)
+
+
+def _error(outcome: Outcome) -> str:
+    """The whole error but its numbers, not its type alone: a TypeError may have any number of causes."""
+    return re.sub(r"\d+", "", outcome.text.split("\n  in the line:")[0])
 
 
 def _says(outcome: Outcome, *words: str) -> bool:

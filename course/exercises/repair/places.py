@@ -14,7 +14,8 @@ Patch = tuple[int, int, str]
 CLOSED = (ast.Name, ast.Constant, ast.Call, ast.Attribute, ast.Subscript, ast.List)
 #: Calls whose arguments are sizes or counts: no quantity of the exercise stands there.
 SIZES = frozenset(
-    "range zeros ones empty eye arange len reshape Variable Minimize Problem solve_ enumerate zip reversed list "
+    "range zeros ones empty zeros_like ones_like empty_like full eye arange len reshape Variable Minimize "
+    "Problem solve_ enumerate zip reversed list "
     "append remove pop asarray array isinstance print".split()
 )
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import combinations, permutations
 
 from course.exercises.repair.brackets import (
+    brackets_put_in,
     inside_out,
     other_brackets,
     other_side,
@@ -47,6 +48,8 @@ def other(code: Code, place: Place) -> Iterator[Change]:
         yield from other_brackets(code, node)
         if is_sum(node):
             yield from terms_into_brackets(code, node)
+        if not isinstance(place.parent, (ast.BinOp, ast.UnaryOp)):
+            yield from brackets_put_in(code, node)
         if not isinstance(place.parent, ast.BinOp) or not is_product(place.parent):
             yield from other_side(code, node)
     elif isinstance(node, ast.Call):

@@ -112,9 +112,9 @@ def _without_call(code: Code, node: ast.Call) -> Iterator[Change]:
         for argument in node.args:
             if not isinstance(argument, (ast.Starred, ast.GeneratorExp)):
                 yield f"{name}() too many", code.closed(argument)
-    if isinstance(node.func, ast.Attribute) and not node.args:
+    if isinstance(node.func, ast.Attribute) and (not node.args or name == "astype"):
         yield f"{name}() too many", code.closed(node.func.value)
     for some, keyword in enumerate(node.keywords):
-        if keyword.arg in ("axis", "keepdims", "degrees"):
+        if keyword.arg in ("axis", "keepdims", "degrees", "dtype"):
             kept = [k for i, k in enumerate(node.keywords) if i != some]
             yield f"{keyword.arg}= too many", call_text(code, node, keywords=kept)

@@ -9,6 +9,8 @@ _WORDS = {
     "another vector": "one of the vectors, which is the wrong one",
     "a sign": "a sign, which is the other way round",
     "brackets": "brackets, which stand in the wrong place",
+    "dtype= too many": "the dtype, which cuts decimals off",
+    "astype() too many": "astype(), which cuts decimals off",
     "the axis": "the axis, which is the wrong one",
     "and / or": "and where or belongs, or the other way round",
     "& / |": "& where | belongs, or the other way round",

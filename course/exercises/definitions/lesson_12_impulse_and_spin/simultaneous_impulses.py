@@ -171,7 +171,9 @@ SIMULTANEOUS_IMPULSES = Exercise(
         ),
         Property(
             "no push too many",
-            lambda given, answer: answer * _left(given, answer),
+            lambda given, answer: (
+                np.maximum(answer, 0.0) * np.maximum(_left(given, answer), 0.0)
+            ),
             "Some contact has p > 0 and w > 0: it is pushed although it parts faster than it must.",
             tolerance=1e-6,
         ),
