@@ -17,12 +17,13 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from course.exercises.advice import asks_one_question
 from course.exercises.answer import Outcome
 from course.exercises.definition import Case, Exercise
 from course.exercises.repair.places import Code
 from course.exercises.repair.recipe import Recipe
 from course.exercises.repair.search import Repair, Search, drawn_cases
-from course.exercises.verdict import alike, asks_one_question
+from course.exercises.verdict import alike
 from course.sandbox import messages, wire
 from course.sandbox.box import start_plain
 

@@ -55,6 +55,8 @@ def repair_of_source(name, source, axes, seconds=20.0):
         ("np.sum(velocity * velocity, axis=-1)", "another name"),
         ("-np.sum(velocity * normal, axis=-1)", "a sign"),
         ("velocity * normal", "* where a dot product belongs"),
+        ("np.sum(velocity * normal / 2 - 1, axis=-1)", "brackets"),
+        ("np.sum(velocity * normal, axis=-1).astype(int)", "astype() too many"),
         (
             "np.sum(velocity * normal, axis=-1, keepdims=True) * normal",
             "a factor too many",
@@ -181,14 +183,14 @@ def test_an_expression_becomes_a_function_of_numbers():
             "a number times it where 1 + it belongs",
             "1 + e",
         ),
-        # both cross products have the same order: a sign is the likelier cause
+        # both cross products have the same order: brackets are the likelier cause
         (
             "separation_rate",
             "x_a, v_a, w_a = body_a\n    x_b, v_b, w_b = body_b\n"
             "    rate = v_a + np.cross(w_a, p_a - x_a) - v_b + np.cross(w_b, p_b - x_b)\n"
             "    return np.sum(rate * n + (p_a - p_b) * n_dot, axis=-1)",
-            "the sign of a term",
-            "v_a + np.cross(w_a, p_a - x_a) - v_b - np.cross(w_b, p_b - x_b)",
+            "brackets",
+            "v_a + np.cross(w_a, p_a - x_a) - (v_b + np.cross(w_b, p_b - x_b))",
         ),
     ],
 )

@@ -279,3 +279,53 @@ def test_results_in_the_wrong_order_are_told_so():
     assert "right, but for their order: return height, velocity." in said
     wrong = reasons("bouncing_ball_step", lambda h, v, *g: (v, h))
     assert "order" not in wrong
+
+
+def test_of_a_recognised_slip_no_property_is_told_besides():
+    """1/mu is no mass: that it would be too heavy a one is beside the point."""
+    formula = find_exercise("effective_mass")[1].reference
+    verdict = verdict_of("effective_mass", lambda *given: 1 / formula(*given))
+    assert verdict.mistake is not None and verdict.reason == ()
+
+
+def test_a_contact_that_pulls_apart_too_slowly_is_not_told_to_part_too_fast():
+    def five_rounds(matrix, u, e):
+        p = np.zeros(len(u))
+        for _ in range(5):
+            for i in range(len(p)):
+                p[i] = max(0, p[i] - (matrix[i] @ p + (1 + e) * u[i]) / matrix[i, i])
+        return p
+
+    said = reasons("simultaneous_impulses", five_rounds)
+    assert "is below 0" in said and "pushed although" not in said
+
+
+def test_an_error_of_another_cause_is_not_taken_for_a_planted_one():
+    """Both are refused by cvxpy's rules; only one is not a quad_form."""
+
+    def highest(a, b):
+        x = cp.Variable(len(b))
+        q = 0.5 * cp.quad_form(x, cp.psd_wrap(a)) + b @ x
+        cp.Problem(cp.Maximize(q), [x >= 0]).solve(solver=cp.CLARABEL)
+        return x.value
+
+    def written_out(a, b):
+        x = cp.Variable(len(b))
+        cp.Problem(cp.Minimize(0.5 * x.T @ a @ x + b @ x), [x >= 0]).solve()
+        return x.value
+
+    assert verdict_of("solve_contact_qp", highest).mistake is None
+    assert verdict_of("solve_contact_qp", written_out).mistake is not None
+
+
+def test_an_array_of_whole_numbers_is_told_where_decimals_are_lost():
+    def cut(a, b, start, sweeps):
+        f = np.array(start, dtype=int)
+        for _ in range(sweeps):
+            for i in range(len(b)):
+                f[i] = max(0, f[i] - (a[i] @ f + b[i]) / a[i, i])
+        return f
+
+    assert "whole" in reasons("projected_gauss_seidel", cut)
+    zeros = reasons("projected_gauss_seidel", lambda a, b, s, n: 0 * s)
+    assert "whole" not in zeros

@@ -113,6 +113,13 @@ class Search:
             self._exercise, self._cases[index], outcome, self._expected[index]
         )
 
+    def _opposite_is_right(self, index: int, outcome: Outcome) -> bool:
+        """Whether a single result of numbers has only the wrong sign."""
+        if len(outcome.values) != 1 or outcome.values[0].dtype.kind != "f":
+            return False
+        turned = replace(outcome, values=(-outcome.values[0],))
+        return self._right(index, turned)
+
     def _over(self) -> bool:
         return time.monotonic() > self._end
 
@@ -135,7 +142,7 @@ class Search:
             for edit, (outcome,) in zip(
                 some, self._run(code, some, [probe]), strict=True
             ):
-                if self._right(probe, _turned(outcome)):
+                if self._opposite_is_right(probe, outcome):
                     self._opposite.append(edit)
                 if self._right(probe, outcome):
                     (outcomes,) = self._run(code, [edit], everything, left=True)
@@ -169,7 +176,7 @@ class Search:
             if self._over():
                 break
             for edit, run in zip(some, self._run(code, some, own), strict=True):
-                if all(self._right(i, _turned(o)) for i, o in enumerate(run)):
+                if all(self._opposite_is_right(i, o) for i, o in enumerate(run)):
                     whole.append(edit)
         for first in sorted(whole, key=_rank)[:FIRST_STEPS]:
             changed = Code(first.applied(code.source), code.axes)
@@ -207,13 +214,6 @@ class Search:
                 if found:
                     return _in_turn(code, first, _told(changed, found))
         return None
-
-
-def _turned(outcome: Outcome) -> Outcome:
-    """The opposite of a single result of numbers; anything else as it is."""
-    if len(outcome.values) != 1 or outcome.values[0].dtype.kind != "f":
-        return outcome
-    return replace(outcome, values=(-outcome.values[0],))
 
 
 def _rank(edit: Edit) -> tuple[int, int]:

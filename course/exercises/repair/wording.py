@@ -8,7 +8,7 @@ _WORDS = {
     "a number": "a number, which is the wrong one",
     "another vector": "one of the vectors, which is the wrong one",
     "a sign": "a sign, which is the other way round",
-    "brackets": "brackets, which stand in the wrong place",
+    "brackets": "brackets, which are left out or stand in the wrong place",
     "dtype= too many": "the dtype, which cuts decimals off",
     "astype() too many": "astype(), which cuts decimals off",
     "the axis": "the axis, which is the wrong one",
