@@ -78,7 +78,8 @@ def judge(
     reason = (
         () if mistake else general_advice(exercise, cases, outcomes, wrongs, expected)
     )
-    fault = wrongs[first].fault if wrongs[first] else ""
+    difference = wrongs[first]
+    fault = difference.fault if difference else ""
     if not mistake and not fault.startswith("shape"):  # else that says more
         reason += violated(exercise, cases[first], outcomes[first])
     return Verdict(
@@ -88,7 +89,7 @@ def judge(
         len(cases),
         cases[first],
         outcomes[first],
-        wrongs[first],
+        difference,
         mistake,
         reason,
         tuple(outcomes),
