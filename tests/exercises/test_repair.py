@@ -54,6 +54,7 @@ def repair_of_source(name, source, axes, seconds=20.0):
         ("np.max(velocity * normal, axis=-1)", "max() where sum() belongs"),
         ("np.sum(velocity * velocity, axis=-1)", "another name"),
         ("-np.sum(velocity * normal, axis=-1)", "a sign"),
+        ("-np.sum((velocity - 0) * normal, axis=-1)", "a sign"),
         ("velocity * normal", "* where a dot product belongs"),
         ("np.sum(velocity * normal / 2 - 1, axis=-1)", "brackets"),
         ("np.sum(velocity * normal, axis=-1).astype(int)", "astype() too many"),

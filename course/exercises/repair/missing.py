@@ -73,6 +73,10 @@ def longer_by_two(code: Code, place: Place) -> Iterator[Change]:
 def _can_be_longer(place: Place) -> bool:
     if not is_quantity(place) or not isinstance(place.node, NEEDS_STEP):
         return False
+    if isinstance(place.node, ast.UnaryOp) and isinstance(
+        place.node.operand, ast.Constant
+    ):
+        return False  # a number below 0 is a number
     return name_of_call(place.node) not in NO_STEP
 
 

@@ -223,7 +223,9 @@ def _rank(edit: Edit) -> tuple[int, int]:
         edit.kind == "a sign"
     ):  # one too many first; else that of the whole, not of a part
         grown = sum(len(t) - (b - a) for a, b, t in edit.patches)
-        return place, grown if grown <= 2 else 10_000 - _size(edit)
+        if grown <= 2:
+            return _ORDER.index("too many"), grown
+        return place, 10_000 - _size(edit)
     if edit.kind == "a limit at 0 missing":  # of what is set, not of a part of it
         return place, 10_000 - _size(edit)
     return place, _size(edit)

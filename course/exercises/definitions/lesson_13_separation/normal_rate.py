@@ -139,7 +139,7 @@ NORMAL_RATE = Exercise(
         Mistake(
             "none",
             slip(formulas.normal_rate, "return np", "return 0 * np"),
-            "You leave the normal as it is. It is fixed to a face, and the face turns.",
+            "Your N_dot is 0, as if the normal stayed as it is. It is fixed to a face, and the face turns.",
         ),
         Mistake(
             "no cross",
