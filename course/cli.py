@@ -132,7 +132,7 @@ def check(
 ) -> None:
     """Check a notebook's exercises. Exit code 1 unless all are right, 2 if the file cannot be used."""
     from course.grading.grade import check_notebook
-    from course.sandbox.running import SandboxFailure
+    from course.sandbox.session import SandboxFailure
 
     with plainly(SandboxFailure), bar("checking") as advance:
         done: list[str] = []
@@ -198,7 +198,7 @@ def grade(
     """
     from course.grading.grade import grade_folder
     from course.grading.stopping import Stopped
-    from course.sandbox.running import SandboxFailure
+    from course.sandbox.session import SandboxFailure
 
     try:
         with plainly(SandboxFailure), bar("grading") as advance:

@@ -21,7 +21,7 @@ from course.grading.stopping import Stopping
 from course.grading.submissions import Task, digest_of, read_content
 from course.grading.table import Table
 from course.grading.writing import CannotWrite
-from course.sandbox.running import Cancelled, SandboxFailure
+from course.sandbox.session import Cancelled, SandboxFailure
 
 #: Called with how many submissions are done, how many there are, and the file just
 #: finished ("" at the start).

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from course.exercises.message import SYMBOLS, WORDS, Part, verdict_message
+from course.exercises.message import SYMBOLS, WORDS, Part
 from course.grading.judge import Row
 from course.grading.report import TRUSTED, TRUSTED_MEANS, Submission, told_by
 from course.grading.writing import write_whole
@@ -48,9 +48,7 @@ def page(
             "word": WORDS[row.state],
             "symbol": SYMBOLS[row.state],
             "points": _points(row),
-            "message": Markup(
-                verdict_message(row.exercise, row.verdict, after=_after(row)).html()
-            ),
+            "message": Markup(row.message.followed_by(*_after(row)).html()),
         }
         for row in submission.rows
     ]
@@ -95,7 +93,7 @@ def _points(row: Row) -> str:
 
 def _after(row: Row) -> tuple[Part, ...]:
     """The first hint, where an answer is wrong and nothing says yet how."""
-    if row.state in ("wrong", "error") and row.verdict.mistake is None:
+    if row.verdict.failed and row.verdict.mistake is None and row.repair is None:
         return (Part("hint", row.exercise.hints[0]),)
     return ()
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from course.exercises.definition import Lesson
-from course.sandbox.reply import clean
+from course.exercises.untrusted_text import clean
 
 #: "Ann Lee_101_assignsubmission_file_" is a folder; in a download without folders the
 #: file's name follows it.

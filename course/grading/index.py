@@ -11,12 +11,10 @@ from urllib.parse import quote
 from course.exercises.definition import Lesson
 from course.exercises.message import SYMBOLS
 from course.grading.feedback import template, trusted
+from course.grading.reasons import causes_in
 from course.grading.report import exercises_of, told_by
 from course.grading.writing import write_whole
 
-#: Parts of a reason that describe one run and not a mistake: those that begin like this
-#: are not counted.
-OF_ONE_RUN = ("case: ", "expected: ", "got: ")
 COMMONEST = 12
 WORDS_FOR_MANY = {"needs a person": "need a person"}
 
@@ -56,9 +54,8 @@ def commonest_mistakes(
     count: Counter[tuple[str, str]] = Counter()
     for row in rows:
         for name in exercises_of(row):
-            parts = row[f"{name}_reason"].split(" | ")
-            told = {part for part in parts if part and not part.startswith(OF_ONE_RUN)}
-            count.update((name, part) for part in told)
+            causes = causes_in(row[f"{name}_reason"])
+            count.update((name, cause) for cause in causes)
     ranked = sorted(count.items(), key=lambda one: (-one[1], one[0]))
     return [(n, name, told) for (name, told), n in ranked if n > 1][:COMMONEST]
 

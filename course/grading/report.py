@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from course.exercises.definition import Lesson
+from course.exercises.untrusted_text import clean
 from course.grading.judge import Row
-from course.sandbox.reply import clean
 
 FIRST = (
     "file", "student", "lesson", "total", "out_of", "state", "reason", "refused"

@@ -21,13 +21,27 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
 ROOT = PACKAGE.parent
-#: All of the course that the child imports, and all of it that the box contains.
+#: All of the course that the child imports, to run answers and to try repairs, and all of it that the box contains.
 CHILD_FILES = (
     "course/__init__.py",
     "course/exercises/__init__.py",
     "course/exercises/answer.py",
     "course/exercises/definition.py",
+    "course/exercises/expressions.py",
     "course/exercises/notebook_file.py",
+    "course/exercises/question.py",
+    "course/exercises/repair/__init__.py",
+    "course/exercises/repair/brackets.py",
+    "course/exercises/repair/changes.py",
+    "course/exercises/repair/edits.py",
+    "course/exercises/repair/missing.py",
+    "course/exercises/repair/names.py",
+    "course/exercises/repair/places.py",
+    "course/exercises/repair/recipe.py",
+    "course/exercises/repair/statements.py",
+    "course/exercises/repair/taken_for.py",
+    "course/exercises/repair/texts.py",
+    "course/exercises/repair/too_many.py",
     "course/exercises/source.py",
     "course/sandbox/__init__.py",
     "course/sandbox/child.py",
@@ -40,7 +54,9 @@ CHILD_FILES = (
     "course/sandbox/plan.py",
     "course/sandbox/seccomp.py",
     "course/sandbox/serving.py",
+    "course/sandbox/serving_repairs.py",
     "course/sandbox/stand_ins.py",
+    "course/sandbox/trying.py",
     "course/sandbox/watching.py",
     "course/sandbox/wire.py",
 )

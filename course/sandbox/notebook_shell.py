@@ -21,6 +21,7 @@ from types import CodeType
 from typing import Any
 
 from course.exercises import answer
+from course.exercises.question import Question
 from course.sandbox import forks, guard, limits, stand_ins, wire
 from course.sandbox.messages import DONE, NOTE, REPLY, STAGE, TRIED, send
 from course.sandbox.plan import Step
@@ -32,20 +33,6 @@ MOST_ATTEMPTS = 20
 DEEP = 5_000
 #: Magics that measure, draw or install, and bind nothing that an answer could need.
 IDLE = "matplotlib timeit prun pip conda pinfo pinfo2 debug pdb bash sh script sx system html javascript latex".split()
-
-
-@dataclass(frozen=True)
-class Task:
-    """An exercise to answer: its place in the lesson, the answer's name and kind, the declared arguments, how many
-    results, the inputs of each case, and how many numbers each may give."""
-
-    index: int
-    name: str
-    kind: str
-    arguments: tuple[str, ...]
-    results: int
-    cases: tuple[Mapping[str, Any], ...]
-    most: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -61,7 +48,7 @@ class Surroundings:
 
 def run(
     steps: Sequence[Step],
-    tasks: Sequence[Task],
+    tasks: Sequence[Question],
     around: Surroundings,
     pipe: int,
     way: socket.socket | None,
@@ -119,7 +106,11 @@ class _Answers:
     """Answers exercises, each in a fork: what its code does there is not in the notebook's way."""
 
     def __init__(
-        self, tasks: Sequence[Task], around: Surroundings, pipe: int, held: list[str]
+        self,
+        tasks: Sequence[Question],
+        around: Surroundings,
+        pipe: int,
+        held: list[str],
     ) -> None:
         self._tasks = {task.name: task for task in tasks}
         self._around, self._pipe, self._held = around, pipe, held
@@ -140,7 +131,7 @@ class _Answers:
             if task.name not in self._asked:
                 self._answer(task, namespace.get(task.name, MISSING))
 
-    def _answer(self, task: Task, value: Any) -> None:
+    def _answer(self, task: Question, value: Any) -> None:
         if not hasattr(os, "fork"):  # one question a process
             self._reply(task, value)
             os._exit(0)
@@ -157,7 +148,7 @@ class _Answers:
         code = os.waitstatus_to_exitcode(status)
         send(self._pipe, DONE, f"{task.index} {code}".encode())
 
-    def _in_fork(self, task: Task, value: Any) -> None:
+    def _in_fork(self, task: Question, value: Any) -> None:
         with self.guard.aside():
             limits.apply_limits(self._around.limits)
             if self._around.filter is not None:
@@ -165,7 +156,7 @@ class _Answers:
         self._reply(task, value)
         os._exit(0)
 
-    def _reply(self, task: Task, value: Any) -> None:
+    def _reply(self, task: Question, value: Any) -> None:
         told = _call(task, self._stage, value)
         checked = task.name in self._asked
         packed = wire.pack({**told, "held": self._held, "checked": checked})
@@ -280,25 +271,22 @@ def _deeper() -> Iterator[None]:
         sys.setrecursionlimit(limit)
 
 
-def _call(task: Task, stage: Callable[[str, int], None], value: Any) -> dict[str, Any]:
-    """What the answer gave for each case, or why it was not called."""
+def _call(
+    task: Question, stage: Callable[[str, int], None], value: Any
+) -> dict[str, Any]:
+    """What came of the answer, as plain values."""
     if value is MISSING:
         return {"missing": True}
-    if answer.is_stub(value):
-        return {"blank": True}
     try:
-        function = answer.as_function(value, task.kind, task.name, task.arguments)
-    except Exception as error:
-        return {"fault": str(error)[: answer.TEXT_LIMIT]}
-    try:
-        outcomes = answer.call_all(function, _told(stage, task.cases), task.results)
+        came = answer.answer_to(task, value, _told(stage, task.cases))
     except (
         BaseException
     ) as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
         return {"fault": "it stopped with " + answer.describe(error)}
-    return {
-        "outcomes": [_plain(o, m) for o, m in zip(outcomes, task.most, strict=True)]
-    }
+    if came.blank or came.fault:
+        return {"blank": True} if came.blank else {"fault": came.fault}
+    pairs = zip(came.outcomes, task.most, strict=True)
+    return {"outcomes": [_plain(outcome, most) for outcome, most in pairs]}
 
 
 def _told(

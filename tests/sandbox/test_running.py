@@ -26,20 +26,14 @@ from sandbox.runs import (
 )
 
 from course.exercises.notebook_file import UnusableNotebook
+from course.exercises.question import Question
 from course.sandbox import box, running, watching, wire
 from course.sandbox.box import Start
 from course.sandbox.ending import end_of
-from course.sandbox.limits import Limits
-from course.sandbox.running import (
-    MOST_WAITING,
-    Cancelled,
-    Question,
-    Sandbox,
-    SandboxFailure,
-    Session,
-    _run,
-    find_isolation,
-)
+from course.sandbox.findings import checked_run
+from course.sandbox.limits import Limits, resident_mb
+from course.sandbox.running import Sandbox, find_isolation
+from course.sandbox.session import MOST_WAITING, Cancelled, SandboxFailure, Session
 
 
 @pytest.fixture(autouse=True)
@@ -122,8 +116,8 @@ check(f); hint(f); predict("a", 3); progress(); show(f, 3)
         boxed=boxed,
     )
     assert (told.kind, told.text) == (
-        "unreadable",
-        "expected numbers; got StandInForCourse",
+        "raised",
+        "CourseNotHere: It calls the course itself, which is not there while an answer is marked.",
     )
     folder = box.PACKAGE / "exercises" / "definitions"
     place = str(folder / "__init__.py")
@@ -207,7 +201,7 @@ def f(x):
     return refused
 """
     ended = run(source, boxed=boxed)
-    (told,) = ended.reply.outcomes
+    (told,) = ended.reply.answer.outcomes
     done = dict(zip(lines, told.values[0].tolist(), strict=True))
     assert [line for line, refused in done.items() if not refused] == []
     assert place.read_text() == "mine"
@@ -282,10 +276,12 @@ def test_files_are_limited_in_size_and_number(boxed):
     large = "def f(x):\n    open('big', 'wb').write(b'0' * 8_000_000)\n    return x"
     ended = run(large, seconds=30.0, file_mb=5, boxed=boxed)
     words = ("File too large", "No space left")
-    assert ended.end == "files" or any(w in ended.reply.outcomes[0].text for w in words)
+    assert ended.end == "files" or any(
+        w in ended.reply.answer.outcomes[0].text for w in words
+    )
     several = "def f(x):\n    for i in range(9): open(str(i), 'wb').write(b'0' * 10**6)\n    while True: pass"
     ended = run(several, seconds=30.0, file_mb=5, boxed=boxed)
-    assert ended.end == "files" or words[1] in ended.reply.outcomes[0].text
+    assert ended.end == "files" or words[1] in ended.reply.answer.outcomes[0].text
     many = "def f(x):\n    for i in range(3000): open(str(i), 'w').close()\n    while True: pass"
     assert run(many, seconds=30.0, boxed=boxed).end == "files"
 
@@ -317,7 +313,10 @@ def test_recursion_without_end(boxed):
     # Without Python's own limit it ends by memory, by the clock or by a crash, as the version of Python has it.
     source = "import sys\nsys.setrecursionlimit(10**9)\ndef f(x):\n    return f(x)"
     deep = run(source, seconds=1.0, memory_mb=300, boxed=boxed)
-    assert deep.end in ("crashed", "time") or deep.reply.outcomes[0].kind == "raised"
+    assert (
+        deep.end in ("crashed", "time")
+        or deep.reply.answer.outcomes[0].kind == "raised"
+    )
 
 
 @POSIX
@@ -408,8 +407,8 @@ print(run('def f(x):\\n    while True: pass', seconds=600.0, boxed={boxed}))
 @POSIX
 def test_memory_is_watched_where_it_cannot_be_limited(monkeypatch, tmp_path):
     """As on macOS: the memory that ps tells of is looked at while the answer runs."""
-    assert 10 < watching._resident_mb(os.getpid()) < 100_000
-    assert watching._resident_mb(2**22 + 1) == 0.0
+    assert 10 < resident_mb(os.getpid()) < 100_000
+    assert resident_mb(2**22 + 1) == 0.0
     limits, place = Limits(seconds=99.0), str(tmp_path)
     seen = watching.Watch(
         os.getpid(), 0, 0, None, place, limits, boxed=False, seconds=99.0
@@ -417,7 +416,7 @@ def test_memory_is_watched_where_it_cannot_be_limited(monkeypatch, tmp_path):
     seen._looked -= 1.0
     assert seen._passed() is None
     monkeypatch.setattr(watching, "watches_memory", lambda: True)
-    monkeypatch.setattr(watching, "_resident_mb", lambda pid: 2001.0)
+    monkeypatch.setattr(watching, "resident_mb", lambda pid: 2001.0)
     seen._looked -= 1.0
     assert seen._passed() == "memory"
 
@@ -490,7 +489,7 @@ def test_the_box_holds_what_the_child_imports_and_no_more():
     """The files are bound one by one: nothing else of the course is there."""
     code = (
         "import sys, json; sys.path.insert(0, sys.argv[1]); "
-        "import course.sandbox.serving, course.sandbox.child; print(json.dumps(sorted("
+        "import course.sandbox.serving_repairs, course.sandbox.child, course.sandbox.serving; print(json.dumps(sorted("
         "m.__file__ for n, m in sys.modules.items() if n.split('.')[0] == 'course')))"
     )
     command = [sys.executable, "-c", code, str(box.ROOT)]
@@ -546,7 +545,7 @@ send(b'A', b'')
 @POSIX
 def test_a_process_that_never_stops_sending_fills_no_memory():
     sandbox = compromised("while True: send(b'N', bytes(50_000))")
-    session = Session(sandbox, sandbox._start(None))
+    session = Session(sandbox._start(None), sandbox.limits)
     time.sleep(0.5)
     assert session._inbox.qsize() <= MOST_WAITING + 1
     session.close()
@@ -555,7 +554,7 @@ def test_a_process_that_never_stops_sending_fills_no_memory():
 
 @POSIX
 def test_a_process_that_takes_nothing_is_not_waited_for(monkeypatch):
-    monkeypatch.setattr("course.sandbox.running.SEND_SECONDS", 0.5)
+    monkeypatch.setattr("course.sandbox.session.SEND_SECONDS", 0.5)
     large = notebook_of("#" * 1_000_000)
     with pytest.raises((UnusableNotebook, SandboxFailure)):
         with compromised("time.sleep(30)").submission(large, "f.ipynb", []):
@@ -571,7 +570,7 @@ def test_a_reader_that_somebody_ends_is_no_fault_of_the_notebook():
 
 
 def test_a_reply_of_a_million_nothings_is_not_taken_apart():
-    question = Question(0, "f", "function", ("x",), 1, ({"x": 1.0},), (1,))
+    question = Question("f", "function", ("x",), 1, ({"x": 1.0},), (1,))
     reply = np.frombuffer(wire.pack([[]] * 1_000_000), np.uint8)
-    ended = _run({"end": "replied", "reply": reply}, question)
+    ended = checked_run({"end": "replied", "reply": reply}, question)
     assert (ended.end, ended.detail) == ("unreadable", "lengths out of bounds")

@@ -1,0 +1,29 @@
+"""A repair in words: kind and line of what makes an answer right."""
+
+from __future__ import annotations
+
+from course.exercises.message import Part
+from course.exercises.repair.search import Repair
+
+ORDINALS = ("first", "second")
+
+
+def repair_parts(repair: Repair) -> tuple[Part, ...]:
+    """Kind and line of each step, other lines where it would do as well, and what was tried.
+
+    The change itself is left to ``hint``.
+    """
+    parts: list[Part] = []
+    alone = len(repair.steps) == 1
+    for which, step in zip(ORDINALS, repair.steps, strict=False):
+        label = "look at" if alone else which
+        parts.append(Part(label, step.kind, about="cause"))
+        parts.append(Part("in the line", step.line, "code"))
+    parts += [Part("or in", line, "code") for line in repair.elsewhere]
+    both = "With this one change" if alone else "With these two changes"
+    tried = f"{both} it passes every case, and those of two other draws."
+    parts.append(Part("tried", tried))
+    if repair.halved:
+        half = "half its time: memory cannot be limited on this system, only watched"
+        parts.append(Part("note", f"The search had {half}."))
+    return tuple(parts)
