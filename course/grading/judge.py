@@ -21,7 +21,7 @@ from course.exercises.inputs import Inputs, inputs_of
 from course.exercises.message import Message
 from course.exercises.notebook_file import Outline, digest_of
 from course.exercises.question import Question
-from course.exercises.repair.explanation import repair_parts
+from course.exercises.repair.explanation import cause_in_a_line, repair_parts
 from course.exercises.repair.search import Repair
 from course.exercises.verdict import State, Verdict
 from course.grading.marking import verdict_on, without_reply
@@ -62,8 +62,10 @@ class Row:
     @property
     def reason(self) -> str:
         """Why there are no points, in one line."""
-        passed_over = self.state in ("passed", "not attempted")
-        return "" if passed_over else reason_of(self.message)
+        if self.state in ("passed", "not attempted"):
+            return ""
+        found = [cause_in_a_line(self.repair)] if self.repair else []
+        return reason_of(self.message, *found)
 
 
 def row_of(

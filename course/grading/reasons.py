@@ -10,10 +10,11 @@ SEPARATOR = " | "
 OF_ONE_RUN = ("case: ", "expected: ", "got: ")
 
 
-def reason_of(message: Message) -> str:
-    """Why an answer has no points, in one line; empty where there is nothing to say."""
+def reason_of(message: Message, *more: str) -> str:
+    """Why an answer has no points, in one line, with ``more`` causes; empty where there is nothing to say."""
     words = [f"{p.label}: {p.text}" for p in message.parts if p.about == "run"]
     words += [p.text for p in message.parts if p.about == "cause"]
+    words += more
     line = SEPARATOR.join(" ".join(word.split()) for word in words)
     if len(line) <= REASON_LIMIT:
         return line

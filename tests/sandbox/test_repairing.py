@@ -8,6 +8,7 @@ import pytest
 from course.exercises.answer import call_all
 from course.exercises.definition import find_exercise
 from course.exercises.inputs import inputs_of
+from course.exercises.repair.explanation import repair_parts
 from course.exercises.repair.recipe import Recipe, expression_recipe
 from course.exercises.verdict import judge
 from course.sandbox import repairing
@@ -70,6 +71,40 @@ def test_memory_is_capped():
     hungry = "    block = np.ones((1, 4 * 10**8))[:, :1]\n"
     outcomes = outcomes_of(source(f"2 * {RIGHT}"))
     assert repair(source(f"2 * {RIGHT}", hungry), outcomes) is None
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="ps tells the memory")
+def test_memory_that_cannot_be_capped_is_watched(monkeypatch):
+    """As on macOS: the child is ended from here while it grows, long before its cap."""
+    monkeypatch.setattr(repairing, "_child", None)
+    text = source(f"2 * {RIGHT}")
+    outcomes = outcomes_of(text)
+    child = repairing.Child(watched=True, memory_mb=400)
+    inputs, prelude = inputs_of(find_exercise(NAME)[1]), "import numpy as np"
+    grows = "    import time\n    block = np.ones(10**8)\n    time.sleep(4.0)\n"
+    hungry = Recipe(source(f"2 * {RIGHT}", grows), prelude)
+    assert repairing.repair_of(inputs, hungry, outcomes, child=child) is None
+    assert child.ended_by_watch and child._process.returncode == -9
+    modest = repairing.Child(watched=True, memory_mb=400)
+    found = repairing.repair_of(inputs, Recipe(text, prelude), outcomes, child=modest)
+    assert found.halved and not modest.ended_by_watch
+    assert "only watched" in repair_parts(found)[-1].text
+    modest.close()
+
+
+@pytest.mark.parametrize("watched, budget", [(False, 4.0), (True, 2.0)])
+def test_a_search_that_is_only_watched_has_half_its_time(monkeypatch, watched, budget):
+    given = []
+
+    class Stub:
+        ask = None
+
+    stub = Stub()
+    stub.watched = watched
+    monkeypatch.setattr(repairing, "_child", stub)
+    monkeypatch.setattr(repairing, "search", lambda *a: given.append(a[-1]))
+    repair(source(f"2 * {RIGHT}"))
+    assert given == [budget]
 
 
 def test_a_crash_ends_the_search_and_the_next_one_has_a_new_child():

@@ -8,6 +8,7 @@ import sys
 import tempfile
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -28,7 +29,7 @@ from sandbox.runs import (
 from course.exercises.notebook_file import UnusableNotebook
 from course.exercises.question import Question
 from course.sandbox import box, running, watching, wire
-from course.sandbox.box import Start
+from course.sandbox.box import Start, start_in_box, start_plain
 from course.sandbox.ending import end_of
 from course.sandbox.findings import checked_run
 from course.sandbox.limits import Limits, resident_mb
@@ -521,6 +522,47 @@ def f(x):
     assert run(source, boxed=True).end == "replied"
 
 
+SILENT = "import os, time; os.write(1, b'B' + bytes(4)); time.sleep(60)"
+
+
+@POSIX
+@EITHER_WAY
+def test_a_child_that_began_and_never_is_ready_is_ended_at_once(boxed, tmp_path):
+    start = start_in_box(2000, 100) if boxed else start_plain(tmp_path)
+    places = start.command.index("-X")
+    silent = replace(start, command=(*start.command[: places + 2], "-c", SILENT))
+    session = Session(silent, Limits(), boxed=boxed)
+    assert session._begun.wait(30)
+    started = [session._process.pid, *descendants(session._process.pid)]
+    assert len(started) >= 1 + boxed
+    before = time.monotonic()
+    session.close()
+    assert time.monotonic() - before < 2
+    time.sleep(0.1)
+    assert not any(map(is_running, started))
+
+
+@POSIX
+@pytest.mark.parametrize("boxed", [False, True])
+def test_a_box_that_is_half_built_ends_by_itself(boxed):
+    """bubblewrap that is killed while it starts leaves a process behind; a plain process does not."""
+    slow = (sys.executable, "-c", "import time; time.sleep(0.5); raise SystemExit(7)")
+    session = Session(Start(slow, dict(os.environ), "/"), Limits(), boxed=boxed)
+    session.close()
+    assert session._process.returncode == (7 if boxed else -signal.SIGKILL)
+
+
+@BOXED
+@pytest.mark.parametrize("moment", [0.0, 0.01, 0.03])
+def test_nothing_is_left_of_a_box_that_is_not_wanted_while_it_starts(moment):
+    session = Session(start_in_box(2000, 100), Limits(), boxed=True)
+    time.sleep(moment)
+    started = [session._process.pid, *descendants(session._process.pid)]
+    session.close()
+    time.sleep(0.1)
+    assert not any(map(is_running, started))
+
+
 class Compromised(Sandbox):
     """A process that is a stranger's from its start."""
 
@@ -541,7 +583,6 @@ send(b'A', b'')
 """
 
 
-@pytest.mark.slow
 @POSIX
 def test_a_process_that_never_stops_sending_fills_no_memory():
     sandbox = compromised("while True: send(b'N', bytes(50_000))")

@@ -98,3 +98,23 @@ def test_half_a_search_is_said_to_be_one():
         repairing.repair_message("f", replace(repair, halved=True))
     )
     assert "half its time" not in str(repairing.repair_message("f", repair))
+
+
+def test_what_a_repair_names_is_not_kept_as_unrecognised(monkeypatch, tmp_path):
+    """Nor what its outcomes explain; what nothing names is."""
+    kept = []
+    monkeypatch.setattr(checking, "in_notebook", lambda: True)
+    monkeypatch.setattr(checking, "borrowed_variables", lambda answer: ())
+    record = sys.modules["course.workbook.recording"]
+    monkeypatch.setattr(record, "record_unrecognised", lambda *a: kept.append(a))
+    check(speed_along)
+    check(_named(lambda v, n: [1.0] if np.sum(v * n, axis=-1) > 0 else 0.0))
+    assert kept == []
+    monkeypatch.setattr(checking, "look_for_repair", lambda *_: None)
+    check(speed_along)
+    assert [name for name, *_ in kept] == ["speed_along"]
+
+
+def _named(function):
+    function.__name__ = "speed_along"
+    return function

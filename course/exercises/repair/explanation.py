@@ -17,7 +17,7 @@ def repair_parts(repair: Repair) -> tuple[Part, ...]:
     alone = len(repair.steps) == 1
     for which, step in zip(ORDINALS, repair.steps, strict=False):
         label = "look at" if alone else which
-        parts.append(Part(label, step.kind, about="cause"))
+        parts.append(Part(label, step.kind))
         parts.append(Part("in the line", step.line, "code"))
     parts += [Part("or in", line, "code") for line in repair.elsewhere]
     both = "With this one change" if alone else "With these two changes"
@@ -27,3 +27,13 @@ def repair_parts(repair: Repair) -> tuple[Part, ...]:
         half = "half its time: memory cannot be limited on this system, only watched"
         parts.append(Part("note", f"The search had {half}."))
     return tuple(parts)
+
+
+def cause_in_a_line(repair: Repair) -> str:
+    """The kinds of a repair's steps, as a table of marks has them and the grader's page counts them."""
+    few = (
+        "one change makes it right"
+        if len(repair.steps) == 1
+        else "two changes make it right"
+    )
+    return f"{few}: {', then '.join(step.kind for step in repair.steps)}"
