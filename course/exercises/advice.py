@@ -1,4 +1,4 @@
-"""Slips that need no planting, told by how an answer fails."""
+"""Slips that need no planting: how an answer fails shows them."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ class Inputs:
 
     @cached_property
     def question(self) -> Question:
-        """What is asked, without anything that tells the right answer."""
+        """What is asked, without anything that shows the right answer."""
         exercise = self.exercise
         return Question(
             exercise.name,

@@ -1,4 +1,4 @@
-"""What an answer is asked: nothing in it tells what is right."""
+"""What an answer is asked: nothing in it shows what is right."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ class Verdict:
 
     @property
     def unexplained(self) -> bool:
-        """Whether a search for a repair may tell more: no planted mistake matches, and the outcomes do not say
+        """Whether a search for a repair may say more: no planted mistake matches, and the outcomes do not say
         themselves what is wrong.
 
         Those that do: inputs written to, an ``if`` on a batch. What makes these right is a copy or a rewriting; a

@@ -14,7 +14,7 @@ from urllib.parse import quote
 
 from course.exercises.message import SYMBOLS, WORDS, Part
 from course.grading.judge import Row
-from course.grading.report import TRUSTED, TRUSTED_MEANS, Submission, told_by
+from course.grading.report import TRUSTED, TRUSTED_MEANS, Submission, cell_text
 from course.grading.writing import write_whole
 
 #: The grader's page, beside the others.
@@ -70,14 +70,15 @@ def write_overview(
 ) -> None:
     """Write a student's own page: each submission's points, from its table row."""
     rows = [
-        {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
+        {"page": quote(row["page"]), "file": cell_text(row["file"]),
+         "lesson": row["lesson"] or cell_text(row["reason"]),
          "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
         for row in handed_in
     ]  # fmt: skip
     title = f"Handed in by {student}"
-    told = trusted([row["isolation"] for row in handed_in])
+    warning = trusted([row["isolation"] for row in handed_in])
     text = template(_OVERVIEW).render(
-        title=title, rows=rows, seed=seed, index=INDEX, trusted=told
+        title=title, rows=rows, seed=seed, index=INDEX, trusted=warning
     )
     write_whole(path, text)
 

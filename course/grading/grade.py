@@ -221,11 +221,11 @@ def grade_folder(
 
 def _isolation(isolation: Isolation | None, rows: Sequence[Mapping[str, str]]) -> str:
     """What shut submissions in: where some were trusted, in this call or before, theirs."""
-    told = [
+    isolations = [
         *([str(isolation)] if isolation else []),
         *(row["isolation"] for row in rows),
     ]
-    return next((one for one in told if one.startswith(TRUSTED)), told[0])
+    return next((one for one in isolations if one.startswith(TRUSTED)), isolations[0])
 
 
 @contextlib.contextmanager

@@ -175,7 +175,7 @@ class Judge:
                     repair = self._repair(session, index, row, left)
                 except Cancelled:
                     raise
-                except Exception:  # of a stranger's process: it is asked no more
+                except Exception:  # the process answers no more, or nonsense
                     end = 0.0
             if repair is not None:
                 message = row.message.followed_by(*repair_parts(repair))

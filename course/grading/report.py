@@ -123,7 +123,7 @@ def safe_cell(value: Any) -> str:
     return "'" + text if text.startswith(FORMULA) else text
 
 
-def told_by(cell: str) -> str:
+def cell_text(cell: str) -> str:
     """The text of a cell without the apostrophe that stops a spreadsheet from
     evaluating it.
     """

@@ -103,21 +103,21 @@ def start_in_box(memory_mb: int, file_mb: int) -> Start:
     program = bubblewrap()
     if program is None:
         raise FileNotFoundError("bubblewrap (bwrap) is not installed")
-    told = {"root": FILES_IN_BOX, "path": _packages(), "work": WORK_IN_BOX, "closed": [],
+    places = {"root": FILES_IN_BOX, "path": _packages(), "work": WORK_IN_BOX, "closed": [],
             "boxed": True}  # fmt: skip
     child = f"{FILES_IN_BOX}/course/sandbox/child.py"
-    command = (program, *_walls(file_mb), "--", *_python(child, told))
+    command = (program, *_walls(file_mb), "--", *_python(child, places))
     return Start(command, {"PATH": os.environ.get("PATH", "")}, "/")
 
 
 def start_plain(work: Path, file: str = "child.py") -> Start:
     """The start of a child without a box, with ``work`` as its folder; ``file`` is what it runs."""
-    told = {"root": str(ROOT), "path": _packages(), "work": str(work),
+    places = {"root": str(ROOT), "path": _packages(), "work": str(work),
             "closed": [str(PACKAGE), str(ROOT / "solutions")], "boxed": False}  # fmt: skip
     child = str(PACKAGE / "sandbox" / file)
     kept = {name: os.environ[name] for name in KEPT_ENVIRONMENT if name in os.environ}
     environment = {**kept, **_environment(str(work))}
-    return Start(_python(child, told), environment, str(work))
+    return Start(_python(child, places), environment, str(work))
 
 
 @cache
@@ -126,12 +126,12 @@ def bubblewrap() -> str | None:
     return shutil.which("bwrap") if sys.platform.startswith("linux") else None
 
 
-def _python(child: str, told: object) -> tuple[str, ...]:
+def _python(child: str, places: object) -> tuple[str, ...]:
     """Python without the user's settings: no site, no environment, no byte code
     written.
     """
     program = os.path.realpath(sys.executable)
-    return (program, "-I", "-S", "-B", "-X", "utf8", child, json.dumps(told))
+    return (program, "-I", "-S", "-B", "-X", "utf8", child, json.dumps(places))
 
 
 def _environment(work: str) -> dict[str, str]:

@@ -1,6 +1,6 @@
 """How the processes of a submission talk: a letter, a length, and so many bytes, through a pipe.
 
-Both ends may be a stranger's: a reader takes nothing longer than it was told to expect.
+Both ends may be a stranger's: a reader takes nothing longer than it expects.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The process of a submission: reads the notebook, forks a process that runs it, and tells the grader what came of it.
+"""The process of a submission: reads the notebook, forks a process that runs it, and reports to the grader.
 
 It runs nothing that a student wrote. It talks through its standard input and output; when the first closes, the grader
 is gone, and it ends with all that it started.
@@ -180,8 +180,8 @@ def _read(request: Mapping[str, Any]) -> tuple[NotebookFile, tuple[Planned, ...]
 
 
 def _found(notebook: NotebookFile, plan: Sequence[Planned]) -> dict[str, Any]:
-    """What the grader is told of a notebook: the lesson, and of each exercise what its source tells."""
-    told = [
+    """The report on a notebook that is only read: the lesson, and of each exercise what its source shows."""
+    exercises = [
         {
             "state": p.state,
             "fault": p.cell.fault,
@@ -190,7 +190,7 @@ def _found(notebook: NotebookFile, plan: Sequence[Planned]) -> dict[str, Any]:
         }
         for p in plan
     ]
-    return {"lesson": notebook.lesson, "exercises": told}
+    return {"lesson": notebook.lesson, "exercises": exercises}
 
 
 def _checks(questions: Sequence[Question]) -> int:
@@ -199,7 +199,7 @@ def _checks(questions: Sequence[Question]) -> int:
 
 
 def _ended(seen: Seen, question: Question, planned: Planned) -> dict[str, Any]:
-    """What the grader is told of an exercise."""
+    """The report on an exercise."""
     runs = [
         {
             "end": one.end,
@@ -229,11 +229,11 @@ def _ended(seen: Seen, question: Question, planned: Planned) -> dict[str, Any]:
 def _text(note: bytes) -> str:
     """What a cell said that it raised."""
     try:
-        told = wire.unpack(note)
+        sent = wire.unpack(note)
     except wire.Unreadable:
         return ""
-    whole = isinstance(told, list) and len(told) == 2 and isinstance(told[1], str)
-    return told[1][:3000] if whole else ""
+    whole = isinstance(sent, list) and len(sent) == 2 and isinstance(sent[1], str)
+    return sent[1][:3000] if whole else ""
 
 
 def _become_notebook(
@@ -253,8 +253,8 @@ def _become_notebook(
             here.close()
         notebook_shell.run(steps, questions, around, inlet, there)
     except Exception as error:
-        told = f"{type(error).__name__}: {error}"
-        messages.send(inlet, messages.FAULT, told.encode("utf-8", "replace"))
+        words = f"{type(error).__name__}: {error}"
+        messages.send(inlet, messages.FAULT, words.encode("utf-8", "replace"))
     finally:
         os._exit(70)
 

@@ -100,14 +100,14 @@ class Repairs:
         return function_recipe([cell.source for cell in self._notebook.code], name)
 
     def _begin(self, opening: Mapping[str, Any]) -> Fork:
-        asked, inlet = os.pipe()
-        outlet, told = os.pipe()
+        requests, inlet = os.pipe()
+        outlet, replies = os.pipe()
         process = os.fork()
         if process == 0:
             others = [self._grader, self._outlet, inlet, outlet]
-            _become_repairs(opening, self._around, asked, told, others)
-        os.close(asked)
-        os.close(told)
+            _become_repairs(opening, self._around, requests, replies, others)
+        os.close(requests)
+        os.close(replies)
         return Fork(process, inlet, outlet)
 
     def _reply(self) -> bytes | None:
@@ -137,8 +137,8 @@ class Repairs:
 def _become_repairs(
     opening: Mapping[str, Any],
     around: Surroundings,
-    asked: int,
-    told: int,
+    requests: int,
+    replies: int,
     others: Sequence[int],
 ) -> NoReturn:
     try:
@@ -156,7 +156,7 @@ def _become_repairs(
         stand_ins.install_stand_ins(lambda *_, **__: None)
         guard.install_guard(around.work, around.closed, around.path, lambda _: None)
         gc.enable()
-        trying.serve_one(opening, asked, told)
+        trying.serve_one(opening, requests, replies)
     except BaseException:
         pass  # the grader misses a reply
     finally:

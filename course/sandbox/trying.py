@@ -31,8 +31,8 @@ FIRST = 5.0
 LONG = 86_400.0
 
 
-class Overtime(BaseException):
-    """A run took too long; no ``Exception``, or ``except Exception`` in a loop would keep it."""
+class Overtime(KeyboardInterrupt):
+    """A run took too long. An interrupt ends all its cases, and no ``except Exception`` in a loop keeps it."""
 
 
 def serve(where: Mapping[str, Any]) -> NoReturn:

@@ -1,4 +1,4 @@
-"""After a verdict that names no cause: look for the one change that makes the answer right, and tell where it is."""
+"""After a verdict that names no cause: look for the one change that makes the answer right, and say where it is."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def change_parts(name: str) -> list[Part]:
 
 
 def recipe_of(exercise: Exercise, answer: Any) -> Recipe | None:
-    """The answer as source that can be run elsewhere; None where it cannot be told."""
+    """The answer as source that can be run elsewhere; None where there is no such source."""
     arguments = [a.name for a in exercise.arguments]
     if exercise.kind == "expression":
         cells = (expression_recipe(c, exercise.name, arguments) for c in _cells())
