@@ -58,5 +58,9 @@ def test_a_programme_is_solved_within_the_limits(boxed):
     case = {"b": np.array([-1.0, 2.0])}
     told = run(IMPORTS, answer, case=case, seconds=10.0, boxed=boxed)
     assert told.end == "replied", told
-    assert told.reply.answer.outcomes[0].kind == "value", told.reply.answer.outcomes[0].text
-    np.testing.assert_allclose(told.reply.answer.outcomes[0].values[0], [1.0, 0.0], atol=1e-6)
+    assert told.reply.answer.outcomes[0].kind == "value", told.reply.answer.outcomes[
+        0
+    ].text
+    np.testing.assert_allclose(
+        told.reply.answer.outcomes[0].values[0], [1.0, 0.0], atol=1e-6
+    )
