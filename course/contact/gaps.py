@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from course import formulas
@@ -11,25 +9,21 @@ from course.arrays import (
     Array,
     ArrayLike,
     BoolArray,
-    IntArray,
     broadcast,
-    failure,
     non_negative,
     scalar,
-    shaped,
     unit_vectors,
     vectors,
 )
-from course.contact.curved import CurvedTerms, curved_terms
+from course.contact.gap_terms import signed_terms
+from course.contact.moving_points import (
+    carried_normal_rate,
+    contact_motion,
+    of_feature,
+)
 from course.dynamics.bodies import Bodies
-from course.dynamics.contact_points import require_body_indices
-from course.dynamics.impulse import normal_velocity
+from course.dynamics.impulses_at_points import normal_velocity
 from course.overlap.contact_arrays import Contacts
-
-#: |e_A x e_B| / (|e_A| |e_B|) below which two edges count as parallel.
-PARALLEL = 1e-9
-#: How far the normal of two edges may point off their common perpendicular (the sine of the angle).
-OFF_PERPENDICULAR = 1e-6
 
 
 def separation(point_a: ArrayLike, point_b: ArrayLike, normal: ArrayLike) -> Array:
@@ -93,10 +87,10 @@ def normal_rate(bodies: Bodies, contacts: Contacts) -> Array:
             parallel or whose normal is not their common perpendicular; curved
             surfaces that touch along a line which is about to tip.
     """
-    motion = _motion(bodies, contacts)
-    rate = _carried_normal_rate(motion, contacts)
+    motion = contact_motion(bodies, contacts)
+    rate = carried_normal_rate(motion, contacts)
     if motion.curved is not None:
-        rate[_which(contacts, "curved")] = motion.curved.normal_rate
+        rate[of_feature(contacts, "curved")] = motion.curved.normal_rate
     return rate
 
 
@@ -141,7 +135,7 @@ def separation_acceleration_terms(
     Returns:
         "force"        N.(F_A/m_A - F_B/m_B)
         "torque"       N.((I_A^-1 tau_A) x r_A - (I_B^-1 tau_B) x r_B)
-        "spin"         N.((I_A^-1 (L_A x omega_A)) x r_A - (I_B^-1 (L_B x omega_B)) x r_B)
+        "gyroscopic"   N.((I_A^-1 (L_A x omega_A)) x r_A - (I_B^-1 (L_B x omega_B)) x r_B)
         "centripetal"  N.(omega_A x (omega_A x r_A) - omega_B x (omega_B x r_B))
         "normal"       2 (p_A_dot - p_B_dot).N_dot, where curved with omega_B x N for N_dot
         "curvature"    zero where nothing is curved
@@ -172,155 +166,3 @@ def resting(
     """
     tolerance = scalar("rate_tolerance", non_negative("rate_tolerance", rate_tolerance))
     return np.abs(separation_rate(bodies, contacts)) <= tolerance
-
-
-@dataclass(frozen=True)
-class _Motion:
-    """Which bodies meet at each contact, and how their material points p_A and p_B move there.
-
-    ``relative`` is p_A_dot - p_B_dot; where curved, p_A and p_B are the common
-    point of ``CurvedTerms``.
-    """
-
-    a: IntArray
-    b: IntArray
-    arm_a: Array
-    arm_b: Array
-    omega_a: Array
-    omega_b: Array
-    relative: Array
-    curved: CurvedTerms | None
-
-
-def _motion(bodies: Bodies, contacts: Contacts) -> _Motion:
-    require_body_indices(contacts, bodies)
-    a, b = contacts.body_a, contacts.body_b
-    point_a, point_b, curved = contacts.point_a, contacts.point_b, None
-    rows = _which(contacts, "curved")
-    if np.any(rows):
-        curved = curved_terms(bodies, contacts, rows)
-        point_a[rows] = point_b[rows] = curved.point
-    arm_a, arm_b = point_a - bodies.position[a], point_b - bodies.position[b]
-    v, omega = bodies.velocity, bodies.angular_velocity
-    relative = v[a] - v[b] + np.cross(omega[a], arm_a) - np.cross(omega[b], arm_b)
-    return _Motion(a, b, arm_a, arm_b, omega[a], omega[b], relative, curved)
-
-
-def _carried_normal_rate(motion: _Motion, contacts: Contacts) -> Array:
-    """N_dot of the normals that a face or two edges carry; omega_B x N where curved."""
-    omega = np.where(
-        _which(contacts, "face_a")[:, None], motion.omega_a, motion.omega_b
-    )
-    rate = np.cross(omega, contacts.normal)
-    edges = np.flatnonzero(_which(contacts, "edges"))
-    if edges.size:
-        rate[edges] = _edge_normal_rate(
-            contacts[edges], motion.omega_a[edges], motion.omega_b[edges], edges
-        )
-    return rate
-
-
-def _which(contacts: Contacts, feature: str) -> BoolArray:
-    """The mask of one feature."""
-    return np.asarray(np.asarray(contacts.feature) == feature)
-
-
-def _edge_normal_rate(
-    contacts: Contacts, omega_a: Array, omega_b: Array, rows: IntArray
-) -> Array:
-    assert (
-        contacts.edge_a is not None and contacts.edge_b is not None
-    )  # Contacts has checked it
-    n = contacts.normal
-    e_a = contacts.edge_a / np.linalg.norm(contacts.edge_a, axis=1, keepdims=True)
-    e_b = contacts.edge_b / np.linalg.norm(contacts.edge_b, axis=1, keepdims=True)
-    u = np.cross(e_a, e_b)
-    length = np.linalg.norm(u, axis=1)
-    if np.any(length <= PARALLEL):
-        i = int(np.argmin(length))
-        raise failure("contacts.edge_a", "an edge that crosses edge_b", f"parallel edges, sine {length[i]:.1e}",
-                      (rows[i],))  # fmt: skip
-    off = np.linalg.norm(np.cross(n, u), axis=1) / length
-    if np.any(off > OFF_PERPENDICULAR):
-        i = int(np.argmax(off))
-        raise failure("contacts.normal", "the common perpendicular of edge_a and edge_b",
-                      f"{n[i]}, off by {off[i]:.1e} rad", (rows[i],))  # fmt: skip
-    u_dot = np.cross(np.cross(omega_a, e_a), e_b) + np.cross(
-        e_a, np.cross(omega_b, e_b)
-    )
-    turned = u_dot * (np.sign(np.sum(u * n, axis=1)) / length)[:, None]
-    return turned - np.sum(turned * n, axis=1, keepdims=True) * n
-
-
-def signed_terms(
-    bodies: Bodies, contacts: Contacts, force: ArrayLike, torque: ArrayLike
-) -> dict[str, tuple[Array, Array]]:
-    """The terms of ``separation_acceleration_terms``, each with the sum of the magnitudes it was added up from.
-
-    A sum whose value is some 1e-16 of those magnitudes is rounding noise.
-    """
-    f, tau = vectors("force", force), vectors("torque", torque)
-    shaped("force", f, (len(bodies), 3))
-    shaped("torque", tau, (len(bodies), 3))
-    motion, n = _motion(bodies, contacts), contacts.normal
-    inverse, omega, momentum = (
-        bodies.world_inverse_inertia,
-        bodies.angular_velocity,
-        bodies.angular_momentum,
-    )
-    tau = np.where(bodies.fixed[:, None], 0.0, tau)
-    gyroscopic = np.cross(momentum, omega)  # L x omega
-    gyroscopic_size = _cross_size(momentum, omega)
-    terms = {
-        name: np.zeros((2, len(contacts)))
-        for name in ("force", "torque", "spin", "centripetal")
-    }
-    for body, arm, sign in (
-        (motion.a, motion.arm_a, 1.0),
-        (motion.b, motion.arm_b, -1.0),
-    ):
-        lever = np.cross(arm, n)  # N.(alpha x r) = alpha.(r x N)
-        lever_size = _cross_size(arm, n)
-        acceleration = (f * bodies.inverse_mass[:, None])[body]
-        terms["force"] += _dot(sign * n, acceleration, np.abs(n), np.abs(acceleration))
-        for name, moment, moment_size in (
-            ("torque", tau, np.abs(tau)), ("spin", gyroscopic, gyroscopic_size)
-        ):  # fmt: skip
-            alpha = np.einsum("nij,nj->ni", inverse, moment)[body]
-            alpha_size = np.einsum("nij,nj->ni", np.abs(inverse), moment_size)[body]
-            terms[name] += _dot(sign * alpha, lever, alpha_size, lever_size)
-        w = omega[body]
-        inward = np.cross(w, np.cross(w, arm))
-        terms["centripetal"] += _dot(
-            sign * n, inward, np.abs(n), _cross_size(w, _cross_size(w, arm))
-        )
-    result = {name: (value[0], value[1]) for name, value in terms.items()}
-    return result | _turning_terms(motion, contacts)
-
-
-def _turning_terms(
-    motion: _Motion, contacts: Contacts
-) -> dict[str, tuple[Array, Array]]:
-    """The terms that come from the normal's turning: "normal", "curvature", "gap"."""
-    n_dot = _carried_normal_rate(motion, contacts)
-    curved, curvature = _which(contacts, "curved"), np.zeros((2, len(contacts)))
-    if motion.curved is not None:
-        curvature[:, curved] = motion.curved.curvature, motion.curved.curvature_size
-    normal = 2 * _dot(motion.relative, n_dot, np.abs(motion.relative), np.abs(n_dot))
-    gap = np.where(curved, 0.0, -contacts.separation * np.sum(n_dot**2, axis=1))
-    return {
-        "normal": (normal[0], normal[1]),
-        "curvature": (curvature[0], curvature[1]),
-        "gap": (gap, np.abs(gap)),
-    }
-
-
-def _dot(x: Array, y: Array, x_size: Array, y_size: Array) -> Array:
-    """Rows (2, c): the scalar products, and the sums of the magnitudes of what they were added up from."""
-    return np.stack([np.sum(x * y, axis=1), np.sum(x_size * y_size, axis=1)])
-
-
-def _cross_size(x: Array, y: Array) -> Array:
-    """The magnitudes that each component of x cross y was added up from."""
-    x, y = np.abs(x), np.abs(y)
-    return x[:, [1, 2, 0]] * y[:, [2, 0, 1]] + x[:, [2, 0, 1]] * y[:, [1, 2, 0]]

@@ -16,8 +16,15 @@ from course.dynamics.bounces import (
     bounce_times,
     wall_bounce,
 )
-from course.dynamics.closed_forms import parabola, pendulum, symmetric_top
-from course.dynamics.domes import Dome
+from course.dynamics.central_impulses import (
+    impulse_central,
+    kinetic_energy_lost,
+    momentum_after,
+    separation_speed,
+    velocity_after,
+)
+from course.dynamics.closed_form_motions import parabola, pendulum, symmetric_top
+from course.dynamics.domes import Dome, DomeBias, DomePaths
 from course.dynamics.dropped_boxes import FallingBoxes, falling_boxes
 from course.dynamics.energy import (
     angular_kinetic_energy,
@@ -29,17 +36,18 @@ from course.dynamics.energy import (
     total_momentum,
 )
 from course.dynamics.faulty_integrators import body_frame_euler, quaternion_euler
-from course.dynamics.impulse import (
+from course.dynamics.homogeneous_solids import (
+    box_mass_properties,
+    capsule_mass_properties,
+    hull_mass_properties,
+    sphere_mass_properties,
+)
+from course.dynamics.impulses_at_points import (
     apply_impulse,
     effective_mass,
     impulse_at_point,
-    impulse_central,
-    kinetic_energy_lost,
-    momentum_after,
     normal_velocity,
     point_velocity,
-    separation_speed,
-    velocity_after,
 )
 from course.dynamics.integrators import (
     Wrench,
@@ -61,25 +69,31 @@ from course.dynamics.ladders import (
 )
 from course.dynamics.mass_properties import (
     MassProperties,
-    box_mass_properties,
-    capsule_mass_properties,
     combined_mass_properties,
-    hull_mass_properties,
     principal_axes,
-    sphere_mass_properties,
 )
 from course.dynamics.torque_free_top import (
     middle_axis_growth_rate,
     torque_free_motion,
     torque_free_rotation,
 )
-from course.dynamics.tumbles import Tumble, free_tumble, orientation_error
+from course.dynamics.tumbles import (
+    BodyView,
+    EnergyLines,
+    Tumble,
+    free_tumble,
+    orientation_error,
+)
 
 __all__ = [
     "BallEvents",
     "BallMotion",
     "Bodies",
+    "BodyView",
     "Dome",
+    "DomeBias",
+    "DomePaths",
+    "EnergyLines",
     "FallingBoxes",
     "MassProperties",
     "Tumble",

@@ -149,6 +149,24 @@ class TwoBlocks:
         """(sqrt(m1) v1, sqrt(m2) v2), all on one circle, (c + 1, 2)."""
         return self.velocity * np.sqrt(self.mass)
 
+    @property
+    def wedge_angle(self) -> float:
+        """theta = arctan sqrt(m1/m2), of the states 0 <= v1 <= v2 where nothing meets [rad]."""
+        return float(np.arctan(np.sqrt(self.mass[0] / self.mass[1])))
+
+    def paths(self, end: float) -> tuple[Array, Array]:
+        """The times (c + 2,) [s] and places (c + 2, 2) [m] between which both blocks go straight.
+
+        From time 0 to ``end``, which must not be before the last collision [s].
+        """
+        last = scalar("end", end) - self.time[-1]
+        if last < 0:
+            raise failure("end", f"at least {self.time[-1]:g}", f"{end:g}")
+        first = self.position[0] - self.velocity[0] * self.time[0]
+        final = self.position[-1] + self.velocity[-1] * last
+        times = np.concatenate([[0.0], self.time, [end]])
+        return times, np.vstack([first, self.position, final])
+
 
 def two_blocks(
     mass_ratio: float,
@@ -178,23 +196,15 @@ def two_blocks(
             f"at most {max_events} collisions",
             f"{predicted_count(heavy)}",
         )
-    time, reduced_mass = 0.0, 1 / (1 + 1 / heavy)
-    times, walls, places, speeds = [], [], [], [(v_1, v_2)]
-    while v_2 < v_1 or v_1 < 0:
-        meet = (x_2 - x_1) / (v_1 - v_2) if v_2 < v_1 else math.inf
-        wall = x_1 / -v_1 if v_1 < 0 else math.inf
-        wait = max(min(meet, wall), 0.0)
-        time, x_1, x_2 = time + wait, x_1 + v_1 * wait, x_2 + v_2 * wait
-        if wall < meet:
-            x_1, v_1 = 0.0, -v_1
-        else:
-            impulse = 2 * reduced_mass * (v_1 - v_2)
-            x_1 = x_2
-            v_1, v_2 = v_1 - impulse, v_2 + impulse / heavy
+    time, place, moving = 0.0, (x_1, x_2), (v_1, v_2)
+    times, walls, places, speeds = [], [], [], [moving]
+    while moving[1] < moving[0] or moving[0] < 0:
+        wait, at_wall, place, moving = _next_collision(place, moving, heavy)
+        time += wait
         times.append(time)
-        walls.append(wall < meet)
-        places.append((x_1, x_2))
-        speeds.append((v_1, v_2))
+        walls.append(at_wall)
+        places.append(place)
+        speeds.append(moving)
     return TwoBlocks(
         mass=np.array([1.0, heavy]),
         time=np.array(times),
@@ -202,6 +212,21 @@ def two_blocks(
         position=np.array(places).reshape(-1, 2),
         velocity=np.array(speeds),
     )
+
+
+def _next_collision(
+    place: tuple[float, float], moving: tuple[float, float], heavy: float
+) -> tuple[float, bool, tuple[float, float], tuple[float, float]]:
+    """The time to the next collision, whether it is with the wall, and the blocks' places and velocities after it."""
+    (x_1, x_2), (v_1, v_2) = place, moving
+    meet = (x_2 - x_1) / (v_1 - v_2) if v_2 < v_1 else math.inf
+    wall = x_1 / -v_1 if v_1 < 0 else math.inf
+    wait = max(min(meet, wall), 0.0)
+    x_1, x_2 = x_1 + v_1 * wait, x_2 + v_2 * wait
+    if wall < meet:
+        return wait, True, (0.0, x_2), (-v_1, v_2)
+    impulse = 2 / (1 + 1 / heavy) * (v_1 - v_2)
+    return wait, False, (x_2, x_2), (v_1 - impulse, v_2 + impulse / heavy)
 
 
 def _ratio(mass_ratio: float | Fraction) -> Fraction:

@@ -31,6 +31,49 @@ from course.arrays import (
 )
 
 
+@dataclass(frozen=True, eq=False)
+class DomePaths:
+    """A particle's ways down a dome, in the plane of y and z.
+
+    Args:
+        radius: R [m].
+        leaving, leaving_as_printed: the angles where it leaves [rad].
+        slide: along the dome from the start to where it leaves, (k, 2) [m].
+        flight, flight_as_printed: after it has left, (l, 2) each [m].
+        depth: how deep the flight as printed runs inside the dome [m].
+        deepest, out: where it is deepest and where it comes out, (2,) each [m].
+    """
+
+    radius: float
+    leaving: float
+    leaving_as_printed: float
+    slide: Array
+    flight: Array
+    flight_as_printed: Array
+    depth: float
+    deepest: Array
+    out: Array
+
+
+@dataclass(frozen=True, eq=False)
+class DomeBias:
+    """The second rate of a gap over the angle, without a contact force.
+
+    Args:
+        angle: (k,) [rad].
+        true, as_printed: v^2/R - g cos theta and 2 v^2/R - g cos theta, (k,) [m/s^2].
+        over_the_plane: -g cos theta, over the plane that was touched, (k,) [m/s^2].
+        leaving, leaving_as_printed: where the first two are 0 [rad].
+    """
+
+    angle: Array
+    true: Array
+    as_printed: Array
+    over_the_plane: Array
+    leaving: float
+    leaving_as_printed: float
+
+
 @dataclass(frozen=True)
 class Dome:
     """A dome and a particle on it.
@@ -108,6 +151,30 @@ class Dome:
         deepest = int(np.argmin(gaps))
         outside = deepest + int(np.argmax(gaps[deepest:] >= 0))
         return float(-gaps[deepest]), places[deepest], places[outside]
+
+    def paths(self) -> DomePaths:
+        """Where the particle slides and flies, by the truth and by the printed formula.
+
+        Each flight takes 1.2 times the time of a fall through R.
+        """
+        true, printed = self.leaving_angle, self.leaving_angle_as_printed
+        slide = self.radius * _directions(np.linspace(self.start, true, 50))[0]
+        times = np.linspace(0, 1.2 * np.sqrt(2 * self.radius / self.gravity), 60)
+        flown, as_printed = self.flight(true, times), self.flight(printed, times)
+        deepest = self.dive(printed)
+        return DomePaths(self.radius, true, printed, slide, flown, as_printed, *deepest)
+
+    def bias_curves(self, end: float = np.radians(70.0)) -> DomeBias:
+        """The second rates of the gap from the start to an angle ``end`` [rad]."""
+        theta = np.linspace(self.start, scalar("end", end), 200)
+        return DomeBias(
+            theta,
+            self.bias(theta),
+            self.bias_as_printed(theta),
+            -self.gravity * np.cos(theta),
+            self.leaving_angle,
+            self.leaving_angle_as_printed,
+        )
 
     def bias(self, angle: ArrayLike) -> Array:
         """d_ddot without a contact force, v^2/R - g cos theta, (...) [m/s^2]."""

@@ -68,9 +68,9 @@ def sliding_ladder_forces(
     """
     theta, omega = in_range("angle", angle, 0.0, np.pi / 2), scalars("rate", rate)
     broadcast(angle=(theta, 0), rate=(omega, 0))
-    sine, cosine, spin = np.sin(theta), np.cos(theta), 0.5 * length * omega**2
-    floor = gravity - 0.75 * gravity * cosine**2 - spin * sine
-    wall = 0.75 * gravity * sine * cosine - spin * cosine
+    sine, cosine, inward = np.sin(theta), np.cos(theta), 0.5 * length * omega**2
+    floor = gravity - 0.75 * gravity * cosine**2 - inward * sine
+    wall = 0.75 * gravity * sine * cosine - inward * cosine
     return mass * np.stack(np.broadcast_arrays(floor, wall), axis=-1)
 
 

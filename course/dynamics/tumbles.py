@@ -9,9 +9,42 @@ import numpy as np
 from course import rotations
 from course.arrays import Array, ArrayLike, failure, scalars, vectors
 from course.dynamics.bodies import Bodies
-from course.dynamics.closed_forms import parabola
+from course.dynamics.closed_form_motions import parabola
 from course.dynamics.mass_properties import principal_axes
 from course.dynamics.torque_free_top import torque_free_rotation
+
+
+@dataclass(frozen=True, eq=False)
+class BodyView:
+    """The constant L as a turning body sees it, as a direction.
+
+    Args:
+        times: (t,) [s].
+        direction: R'L/|L|, its parts along the principal axes, (t, 3).
+        turnovers: when L lies across the axis that was asked for, (k,) [s].
+    """
+
+    times: Array
+    direction: Array
+    turnovers: Array
+
+
+@dataclass(frozen=True, eq=False)
+class EnergyLines:
+    """Lines of equal energy on the sphere of directions of l = R'L, seen along each principal axis.
+
+    Args:
+        grid: of both coordinates of a view, in units of |L|, (k,).
+        energy: seen along axis 0, 1, 2, with the next axis to the right and the one after it up, in
+            units of |L|^2/2; NaN outside the sphere, (3, k, k) [1/(kg m^2)].
+        levels: ascending, between the least and the largest energy, (l,) [1/(kg m^2)].
+        direction: where l/|L| runs, (t, 3).
+    """
+
+    grid: Array
+    energy: Array
+    levels: Array
+    direction: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +97,35 @@ class Tumble:
         rate = np.cross(l_body, l_body / self.moments)
         curve = CubicHermiteSpline(self.times, l_body[:, axis], rate[:, axis])
         return np.asarray(curve.roots(extrapolate=False))
+
+    def body_view(self, axis: int = 1) -> BodyView:
+        """Where L points in the body over time, and the ``turnover_times`` of an axis."""
+        return BodyView(self.times, self._direction, self.turnover_times(axis))
+
+    def energy_lines(self, points: int = 241, levels: int = 15) -> EnergyLines:
+        """The energy sum_i l_i^2/I_i over the sphere |l| = 1, and where l runs on it.
+
+        Args:
+            points: of the grid in each coordinate.
+            levels: how many lines, evenly spaced between the two extremes.
+        """
+        grid = np.linspace(-1, 1, points)
+        x, y = np.meshgrid(grid, grid)
+        depth = 1 - x**2 - y**2
+        least, _, most = moments = self.moments
+        energy = [
+            x**2 / moments[(k + 1) % 3]
+            + y**2 / moments[(k + 2) % 3]
+            + depth / moments[k]
+            for k in range(3)
+        ]
+        between = np.linspace(1 / most, 1 / least, levels + 2)[1:-1]
+        seen = np.where(depth >= 0, np.stack(energy), np.nan)
+        return EnergyLines(grid, seen, between, self._direction)
+
+    @property
+    def _direction(self) -> Array:
+        return self.seen_from_body / np.linalg.norm(self.angular_momentum)
 
 
 def free_tumble(

@@ -20,6 +20,7 @@ def verdict_on(
     if found.state == "blank":
         return judge_answer(inputs, Answer(blank=True))
     verdict = _verdict_on_runs(inputs, found, answers, limits)
+    verdict = _unless_unlike(verdict, answers)
     return _renamed(found, verdict) if found.nearest else verdict
 
 
@@ -48,6 +49,17 @@ def _verdict_on_runs(
         words = f"it is checked {len(given)} times, and right {right} times: which one counts?"
         return Verdict(exercise.name, "needs a person", reason=(words,))
     return given[-1]
+
+
+def _unless_unlike(verdict: Verdict, answers: Answers) -> Verdict:
+    """The verdict, but a person's where the answer is not right and leans on what only its author's kernel had."""
+    unlike = [run.reply.unlike for run in answers.runs if run.reply is not None]
+    what = next(filter(None, unlike), "")
+    if not what or not verdict.failed:
+        return verdict
+    words = f"it may lean on what was not here while it was marked ({what}): somebody should run it"
+    reason = (words, *verdict.reason)
+    return Verdict(verdict.exercise, "needs a person", reason=reason)
 
 
 def _of_run(

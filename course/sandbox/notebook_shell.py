@@ -6,33 +6,31 @@ answers.
 """
 
 from __future__ import annotations
-import __future__
 
-import ast
-import contextlib
 import gc
-import inspect
 import os
 import socket
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from types import CodeType
 from typing import Any
 
-from course.exercises import answer
+from course.exercises.answer import (
+    Outcome,
+    answer_to,
+    describe,
+)
 from course.exercises.question import Question
 from course.sandbox import forks, guard, limits, stand_ins, wire
-from course.sandbox.messages import DONE, NOTE, REPLY, STAGE, TRIED, send
+from course.sandbox.attempts import IN_THE_ANSWER, Attempts
+from course.sandbox.cells import MISSED, Cells
+from course.sandbox.leaning import leans_on
+from course.sandbox.messages import DONE, NOTE, REPLY, STAGE, send
 from course.sandbox.plan import Step
 from course.sandbox.seccomp import Filter
 
 MISSING = object()
-#: Attempts told, each once; more of them say nothing new.
-MOST_ATTEMPTS = 20
-DEEP = 5_000
-#: Magics that measure, draw or install, and bind nothing that an answer could need.
-IDLE = "matplotlib timeit prun pip conda pinfo pinfo2 debug pdb bash sh script sx system html javascript latex".split()
+MISSED_NAMES = tuple(kind.__name__ for kind in MISSED)
 
 
 @dataclass(frozen=True)
@@ -61,11 +59,11 @@ def run(
     whole = replace(around.limits, seconds=around.limits.seconds * (len(tasks) + 2))
     held = limits.apply_limits(whole)
     sys.path[:] = [around.work, *around.path]
-    attempts = _Attempts(pipe)
-    answers = _Answers(tasks, around, pipe, held)
+    attempts = Attempts(pipe)
+    answers = _Answers(steps, tasks, around, pipe, held, attempts)
     stand_ins.install_stand_ins(answers.check)
     _silence()
-    stand_ins.answer_nobody(attempts)
+    stand_ins.answer_nobody(attempts.miss)
     answers.guard = guard.install_guard(
         around.work, around.closed, around.path, attempts
     )
@@ -76,54 +74,39 @@ def run(
         held += ["system calls"] if listener is not None else []
     gc.freeze()
     gc.enable()
-    cells = _Cells(attempts)
+    cells = Cells(attempts)
     for step in steps:
         send(pipe, STAGE, f"cell {step.index}".encode())
         error = cells.execute(step)
         if error is not None:
-            send(pipe, NOTE, wire.pack([step.index, answer.describe(error)]))
+            send(pipe, NOTE, wire.pack([step.index, describe(error)]))
     send(pipe, STAGE, b"end 0")
     answers.rest(cells.namespace)
     send(pipe, DONE, b"-1 0")
     os._exit(0)
 
 
-class _Attempts:
-    """Tells of what was tried and refused, at once: what was told cannot be taken back."""
-
-    def __init__(self, pipe: int) -> None:
-        self._pipe, self._told = pipe, set[str]()
-        self.count = 0
-
-    def __call__(self, attempt: str) -> None:
-        self.count += 1
-        if attempt not in self._told and len(self._told) < MOST_ATTEMPTS:
-            self._told.add(attempt)
-            send(self._pipe, TRIED, attempt.encode("utf-8", "replace"))
-
-
 class _Answers:
     """Answers exercises, each in a fork: what its code does there is not in the notebook's way."""
 
     def __init__(
-        self,
-        tasks: Sequence[Question],
-        around: Surroundings,
-        pipe: int,
-        held: list[str],
-    ) -> None:
+        self, steps: Sequence[Step], tasks: Sequence[Question], around: Surroundings, pipe: int, held: list[str],
+        attempts: Attempts,
+    ) -> None:  # fmt: skip
+        self._sources = {step.index: step.source for step in steps}
         self._tasks = {task.name: task for task in tasks}
         self._around, self._pipe, self._held = around, pipe, held
+        self._attempts = attempts
         self._asked: set[str] = set()
         self.guard: Any = None
 
-    def check(self, value: Any = None, name: Any = None, *_: Any, **__: Any) -> None:
+    def check(self, answer: Any = None, name: Any = None, *_: Any, **__: Any) -> None:
         """What ``check`` does here."""
-        name = name if isinstance(name, str) else getattr(value, "__name__", "")
+        name = name if isinstance(name, str) else getattr(answer, "__name__", "")
         task = self._tasks.get(name)
         if task is not None:
             self._asked.add(name)
-            self._answer(task, value)
+            self._answer(task, answer)
 
     def rest(self, namespace: Mapping[str, Any]) -> None:
         """Answer what was never checked, with what the notebook has at its end."""
@@ -157,134 +140,34 @@ class _Answers:
         os._exit(0)
 
     def _reply(self, task: Question, value: Any) -> None:
-        told = _call(task, self._stage, value)
-        checked = task.name in self._asked
-        packed = wire.pack({**told, "held": self._held, "checked": checked})
+        told = _call(task, self._stage, value, self._attempts)
+        told |= {"held": self._held, "checked": task.name in self._asked}
+        told["unlike"] = leans_on(value, task.name, self._sources, self._attempts.unlike)  # fmt: skip
+        packed = wire.pack(told)
         send(self._pipe, REPLY, task.index.to_bytes(4, "little") + packed)
 
     def _stage(self, what: str, index: int) -> None:
         send(self._pipe, STAGE, f"{what} {index}".encode())
 
 
-class _Cells:
-    """IPython's reading of cells and its namespace, without history, display or a terminal."""
-
-    def __init__(self, attempts: _Attempts) -> None:
-        nothing = stand_ins.StandInForCourse()
-        self._shell = _shell(attempts)
-        self.namespace: dict[str, Any] = self._shell.user_ns
-        self.namespace |= {
-            "exit": sys.exit,
-            "quit": sys.exit,
-            "display": nothing,
-            "get_ipython": lambda: self._shell,
-            stand_ins.LATER_NAME: stand_ins.Later,
-        }
-        self._attempts = attempts
-        self._flags = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
-
-    def execute(self, step: Step) -> BaseException | None:
-        """Run one cell and give back what it raised first.
-
-        A tolerant cell goes on after a statement that fails, and every cell after one that was refused something or
-        imports what is not here: in the kernel it would have worked.
-        """
-        first: BaseException | None = None
-        with (
-            contextlib.redirect_stdout(answer.Printed()),
-            contextlib.redirect_stderr(answer.Printed()),
-        ):
-            try:
-                codes = self._codes(step)
-            except BaseException as error:
-                return error
-            tolerant = step.tolerant
-            for code in codes:
-                before = self._attempts.count
-                try:
-                    self._run(code)
-                except (
-                    BaseException
-                ) as error:  # SystemExit too: a notebook goes on with its next cell
-                    first = first or error
-                    missed = isinstance(error, ModuleNotFoundError)
-                    tolerant = tolerant or missed or self._attempts.count > before
-                    if not tolerant or isinstance(error, KeyboardInterrupt):
-                        break
-        return first
-
-    def _codes(self, step: Step) -> list[CodeType]:
-        with _deeper():
-            source = self._shell.transform_cell(step.source)
-            name = self._shell.compile.cache(source, step.index, raw_code=step.source)
-            tree = stand_ins.with_later_imports(ast.parse(source, name))
-            return [self._compiled(node, name) for node in tree.body]
-
-    def _compiled(self, node: ast.stmt, name: str) -> CodeType:
-        if isinstance(node, ast.ImportFrom) and node.module == "__future__":
-            for alias in node.names:
-                feature = getattr(__future__, alias.name, None)
-                self._flags |= getattr(feature, "compiler_flag", 0)
-        module = ast.Module([node], [])
-        return compile(module, name, "exec", self._flags, dont_inherit=True)
-
-    def _run(self, code: CodeType) -> None:
-        if code.co_flags & inspect.CO_COROUTINE:
-            import asyncio
-
-            asyncio.run(eval(code, self.namespace))
-        else:
-            exec(code, self.namespace)
-
-
-def _shell(attempts: _Attempts) -> Any:
-    from IPython.core.interactiveshell import InteractiveShell
-    from traitlets.config import Config
-
-    config = Config()
-    config.HistoryManager.enabled = False
-    shell: Any = InteractiveShell.instance(config=config)
-
-    def refused(command: str, *_: Any, **__: Any) -> list[str]:
-        attempts(f"the command {command}"[:100])
-        return []
-
-    shell.system = shell.getoutput = shell.system_raw = shell.system_piped = refused
-    for name in IDLE:
-        for kind in ("line", "cell"):
-            shell.register_magic_function(_idle, magic_kind=kind, magic_name=name)
-    return shell
-
-
-def _idle(*_: Any, **__: Any) -> None:
-    return None
-
-
-@contextlib.contextmanager
-def _deeper() -> Iterator[None]:
-    """Compiling from a tree counts its depth: a thousand elif are a thousand blocks in each other."""
-    limit = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(limit, DEEP))
-    try:
-        yield
-    finally:
-        sys.setrecursionlimit(limit)
-
-
 def _call(
-    task: Question, stage: Callable[[str, int], None], value: Any
+    task: Question, stage: Callable[[str, int], None], value: Any, attempts: Attempts
 ) -> dict[str, Any]:
-    """What came of the answer, as plain values."""
+    """What the answer gave for each case, or why it was not called."""
     if value is MISSING:
         return {"missing": True}
+    attempts.cell = IN_THE_ANSWER
     try:
-        came = answer.answer_to(task, value, _told(stage, task.cases))
+        came = answer_to(task, value, _told(stage, task.cases))
     except (
         BaseException
     ) as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
-        return {"fault": "it stopped with " + answer.describe(error)}
+        return {"fault": "it stopped with " + describe(error)}
     if came.blank or came.fault:
         return {"blank": True} if came.blank else {"fault": came.fault}
+    for outcome in came.outcomes:
+        if outcome.kind == "raised" and outcome.text.startswith(MISSED_NAMES):
+            attempts.miss(outcome.text.partition("\n")[0])
     pairs = zip(came.outcomes, task.most, strict=True)
     return {"outcomes": [_plain(outcome, most) for outcome, most in pairs]}
 
@@ -297,7 +180,7 @@ def _told(
         yield case
 
 
-def _plain(outcome: answer.Outcome, most: int) -> dict[str, Any]:
+def _plain(outcome: Outcome, most: int) -> dict[str, Any]:
     """An outcome as plain values; more numbers than there is room for are told, not sent."""
     count = sum(array.size for array in outcome.values)
     if count > most:

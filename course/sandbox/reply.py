@@ -28,13 +28,15 @@ KINDS = ("value", "none", "raised", "unreadable")
 class Reply:
     """What came back, checked: the answer, or that there is no such name (``missing``).
 
-    ``held`` are the limits that took effect; ``checked`` where the notebook itself asked.
+    ``held`` are the limits that took effect; ``checked`` where the notebook itself asked; ``unlike`` what the answer
+    may lean on that its author's kernel had and this process had not.
     """
 
     answer: Answer = field(default_factory=Answer)
     missing: bool = False
     held: tuple[str, ...] = ()
     checked: bool = False
+    unlike: str = ""
 
 
 def checked_reply(sent: Any, question: Question) -> Reply:
@@ -42,10 +44,11 @@ def checked_reply(sent: Any, question: Question) -> Reply:
     if not isinstance(sent, dict):
         raise wire.Unreadable("no table of results")
     held = tuple(word for word in LIMIT_WORDS if word in _list(sent.get("held", [])))
-    checked = sent.get("checked") is True
+    more: dict[str, Any] = {"held": held, "checked": sent.get("checked") is True,
+                            "unlike": clean(sent.get("unlike", ""), 200)}  # fmt: skip
     if sent.get("missing") is True:
-        return Reply(missing=True, held=held, checked=checked)
-    return Reply(_answer(sent, question), held=held, checked=checked)
+        return Reply(missing=True, **more)
+    return Reply(_answer(sent, question), **more)
 
 
 def _answer(sent: dict[str, Any], question: Question) -> Answer:

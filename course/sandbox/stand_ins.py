@@ -23,7 +23,7 @@ LATER = frozenset(
 LATER_NAME = "__import_later__"
 #: Packages that take seconds to import: an answer that uses one finds it loaded when
 #: its clock starts.
-SLOW = frozenset({"cvxpy"})
+SLOW = frozenset({"cvxpy", "numba"})
 
 
 #: What a value is used by: numbers, arrays, sequences.
@@ -152,8 +152,15 @@ def _put_off(node: ast.Import) -> list[ast.stmt]:
     return [ast.fix_missing_locations(statement) for statement in made]
 
 
+def load(name: str) -> None:
+    """Import a package, and have a compiler compile once: what it looks up for that it cannot look up under guard."""
+    module = importlib.import_module(name)
+    if name == "numba":
+        module.njit(lambda x: x + 1)(sys.modules["numpy"].ones(2))
+
+
 def answer_nobody(asked: Callable[[str], None]) -> None:
-    """Make ``input`` and ``getpass`` return an empty line, and report it to ``asked``.
+    """Make ``input`` and ``getpass`` return an empty line, and tell ``asked``.
 
     Nobody is there to answer.
     """
@@ -161,7 +168,7 @@ def answer_nobody(asked: Callable[[str], None]) -> None:
     import getpass
 
     def empty(prompt: object = "", *_: Any, **__: Any) -> str:
-        asked("asking for input")
+        asked("what was typed when it asked for input")
         print(prompt)
         return ""
 

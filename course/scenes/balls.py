@@ -89,8 +89,10 @@ def balls_on_domes(count: int, rng: np.random.Generator) -> Scene:
     mass = np.append(rng.uniform(0.5, 2, count), np.full(count, np.inf))
     velocity = np.concatenate([2 * along, np.zeros((count, 3))])
     bodies = Bodies.balls(mass, np.append(r, dome), centres, velocity)
-    spin = np.zeros((2 * count, 3))
-    spin[:count] = rng.normal(size=(count, 3)) * bodies.inertia[:count, 0, :1]
+    angular_momentum = np.zeros((2 * count, 3))
+    angular_momentum[:count] = (
+        rng.normal(size=(count, 3)) * bodies.inertia[:count, 0, :1]
+    )
     index = np.arange(count)
     contacts = Contacts(
         index,
@@ -105,7 +107,7 @@ def balls_on_domes(count: int, rng: np.random.Generator) -> Scene:
     needed = GRAVITY * out[:, 2] - np.sum((2 * along) ** 2, axis=1) / (r + dome)
     return resting(
         "balls on domes",
-        replace(bodies, angular_momentum=spin),
+        replace(bodies, angular_momentum=angular_momentum),
         contacts,
         truth=mass[:count] * np.maximum(needed, 0.0),
     )

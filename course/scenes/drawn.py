@@ -105,13 +105,9 @@ def side_by_side(scenes: Sequence[Scene]) -> Scene:
         replace(s.contacts, body_a=s.contacts.body_a + n, body_b=s.contacts.body_b + n)
         for s, n in zip(scenes, start, strict=False)
     ]
-    fields = [
-        np.concatenate([getattr(s.bodies, name) for s in scenes])
-        for name in Bodies.__dataclass_fields__
-    ]
     return resting(
         f"{len(scenes)} scenes",
-        Bodies(*fields),
+        Bodies.concatenate(s.bodies for s in scenes),
         Contacts.concatenate(contacts),
         gravity=scenes[0].gravity,
         applied_force=np.concatenate([s.applied_force for s in scenes]),

@@ -16,7 +16,7 @@ from course.arrays import (
 )
 from course.dynamics import Bodies
 from course.overlap import Contacts
-from course.scenes.layout import box_inertia, contacts_at
+from course.scenes.layout import box_inertia, contacts_at, fixed_body
 from course.scenes.scene import Scene
 
 #: A box whose three moments of inertia differ: half extents [m].
@@ -51,18 +51,11 @@ def falling_rods(
     n = theta.size
     axis = np.stack([np.cos(theta), np.zeros(n), -np.sin(theta)], axis=-1)
     across = m * size**2 / 12
-    inertia = np.broadcast_to(np.diag([0.01 * across, across, across]), (n + 1, 3, 3))
+    inertia = np.broadcast_to(np.diag([0.01 * across, across, across]), (n, 3, 3))
     turns = rotations.from_rotation_vector(theta[:, None] * [0.0, 1.0, 0.0])
-    momentum, zero = np.zeros((2, n + 1, 3))
-    momentum[:n, 2] = -m * v
-    bodies = Bodies(
-        np.append(np.full(n, m), np.inf),
-        inertia,
-        zero,
-        np.concatenate([turns, [[0, 0, 0, 1]]]),
-        momentum,
-        zero,
-    )
+    zero, momentum = np.zeros((n, 3)), np.outer(np.full(n, m * v), [0.0, 0.0, -1.0])
+    rods = Bodies(np.full(n, m), inertia, zero, turns, momentum, zero)
+    bodies = Bodies.concatenate([rods, fixed_body()])
     contacts = contacts_at(0.5 * size * where[:, None] * axis, a=np.arange(n), b=n)
     felt = m / (1 + 3 * (where * np.cos(theta)) ** 2)
     return _landing("falling rods", bodies, contacts, felt * v)
@@ -98,17 +91,15 @@ def box_on_corners(
     """
     half = positive("half_extents", vectors("half_extents", half_extents))
     inertia = box_inertia([1.0], 2 * half)
-    momentum, angular = np.zeros((2, 2, 3))
-    momentum[0] = vectors("velocity", velocity)
-    angular[0] = inertia[0] @ vectors("spin", spin)
-    bodies = Bodies(
-        np.array([1.0, np.inf]),
-        np.concatenate([inertia, np.eye(3)[None]]),
-        np.outer([1.0, 0.0], [0.0, 0.0, half[2]]),
-        rotations.identity(2),
-        momentum,
-        angular,
+    box = Bodies(
+        np.ones(1),
+        inertia,
+        np.array([[0.0, 0.0, half[2]]]),
+        rotations.identity(1),
+        vectors("velocity", velocity)[None],
+        (inertia[0] @ vectors("spin", spin))[None],
     )
+    bodies = Bodies.concatenate([box, fixed_body()])
     sides = np.array([[x, y, 0.0] for x in (-1, 1) for y in (-1, 1)])
     return Scene(bodies, None, contacts_at(sides * half), name="box on its corners")
 

@@ -14,15 +14,16 @@ UP = np.array([0.0, 0.0, 1.0])
 
 def with_ground(mass: ArrayLike, inertia: Array, position: Array) -> Bodies:
     """Bodies at rest and, last, a fixed one."""
-    n = len(position) + 1
-    return Bodies(
-        np.append(mass, np.inf),
-        np.concatenate([inertia, np.eye(3)[None]]),
-        np.concatenate([position, -UP[None]]),
-        rotations.identity(n),
-        np.zeros((n, 3)),
-        np.zeros((n, 3)),
-    )
+    none = np.zeros((len(position), 3))
+    masses = np.broadcast_to(mass, len(position))
+    level = rotations.identity(len(position))
+    standing = Bodies(masses, inertia, position, level, none, none)
+    return Bodies.concatenate([standing, fixed_body(-UP)])
+
+
+def fixed_body(position: ArrayLike = (0.0, 0.0, 0.0)) -> Bodies:
+    """One body that does not move, at (3,) [m]: a ground, a floor, a frame."""
+    return Bodies.balls(np.inf, 1.0, np.reshape(position, (1, 3)))
 
 
 def contacts_at(

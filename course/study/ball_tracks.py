@@ -72,13 +72,7 @@ def roll(
     )
     choice("law", law, LAWS)
     e = float(in_range("restitution", scalar("restitution", restitution), 0, 1))
-    if np.any(bodies.fixed):
-        raise failure(
-            "bodies",
-            "free balls",
-            "a body of infinite mass",
-            (int(np.argmax(bodies.fixed)),),
-        )
+    _require_free(bodies)
     low, high = _cushions(table, r)
     state, time = bodies, 0.0
     times, places, speeds, events = [0.0], [bodies.position], [bodies.velocity], 0
@@ -98,6 +92,12 @@ def roll(
     return BallTracks(
         np.array(times), np.array(places), np.array(speeds), events, time >= end
     )
+
+
+def _require_free(bodies: Bodies) -> None:
+    if np.any(bodies.fixed):
+        at = (int(np.argmax(bodies.fixed)),)
+        raise failure("bodies", "free balls", "a body of infinite mass", at)
 
 
 def _cushions(
@@ -150,14 +150,7 @@ def _collide(
         margin=margin,
     )
     frame = Bodies.balls(np.inf, 1.0, np.zeros((1, 3)))
-    both = Bodies(
-        *(
-            np.concatenate([getattr(state, f), getattr(frame, f)])
-            for f in Bodies.__dataclass_fields__
-        )
-    )
+    both = Bodies.concatenate([state, frame])
     contacts = Contacts.concatenate([touching, sides])
     after = resolve_collisions(both, contacts, restitution, law=law)
-    return replace(
-        state, momentum=after.momentum[:n], angular_momentum=after.angular_momentum[:n]
-    )
+    return after[:n]

@@ -5,6 +5,7 @@ The scenes are those of ``course.scenes``.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -53,9 +54,9 @@ def measured_accelerations(
             "contacts of faces of B",
             f"{sorted(set(contacts.feature.tolist()))}",
         )
-    push, twist = contact_wrench(scene.bodies, contacts, force)
+    pushing, turning = contact_wrench(scene.bodies, contacts, force)
     free = ~scene.bodies.fixed[:, None]
-    wrench = free * (scene.force + push), free * (scene.torque + twist)
+    wrench = free * (scene.force + pushing), free * (scene.torque + turning)
     h = scalar("step", step)
 
     def gaps(time: float) -> Array:
@@ -137,6 +138,51 @@ def matrix_cost(bodies: Bodies, contacts: Contacts) -> MatrixCost:
         c, n, 30 * shared, 6 * n * c * c + 36 * n * c, first + second,
         c * c, (jacobian @ moved).nnz, jacobian.nnz + inverse.nnz,
     )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class MatrixGrowth:
+    """What ways to make A cost over the number of contacts, each by its name.
+
+    Args:
+        contacts: c of each scene, (k,).
+        seconds: measured, (k,) [s].
+        multiplications: counted, (k,).
+        exponent: p of multiplications ~ c^p at the end of each way.
+    """
+
+    contacts: dict[str, Array]
+    seconds: dict[str, Array]
+    multiplications: dict[str, Array]
+    exponent: dict[str, float]
+
+
+def matrix_growth(
+    contacts: Mapping[str, Sequence[float]],
+    seconds: Mapping[str, Sequence[float]],
+    multiplications: Mapping[str, Sequence[float]],
+) -> MatrixGrowth:
+    """What was measured and counted, with the exponent of the counts: least squares of the last three logarithms.
+
+    Times have none: theirs differs from machine to machine.
+
+    Raises:
+        ValueError: a way with fewer than three numbers of contacts, or without as many times or counts.
+    """
+    sizes, times, counts = (
+        {name: scalars(name, values) for name, values in given.items()}
+        for given in (contacts, seconds, multiplications)
+    )
+    for name, c in sizes.items():
+        if c.ndim != 1 or c.size < 3:
+            raise failure(name, "at least three numbers of contacts", f"{c.size}")
+        for what in (times, counts):
+            shaped(name, what.get(name, np.empty(0)), c.shape)
+    exponent = {
+        name: float(np.polyfit(np.log(c[-3:]), np.log(counts[name][-3:]), 1)[0])
+        for name, c in sizes.items()
+    }
+    return MatrixGrowth(sizes, times, counts, exponent)
 
 
 def exact_matrix(bodies: Bodies, contacts: Contacts) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -117,6 +118,20 @@ class OrderOutcomes:
     order: np.ndarray
     velocity: Array
     spin: Array
+
+    @cached_property
+    def _counted(self) -> tuple[Array, np.ndarray]:
+        return np.unique(np.round(self.spin, 6), axis=0, return_counts=True)
+
+    @property
+    def different(self) -> Array:
+        """The spins that differ by more than 1e-6 rad/s, (d, 3) [rad/s]."""
+        return self._counted[0]
+
+    @property
+    def times(self) -> np.ndarray:
+        """How many orders end with each of the ``different`` spins, (d,)."""
+        return self._counted[1]
 
 
 def outcomes_by_order(

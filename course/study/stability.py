@@ -155,16 +155,7 @@ def oscillator_growth(
         )
         return force, np.zeros(force.shape)
 
-    # Not along an axis of the phase plane, where a first step may be special.
-    start = np.array([math.cos(1.0), 0.0, 0.0])
-    bodies = Bodies(
-        np.ones(w.size),
-        np.broadcast_to(np.eye(3), (w.size, 3, 3)),
-        start / w[:, None],
-        identity(w.size),
-        np.broadcast_to(start * math.tan(1.0), (w.size, 3)),
-        np.zeros((w.size, 3)),
-    )
+    bodies = _oscillators(w)
     logarithm = np.zeros(w.size)
     for k in range(count):
         bodies = method(bodies, wrench, 1.0, time=float(k))
@@ -176,6 +167,17 @@ def oscillator_growth(
             momentum=bodies.momentum / size[:, None],
         )
     return np.exp(logarithm / count).reshape(batch)[()]
+
+
+def _oscillators(frequency: Array) -> Bodies:
+    """Bodies of mass 1 that start with energy 1, one for each frequency, (n,) [1/s]."""
+    n = frequency.size
+    # Not along an axis of the phase plane, where a first step may be special.
+    start = np.array([math.cos(1.0), 0.0, 0.0])
+    one, none = np.broadcast_to(np.eye(3), (n, 3, 3)), np.zeros((n, 3))
+    momentum = np.broadcast_to(start * math.tan(1.0), (n, 3))
+    place = start / frequency[:, None]
+    return Bodies(np.ones(n), one, place, identity(n), momentum, none)
 
 
 @dataclass(frozen=True, eq=False)

@@ -43,12 +43,8 @@ def tilt_growth(
     moment = positive("moments", vectors("moments", moments))
     if moment.ndim != 2:
         raise failure("moments", "shape (n, 3)", f"shape {moment.shape}")
-    several = [
+    bodies = Bodies.concatenate(
         spinning_body(one, tilt=tilt, spin=spin, axis=axis).bodies for one in moment
-    ]
-    names = Bodies.__dataclass_fields__
-    bodies = Bodies(
-        *(np.concatenate([getattr(b, name) for b in several]) for name in names)
     )
     step = 2 * np.pi / abs(scalar("spin", spin)) / 60
     times: Array = step * np.arange(round(60 * turns) + 1, dtype=float)

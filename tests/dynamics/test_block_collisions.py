@@ -102,3 +102,23 @@ def test_picture_does_not_depend_on_the_units():
 def test_refuses(call, message):
     with pytest.raises(ValueError, match=message):
         call()
+
+
+def test_paths_are_straight_between_collisions():
+    motion = two_blocks(3.0, speed=2.0, start=(1.0, 2.5))
+    time, place = motion.paths(1.5 * motion.time[-1])
+    speed = np.diff(place, axis=0) / np.diff(time)[:, None]
+    np.testing.assert_allclose(speed, motion.velocity, atol=1e-12)
+    np.testing.assert_allclose(place[0], [1.0, 2.5])
+    assert np.all(place[:, 0] >= -1e-12)
+    assert np.all(place[:, 1] >= place[:, 0] - 1e-12)
+    with pytest.raises(ValueError, match="end: expected at least"):
+        motion.paths(0.5 * motion.time[-1])
+
+
+@pytest.mark.parametrize("ratio", [1.0, 3.7, 100.0])
+def test_the_last_state_lies_in_the_wedge_and_no_other_does(ratio):
+    motion = two_blocks(ratio)
+    angle = np.arctan2(*motion.scaled_velocity.T)  # from the axis of block 2
+    within = (angle >= 0) & (angle <= motion.wedge_angle + 1e-12)
+    assert within[-1] and not within[:-1].any()

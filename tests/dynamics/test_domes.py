@@ -67,3 +67,32 @@ def test_refusals():
         slide_off(Dome(), 0.01)
     with pytest.raises(ValueError, match="angle"):
         Dome(start=0.5).speed(0.4)
+
+
+@pytest.mark.parametrize("dome", [Dome(), Dome(radius=2.5, start=0.3, gravity=1.6)])
+def test_paths_lie_on_the_dome_and_then_on_parabolas(dome):
+    paths = dome.paths()
+    size = lambda p: np.linalg.norm(p, axis=-1)  # noqa: E731
+    np.testing.assert_allclose(size(paths.slide), dome.radius)
+    np.testing.assert_allclose(paths.flight[0], paths.slide[-1], atol=1e-14)
+    assert size(paths.flight).min() >= dome.radius * (1 - 1e-12)
+    fall = np.diff(paths.flight[:, 1], 2)
+    np.testing.assert_allclose(fall, fall[0])
+    assert np.diff(paths.flight_as_printed[:, 0], 2) == pytest.approx(0, abs=1e-12)
+    assert size(paths.deepest) == pytest.approx(dome.radius - paths.depth)
+    assert size(paths.flight_as_printed).min() >= dome.radius - paths.depth - 1e-6
+    assert size(paths.out) == pytest.approx(dome.radius, rel=1e-3)
+
+
+def test_curves_of_the_bias_cross_zero_where_the_particle_leaves():
+    dome = Dome(start=0.2)
+    curves = dome.bias_curves(1.2)
+    assert (curves.angle[0], curves.angle[-1]) == (0.2, 1.2)
+    for values, leaving in (
+        (curves.true, curves.leaving),
+        (curves.as_printed, curves.leaving_as_printed),
+    ):
+        assert np.interp(leaving, curves.angle, values) == pytest.approx(0, abs=1e-3)
+    np.testing.assert_allclose(
+        curves.as_printed - curves.true, curves.true - curves.over_the_plane
+    )

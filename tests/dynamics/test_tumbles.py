@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.interpolate import RegularGridInterpolator
 
 from course.dynamics import (
     free_tumble,
@@ -53,3 +54,36 @@ def test_ten_times_the_care_is_a_fixed_time_more():
         for d in (1, 0.1, 0.01)
     ]
     assert np.diff(first) == pytest.approx(np.log(10) / sigma, rel=1e-3)
+
+
+def test_the_view_from_the_body_is_a_direction():
+    motion = free_tumble(spinning_handle().bodies, np.linspace(0, 8, 401))
+    view = motion.body_view()
+    np.testing.assert_allclose(SIZE(view.direction), 1)
+    world = np.einsum("tij,tj->ti", motion.rotation, view.direction)
+    np.testing.assert_allclose(world, np.tile(world[0], (401, 1)), atol=1e-12)
+    assert view.turnovers == pytest.approx(motion.turnover_times())
+    at = [np.interp(t, view.times, view.direction[:, 1]) for t in view.turnovers]
+    assert at == pytest.approx(np.zeros(3), abs=1e-3)
+    assert motion.body_view(axis=2).turnovers.size == 0
+
+
+def test_lines_of_equal_energy_are_those_of_the_motion():
+    motion = free_tumble(spinning_handle().bodies, np.linspace(0, 8, 41))
+    lines = motion.energy_lines(points=201, levels=5)
+    least, most = 1 / motion.moments[2], 1 / motion.moments[0]
+    assert np.nanmin(lines.energy) == pytest.approx(least)
+    assert np.nanmax(lines.energy) == pytest.approx(most)
+    assert len(lines.levels) == 5 and least < lines.levels[0] < lines.levels[-1] < most
+    # On its way l stays on one level, that of its energy, seen along any axis.
+    momentum = motion.angular_momentum
+    level = 2 * motion.turning_energy.sum(axis=1)[0] / (momentum @ momentum)
+    for k in range(3):
+        y, x = lines.direction[:, (k + 2) % 3], lines.direction[:, (k + 1) % 3]
+        within = x**2 + y**2 < 0.95
+        seen = RegularGridInterpolator((lines.grid, lines.grid), lines.energy[k])
+        found = seen(np.stack([y, x], axis=-1)[within])
+        assert len(found) > 2
+        assert found == pytest.approx(np.full(len(found), level), abs=2e-4 * most)
+    outside = lines.grid[:, None] ** 2 + lines.grid**2 > 1 + 1e-9
+    assert np.isnan(lines.energy[:, outside]).all()

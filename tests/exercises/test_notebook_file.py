@@ -149,7 +149,7 @@ def test_which_lesson_it_is(read, told, name, cells, number):
         ("x.y = 1\nx[0] = 2", ()),
         ("f = use(f)", ()),
         ("f = used(f)", ("f",)),
-        ("%matplotlib inline\n!pip list\n?f\nf?\nx = %timeit 1\ny = 2", ("y",)),
+        ("%matplotlib inline\n!pip list\n?f\nf?\nx = %timeit 1\ny = 2", ("x", "y")),
         ("def f(:", ()),
         ("x = 1" + " " * MAXIMUM_CELL, ()),
         ("x = " + "-" * 90_000 + "1", ()),

@@ -2,7 +2,7 @@
 
 import pytest
 
-from course.exercises.source import names_of, needed_cells
+from course.exercises.source import mentions, names_of, needed_cells
 
 CELLS = (
     "import numpy as np",  # 0
@@ -47,3 +47,33 @@ def test_names_of_a_cell():
     )
     assert bound == {"c", "d", "e", "f", "h", "j", "k"}
     assert {"g", "i", "j", "m", "n"} <= used and "l" not in used
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "class f:\n    pass",
+        "def make():\n    global f\n    f = 1",
+        "if a:\n    f = 1",
+        "print(f := 1)",
+        "from h import g as f",
+        "f, *rest = 1, 2",
+        "check(g, 'f')",
+        "check(g, name='f')",
+        "globals()['f'] = 1",
+        "exec('def f(x): return x')",
+        "exec('f = 1')",
+        "class A:\n    def f(self):\n        pass",
+        "check(module.f)",
+        "%%capture\nf = 1\nnot python",
+    ],
+)
+def test_cells_that_may_make_an_answer_in_ways_no_definition_shows(source):
+    assert mentions(source, "f")
+
+
+@pytest.mark.parametrize(
+    "source", ["f(1)", "f = use(f)", "check(f)", "print('of f')", "g = 1", "for_f = 2"]
+)
+def test_cells_that_only_use_an_answer(source):
+    assert not mentions(source, "f")

@@ -1,183 +1,139 @@
 """Notebooks that are green in the kernel: what an answer leans on is what is there when it is checked.
 
-Each of these marked a right answer wrong while exercises were run cell by cell, chosen by the names in them.
+Each of the first marked a right answer wrong while exercises were run cell by cell, chosen by the names in them; the
+others are what IPython, its event loop, its magics and the programs that save notebooks make of a right one.
 """
 
-import json
+import re
+import zlib
 
 import pytest
+from grading.green_notebooks import (
+    CHECKED,
+    GREEN,
+    HARMLESS,
+    PERSON,
+    PLAIN,
+    answer,
+    lessons,
+    mine,
+)
+from grading.kernel_runs import verdict_in_kernel
+from grading.saved_notebooks import DRAWN, SAVED, book, shuffled
 from grading.toy_lessons import IMPORTS, LESSONS, OTHER, TOY, cell
-from sandbox.runs import EITHER_WAY
+from sandbox.runs import EITHER_WAY, NO_BOX
 
 from course.grading import judge as judging
 from course.grading.judge import Judge
 from course.sandbox.limits import Limits
 from course.sandbox.running import Sandbox
 
-pytestmark = pytest.mark.slow
-CHECKED = "\ncheck(thrice)"
-PLAIN = "def thrice(x):\n    return k * x" + CHECKED
+#: One in so many is looked at every day, the rest where there is time.
+SELDOM = 12
+PACKAGES = re.compile("numba|cvxpy|plt|scipy|sp\\.|doctest|inspect|k3d|pandas")
 
 
-def mine(source):
-    return cell(source)
+def some(names):
+    """The names, all but a few of them marked slow."""
+    return [
+        pytest.param(name, marks=() if _number(name) == 0 else pytest.mark.slow)
+        for name in names
+    ]
 
 
-def answer(source):
-    return cell(source, exercise="thrice")
+def _number(name):
+    return zlib.crc32(str(name).encode()) % SELDOM
 
 
-def lessons(source):
-    return cell(source, role="lesson")
-
-
-GREEN = {
-    "the answer's cell split in two": [
-        answer("def twice_it(x):\n    return 2 * x"),
-        answer("def thrice(x):\n    return twice_it(x) + x" + CHECKED),
-    ],
-    "split with the check alone": [
-        answer("def thrice(x):\n    return 3 * x"),
-        answer("check(thrice)"),
-    ],
-    "a helper in a copied cell": [
-        answer("k = 3\ndef thrice(x):\n    ..."),
-        answer(PLAIN),
-    ],
-    "a number in one of the lesson's own cells": [lessons("k = 3"), answer(PLAIN)],
-    "the lesson's own cell, changed": [lessons("k = 2\nk = 3"), answer(PLAIN)],
-    "inside if": [mine("if True:\n    k = 3"), answer(PLAIN)],
-    "inside try": [
-        mine("try:\n    k = int('3')\nexcept ValueError:\n    k = 0"),
-        answer(PLAIN),
-    ],
-    "inside with": [
-        mine("import contextlib\nwith contextlib.suppress(OSError):\n    k = 3"),
-        answer(PLAIN),
-    ],
-    "inside for": [mine("for k in range(4):\n    pass"), answer(PLAIN)],
-    "by walrus": [mine("print(k := 3)"), answer(PLAIN)],
-    "by exec": [mine("exec('k = 3')"), answer(PLAIN)],
-    "by globals": [mine("globals()['k'] = 3"), answer(PLAIN)],
-    "the answer by exec": [answer("exec('def thrice(x): return 3 * x')" + CHECKED)],
-    "the answer inside if": [
-        answer("if True:\n    def thrice(x):\n        return 3 * x" + CHECKED)
-    ],
-    "by a timed line": [mine("%time k = 3"), answer(PLAIN)],
-    "by a timed cell": [mine("%%time\nk = 3"), answer(PLAIN)],
-    "an import moved": [
-        mine("import math as m"),
-        answer("def thrice(x):\n    return m.sqrt(9) * x" + CHECKED),
-    ],
-    "an import below": [
-        answer("def thrice(x):\n    import math\n    return math.sqrt(9) * x" + CHECKED)
-    ],
-    "a value added to": [mine("k = 2"), mine("k += 1"), answer(PLAIN)],
-    "an entry changed": [
-        mine("k = np.array([2.0])"),
-        mine("k[0] = 3"),
-        answer(PLAIN),
-    ],
-    "appended to": [
-        mine("parts = [1]"),
-        mine("parts.append(2)"),
-        answer("def thrice(x):\n    return sum(parts) * x" + CHECKED),
-    ],
-    "filled": [mine("k = np.zeros(1)"), mine("k.fill(3)"), answer(PLAIN)],
-    "summed in a loop": [
-        mine("k = 0"),
-        mine("for i in range(3):\n    k += 1"),
-        answer(PLAIN),
-    ],
-    "two cells": [mine("a = 1"), mine("k = a + 2"), answer(PLAIN)],
-    "a class": [
-        mine("class Scale:\n    factor = 3"),
-        answer("def thrice(x):\n    return Scale.factor * x" + CHECKED),
-    ],
-    "a file written and imported": [
-        mine("%%writefile scales.py\nk = 3"),
-        mine("from scales import k"),
-        answer(PLAIN),
-    ],
-    "a file read": [
-        mine("with open('k.txt', 'w') as f:\n    f.write('3')"),
-        mine("k = int(open('k.txt').read())"),
-        answer(PLAIN),
-    ],
-    "prompts of Python pasted": [
-        answer(">>> def thrice(x):\n...     return 3 * x\n...\n>>> check(thrice)")
-    ],
-    "prompts of IPython pasted": [
-        mine("In [3]: k = 3"),
-        answer(
-            "In [4]: def thrice(x):\n   ...:     return k * x\n   ...:\n\nIn [5]: check(thrice)"
-        ),
-    ],
-    "await": [
-        mine(
-            "import asyncio\nasync def three():\n    await asyncio.sleep(0)\n    return 3"
-        ),
-        mine("k = await three()"),
-        answer(PLAIN),
-    ],
-    "a shell line that goes on": [mine("!echo \\\n  hello\nk = 3"), answer(PLAIN)],
-    "a magic line that goes on": [
-        mine("%time k = \\\n   3"),
-        answer(PLAIN),
-    ],
-    "what a shell line gives": [mine("files = !ls\nk = 3"), answer(PLAIN)],
-    "annotations of the future": [
-        mine("from __future__ import annotations"),
-        answer("def thrice(x: Not | Known) -> Here:\n    return 3 * x" + CHECKED),
-    ],
-    "a decorator": [
-        mine("def scaled(f):\n    return lambda x: 3 * f(x)"),
-        answer("@scaled\ndef thrice(x):\n    return x\n\ncheck(thrice, 'thrice')"),
-    ],
-    "a cell that fails": [mine("k = 3\n1 / 0"), answer(PLAIN)],
-    "a cell that fails between": [mine("k = 3"), mine("nothing_here"), answer(PLAIN)],
-    "a loop that was stopped by hand": [
-        mine("while True:\n    pass"),
-        mine("k = 3"),
-        answer(PLAIN),
-    ],
-    "checked twice, right both times": [
-        answer(PLAIN.replace("k *", "3 *")),
-        mine("check(thrice)"),
-    ],
-    "checked while blank, then right": [
-        answer("def thrice(x):\n    ..." + CHECKED),
-        answer("def thrice(x):\n    return 3 * x" + CHECKED),
-    ],
-    "changed after the check": [
-        answer("k = 3\n" + PLAIN),
-        mine("k = 0"),
-    ],
-    "no check at all": [answer("def thrice(x):\n    return 3 * x")],
-    "a magic for pictures": [mine("%matplotlib inline\nk = 3"), answer(PLAIN)],
-    "help asked for": [mine("np.sum?\nk = 3"), answer(PLAIN)],
-}
+def written(cells, lesson=OTHER):
+    return book(
+        cell(IMPORTS, role="imports"),
+        *cells,
+        metadata={"course": {"lesson": lesson.number}},
+    )
 
 
 def judged(cells, *, boxed, lesson=OTHER, seconds=2.0):
-    content = {
-        "nbformat": 4,
-        "nbformat_minor": 5,
-        "metadata": {"course": {"lesson": lesson.number}},
-        "cells": [cell(IMPORTS, role="imports"), *cells],
-    }
+    content = cells if isinstance(cells, bytes) else written(cells, lesson)
     judge = Judge(7, Sandbox(Limits(seconds), boxed), LESSONS)
-    _, rows = judge.rows(json.dumps(content).encode(), "submission.ipynb")
+    _, rows = judge.rows(content, "submission.ipynb")
     return {row.exercise.name: row for row in rows}
 
 
-@EITHER_WAY
-@pytest.mark.parametrize("name", GREEN)
-def test_what_is_green_in_the_kernel_passes(name, boxed):
-    row = judged(GREEN[name], boxed=boxed)["thrice"]
+def green(name):
+    """The notebook of this name, as a file."""
+    if isinstance(name, int):
+        return shuffled(name)
+    return SAVED[name] if name in SAVED else written((GREEN | PERSON)[name])
+
+
+@pytest.mark.parametrize("name", some([*GREEN, *SAVED, *range(DRAWN)]))
+def test_what_is_green_in_the_kernel_passes(name):
+    row = judged(green(name), boxed=not NO_BOX, seconds=4.0)["thrice"]
     assert (row.state, row.points) == ("passed", 1), row.reason
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [*GREEN, *SAVED, *range(DRAWN)])
+def test_what_is_green_in_the_kernel_passes_without_a_box(name):
+    row = judged(green(name), boxed=False, seconds=4.0)["thrice"]
+    assert (row.state, row.points) == ("passed", 1), row.reason
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [*GREEN, *PERSON, *SAVED, *range(DRAWN)])
+def test_it_is_green_in_a_kernel_indeed(name, tmp_path):
+    assert verdict_in_kernel(green(name), tmp_path) == "passed"
+
+
+@pytest.mark.parametrize("name", some(PERSON))
+def test_what_leans_on_its_authors_machine_is_for_a_person(name):
+    row = judged(PERSON[name], boxed=not NO_BOX)["thrice"]
+    assert row.state in ("passed", "needs a person"), row.reason
+
+
+def test_a_wrong_answer_that_does_not_lean_on_a_command_is_wrong():
+    """Who has a command in a notebook has not got every wrong answer looked at."""
+    cells = [
+        mine("files = !ls\nname = input()"),
+        answer("def thrice(x):\n    return 2 * x" + CHECKED),
+    ]
+    row = judged(cells, boxed=not NO_BOX)["thrice"]
+    assert (row.state, row.points) == ("wrong", 0)
+
+
+@EITHER_WAY
+@pytest.mark.parametrize(
+    "packages", [False, pytest.param(True, marks=pytest.mark.slow)]
+)
+def test_what_is_harmless_is_not_named(boxed, packages):
+    """Those that load what takes seconds apart."""
+    sources = [s for s in HARMLESS.values() if bool(PACKAGES.search(s)) == packages]
+    cells = [mine(source) for source in sources]
+    row = judged([*cells, answer("k = 3\n" + PLAIN)], boxed=boxed, seconds=20.0)
+    assert row["thrice"].refused == ()
+    assert row["thrice"].state == "passed", row["thrice"].reason
+
+
+@pytest.mark.parametrize(
+    ("attempt", "told"),
+    [
+        ("!cat /etc/passwd", "the command cat /etc/passwd"),
+        ("!ls; rm -r ..", "the command ls; rm -r .."),
+        ("%%bash\nrm -r ..", "the command rm -r .."),
+        ("import os\nos.system('ls')", "os.system"),
+        ("import subprocess\nsubprocess.run(['ls'])", "subprocess.Popen"),
+        ("import ctypes\nctypes.c_int.from_address(0)", "ctypes.cdata"),
+        ("open('../solutions/10-impulse.ipynb')", "reading "),
+    ],
+)
+def test_what_is_denied_is_named(attempt, told):
+    cells = [mine(attempt), answer("k = 3\n" + PLAIN)]
+    row = judged(cells, boxed=not NO_BOX)["thrice"]
+    assert [one for one in row.refused if one.startswith(told)], row.refused
+
+
+@pytest.mark.slow
 @EITHER_WAY
 def test_a_symbol_of_the_lessons_own_cell(boxed):
     cells = [
@@ -188,6 +144,7 @@ def test_a_symbol_of_the_lessons_own_cell(boxed):
     assert row.state == "passed", row.reason
 
 
+@pytest.mark.slow
 @EITHER_WAY
 def test_two_answers_that_disagree_are_for_a_person(boxed):
     cells = [
@@ -199,6 +156,7 @@ def test_two_answers_that_disagree_are_for_a_person(boxed):
     assert "checked 2 times, and right 1 times" in row.reason
 
 
+@pytest.mark.slow
 def test_the_lessons_own_cells_are_run_where_they_are_needed_or_changed(monkeypatch):
     """Unchanged and not needed they are left out: most of a lesson's time is pictures and measurements."""
     slow, needed = "while True:\n    pass", "k = 3"
@@ -209,6 +167,7 @@ def test_the_lessons_own_cells_are_run_where_they_are_needed_or_changed(monkeypa
     assert row.state == "passed", row.reason
 
 
+@pytest.mark.slow
 @EITHER_WAY
 def test_a_notebook_makes_as_many_processes_as_it_has_checks(boxed):
     """In a box the kernel counts: what a student forks past the hook is refused once that number is reached."""
@@ -218,6 +177,7 @@ def test_a_notebook_makes_as_many_processes_as_it_has_checks(boxed):
     assert row["thrice"].seconds < 30
 
 
+@pytest.mark.slow
 @EITHER_WAY
 def test_a_cell_that_ends_the_program_costs_what_is_in_it_alone(boxed):
     cells = [

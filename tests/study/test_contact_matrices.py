@@ -14,7 +14,12 @@ from course.scenes import (
     wall,
     without_forces,
 )
-from course.study import exact_matrix, matrix_cost, measured_accelerations
+from course.study import (
+    exact_matrix,
+    matrix_cost,
+    matrix_growth,
+    measured_accelerations,
+)
 
 
 @pytest.mark.parametrize(
@@ -83,3 +88,15 @@ def test_costs_of_a_table_and_of_a_wall():
     scene = wall(4, 4)
     cost, system = matrix_cost(scene.bodies, scene.contacts), scene.system()
     assert cost.stored_sparse == system.A.nnz and cost.sparse < cost.dense / 10
+
+
+def test_growth_of_the_counts_is_fitted_at_their_end():
+    c = {"full": [2.0, 10.0, 100.0, 1000.0]}
+    counts = {"full": [7.0, 1e3, 1e6, 1e9]}  # c^3 in the last three
+    found = matrix_growth(c, {"full": [1.0, 2.0, 3.0, 4.0]}, counts)
+    assert found.exponent["full"] == pytest.approx(3.0)
+    assert found.seconds["full"].tolist() == [1.0, 2.0, 3.0, 4.0]
+    with pytest.raises(ValueError, match="full: expected at least three"):
+        matrix_growth({"full": [1.0, 2.0]}, {"full": [1.0, 2.0]}, {"full": [1.0, 2.0]})
+    with pytest.raises(ValueError, match="full"):
+        matrix_growth(c, {"full": [1.0]}, counts)

@@ -107,3 +107,11 @@ def test_pegs_do_not_feel_each_other_at_the_radius_of_gyration():
         assert left == pytest.approx(-right, rel=1e-12) and np.sign(left) == np.sign(
             threshold - place
         )
+
+
+def test_orders_with_the_same_outcome_are_counted_once():
+    bodies, contacts = bodies_and_contacts(rod_on_two_pegs(0.9))
+    found = outcomes_by_order(bodies, contacts, 1.0, [(0, 1), (1, 0), (0, 1)])
+    assert found.different.shape == (2, 3) and sorted(found.times) == [1, 2]
+    twice = found.different[np.argmax(found.times)]
+    np.testing.assert_allclose(twice, found.spin[0], atol=1e-6)

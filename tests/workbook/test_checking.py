@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from course.dynamics import impulse
+from course.dynamics import impulse_central as of_the_course
 from course.exercises.definition import all_lessons, find_exercise, find_lesson
 from course.workbook import check, hint, predict, progress, use
 from course.workbook.checking import whats_next
@@ -214,8 +214,8 @@ def test_a_stub_is_not_attempted_and_no_error(capsys):
 
 
 def test_functions_that_are_not_ones_own_are_refused(capsys):
-    with pytest.raises(ValueError, match="got one of course.dynamics.impulse"):
-        check(impulse.impulse_central)
+    with pytest.raises(ValueError, match="got one of course.dynamics.central_impulses"):
+        check(of_the_course)
     used = use(named(right))
     with pytest.raises(ValueError, match="got what use"):
         check(used)

@@ -5,7 +5,7 @@ import pytest
 from workbook.pictures import text
 
 from course.scenes import table, wall
-from course.study import pushed_table
+from course.study import matrix_growth, pushed_table
 from course.workbook import demos, plots
 
 
@@ -48,9 +48,8 @@ def test_pattern_counts_what_is_not_zero():
 
 def test_costs_show_the_exponent():
     n = [10.0, 100.0, 1000.0]
-    ax = plots.matrix_costs(
-        {"full": n}, {"full": np.square(n)}, {"full": np.power(n, 3)}
-    )
+    found = matrix_growth({"full": n}, {"full": np.square(n)}, {"full": np.power(n, 3)})
+    ax = plots.matrix_costs(found)
     assert "full multiplications c^3.0" in text(ax)
     times, counts = (
         [entry.get_text() for entry in panel.get_legend().get_texts()]

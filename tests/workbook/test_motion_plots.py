@@ -32,7 +32,7 @@ def test_energies_are_drawn_with_their_sum():
 
 
 def test_L_seen_from_the_body_tells_each_turning_over(motion):
-    ax = plots.seen_from_body(motion)
+    ax = plots.seen_from_body(motion.body_view())
     for line, values in zip(ax.lines, motion.seen_from_body.T, strict=False):
         assert line.get_ydata() == pytest.approx(
             values / np.linalg.norm(motion.angular_momentum)
@@ -45,13 +45,13 @@ def test_L_seen_from_the_body_tells_each_turning_over(motion):
     )
     short = free_tumble(spinning_handle().bodies, np.linspace(0, 1, 51))
     assert "The part along the stem does not cross zero." in text(
-        plots.seen_from_body(short)
+        plots.seen_from_body(short.body_view())
     )
 
 
 def test_lines_of_equal_energy_hold_the_path(motion):
     """The path drawn in each panel stays on its sphere and on one level of the energy."""
-    ax = plots.energy_contours(motion)
+    ax = plots.energy_contours(motion.energy_lines())
     panels = ax.get_figure().axes
     drawn = set()
     assert len(panels) == 3

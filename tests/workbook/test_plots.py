@@ -1,6 +1,8 @@
 """Pictures draw where they are told, say in words what they show, and leave a student's own settings alone."""
 
+import ast
 import re
+from pathlib import Path
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
@@ -202,3 +204,37 @@ def test_a_sweep_with_gaps_says_so():
     assert words_of_a_sweep([1, 2, 3, 4, 5], [nan, 7.0, nan, 9.0, nan]).endswith(
         "no value at 1, 7 at 2, no value at 3, 9 at 4, no value at 5."
     )
+
+
+def worked_out(source):
+    """What a module of plots imports to work something out: functions of the numerics, fits, solvers."""
+    said = []
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.ImportFrom) or node.module is None:
+            continue
+        if node.module.split(".")[0] == "scipy":
+            said.append(node.module)
+        if node.module.split(".")[:2] in NUMERIC_ROOMS:
+            # Types and constants begin with a capital letter; outlines are drawn.
+            said += [a.name for a in node.names if not a.name[0].isupper()]
+    return [name for name in said if name != "bar_and_plank_outlines"]
+
+
+NUMERIC_ROOMS = [
+    ["course", room]
+    for room in ("formulas", "overlap", "dynamics", "contact", "scenes", "study")
+]
+MODULES = sorted(Path(plots.__file__).parent.glob("*.py"))
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.stem)
+def test_plots_draw_results_and_work_nothing_out(path):
+    source = path.read_text(encoding="utf-8")
+    assert worked_out(source) == [] and "polyfit" not in source
+
+
+def test_a_plot_that_works_something_out_is_found():
+    source = (
+        "from course.dynamics import Dome, ladder_gaps\nfrom scipy.optimize import f"
+    )
+    assert worked_out(source) == ["ladder_gaps", "scipy.optimize"]

@@ -20,7 +20,7 @@ from course.workbook import demos, plots
 
 
 def test_turning_pair_tells_its_gaps():
-    ax = plots.turning_pair(bar_over_plank(), (0.0, 0.14))
+    ax = plots.turning_pair(study.pair_states(bar_over_plank(), (0.0, 0.14)))
     assert "0.250 m at 0 s" in text(
         ax
     ) and f"{bar_over_plank().gap(0.14):.3f} m at 0.14 s" in text(ax)
@@ -28,7 +28,7 @@ def test_turning_pair_tells_its_gaps():
 
 
 def test_later_gaps_stand_in_the_picture():
-    ax = plots.turning_pair(bar_over_plank(), (0.0, 0.14))
+    ax = plots.turning_pair(study.pair_states(bar_over_plank(), (0.0, 0.14)))
     assert (
         f"d = {bar_over_plank().gap(0.14):.3f} m at 0.14 s"
         in [t.get_text() for t in ax.texts][2]
@@ -118,20 +118,20 @@ def test_errors_by_looks_has_a_column_for_each_way():
 
 
 def test_the_legend_of_the_dome_is_whole():
-    ax = plots.dome(Dome())
+    ax = plots.dome(Dome().paths())
     figure = ax.get_figure()
     figure.draw_without_rendering()
     assert ax.get_legend().get_window_extent().x1 < figure.bbox.x1
 
 
 def test_normals_past_a_corner_do_not_reach_the_next_place():
-    ax = plots.passing_a_corner((0.03,), step=0.1)
+    ax = plots.passing_a_corner(study.corner_passing((0.03,), step=0.1))
     for arrow in ax.texts:
         assert np.linalg.norm(np.subtract(arrow.xy, arrow.xyann)) < 0.1
 
 
 def test_passing_a_corner_draws_a_normal_at_every_place():
-    ax = plots.passing_a_corner((0.3, 0.03))
+    ax = plots.passing_a_corner(study.corner_passing((0.3, 0.03)))
     assert len(ax.texts) == 22 and "at 0.3 m and at 0.03 m" in text(
         ax
     )  # annotations without text: arrows
@@ -146,13 +146,13 @@ def test_the_widget_redraws():
 
 
 def test_dome_tells_both_angles():
-    ax = plots.dome(Dome())
+    ax = plots.dome(Dome().paths())
     assert "48.2 degrees" in text(ax) and "36.9 degrees" in text(ax)
 
 
 def test_dome_looks_closer_where_the_printed_path_is_deepest_inside():
     scene = Dome()
-    ax = plots.dome(scene)
+    ax = plots.dome(scene.paths())
     times = np.linspace(
         0, 0.4, 4001
     )  # it comes out after 0.23 s, and meets the floor after 0.29 s
@@ -174,7 +174,7 @@ def test_dome_looks_closer_where_the_printed_path_is_deepest_inside():
 def test_dome_bias_draws_points_on_their_lines():
     scene, angles = Dome(), np.radians([20.0, 50.0])
     measured = {"gap": scene.bias(angles), "old point": scene.bias_as_printed(angles)}
-    ax = plots.dome_bias(scene, angles, measured)
+    ax = plots.dome_bias(scene.bias_curves(), angles, measured)
     lines = {line.get_label(): line for line in ax.lines}
     for name, curve in (
         ("gap", lines[r"$v^2/R - g\,\cos\varphi$"]),

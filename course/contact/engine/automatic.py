@@ -1,4 +1,4 @@
-"""Method "auto": a small system whole, a batch at once; by parts, with other methods, where that does not settle it."""
+"""Method "auto": a small system whole, a batch at once; by islands, with fallbacks, where that does not settle it."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from math import prod
 
 import numpy as np
 
-from course.arrays import Array
-from course.contact.assembly import ContactSystem
-from course.contact.engine.acceptance import (
-    doubtful,
-    require_convergence,
-    require_semidefinite,
-    require_solution,
-)
+from course.arrays import Array, BoolArray, IntArray
+from course.contact.engine.acceptance import contact_solution, doubtful
 from course.contact.engine.block_pivots import (
     Pivoted,
     block_pivot,
     block_pivot_one,
 )
-from course.contact.engine.fallbacks import dense
-from course.contact.engine.parts import SMALL, Parts
-from course.contact.solution import ContactSolution, contact_solution
+from course.contact.engine.islands import SMALL, Islands
+from course.contact.engine.refusals import (
+    require_convergence,
+    require_semidefinite,
+    require_solution,
+)
+from course.contact.solution import ContactSolution
+from course.contact.solvers.arguments import dense
 from course.contact.solvers.residual import products
+from course.contact.systems import ContactSystem
 
 #: Rounds of a system solved whole, before it is looked at more closely; of 20 it ever solves, 19 are solved by then.
 ROUNDS = 20
@@ -47,7 +47,7 @@ def solve_auto(
     if system.b.ndim > 1:
         return _batch(system, tolerance, max_iterations)
     found = _whole(system, tolerance, max_iterations) if len(system) <= SMALL else None
-    return _in_parts(system, tolerance, max_iterations) if found is None else found
+    return _by_islands(system, tolerance, max_iterations) if found is None else found
 
 
 def _whole(
@@ -75,22 +75,22 @@ def _pivoted(found: Pivoted, b: Array, tolerance: float) -> ContactSolution:
     )
 
 
-def _in_parts(
+def _by_islands(
     system: ContactSystem, tolerance: float, limit: int | None
 ) -> ContactSolution:
     """A system island by island, and by other methods where the first fails."""
-    parts = Parts(system, tolerance, limit)
-    parts.solve()
-    require_solution(parts.proof, system.b)
-    known = products(parts.matrix, parts.force)
+    islands = Islands(system, tolerance, limit)
+    islands.solve()
+    require_solution(islands.proof, system.b)
+    known = products(islands.matrix, islands.force)
     solution = contact_solution(
         system,
-        parts.force,
-        parts.iterations,
-        parts.method,
+        islands.force,
+        islands.iterations,
+        islands.method,
         tolerance,
         known=known,
-        exact=parts.exact,
+        to_rounding=islands.to_rounding,
     )
     require_convergence(solution, tolerance)
     return solution
@@ -101,49 +101,68 @@ def _batch(
 ) -> ContactSolution:
     """All systems of a batch at once where they are small; one by one where that is in doubt."""
     shape, count = system.b.shape, len(system)
-    a, b = (
-        system.A.reshape(prod(shape[:-1]), count, count),
-        system.b.reshape(prod(shape[:-1]), count),
-    )
+    a = system.A.reshape(prod(shape[:-1]), count, count)
     # With the batch as the fastest axis: reductions over the few contacts of each system are quicker by far.
-    b = np.asfortranarray(b)
-    used = set[str]()
-    if count <= SMALL:
-        found = block_pivot(a, b, max_iterations=limit)
-        bad = ~(found.residual <= tolerance) | found.indefinite
-        bad |= doubtful(found.residual, found.size, b)
-        bad |= ~np.diagonal(a, axis1=1, axis2=2).all(axis=1)
-        if not np.any(bad):
-            whole = _pivoted(found, b, tolerance)
-            arrays = {k: v for k, v in vars(whole).items() if k != "method"}
-            return replace(
-                whole,
-                **{
-                    k: v.reshape(shape if v.ndim > 1 else shape[:-1])
-                    for k, v in arrays.items()
-                },
-            )
-        used.add("block_pivot")
-        force, iterations = found.force, found.iterations
-    else:
+    b = np.asfortranarray(system.b.reshape(prod(shape[:-1]), count))
+    if count > SMALL:
         force, iterations = np.zeros(b.shape), np.zeros(len(b), dtype=np.intp)
-        bad = np.ones(len(b), dtype=bool)
-    proof, exact = np.zeros(b.shape), np.zeros(b.shape, dtype=bool)
+        return _one_by_one(
+            system,
+            a,
+            b,
+            np.ones(len(b), dtype=bool),
+            force,
+            iterations,
+            tolerance,
+            limit,
+        )
+    found = block_pivot(a, b, max_iterations=limit)
+    bad = ~(found.residual <= tolerance) | found.indefinite
+    bad |= doubtful(found.residual, found.size, b)
+    bad |= ~np.diagonal(a, axis1=1, axis2=2).all(axis=1)
+    if np.any(bad):
+        force, iterations = found.force, found.iterations
+        return _one_by_one(system, a, b, bad, force, iterations, tolerance, limit)
+    whole = _pivoted(found, b, tolerance)
+    arrays = {k: v for k, v in vars(whole).items() if k != "method"}
+    shaped = {
+        k: v.reshape(shape if v.ndim > 1 else shape[:-1]) for k, v in arrays.items()
+    }
+    return replace(whole, **shaped)
+
+
+def _one_by_one(
+    system: ContactSystem,
+    a: Array,
+    b: Array,
+    bad: BoolArray,
+    force: Array,
+    iterations: IntArray,
+    tolerance: float,
+    limit: int | None,
+) -> ContactSolution:
+    """The systems that are in doubt, each by islands; of the others the force is known and kept."""
+    shape = system.b.shape
+    proof, to_rounding = np.zeros(b.shape), np.zeros(b.shape, dtype=bool)
+    used = {"block_pivot"} if len(system) <= SMALL else set[str]()
     for k in np.flatnonzero(bad):
-        parts = Parts(ContactSystem(a[k], b[k]), tolerance, limit)
-        parts.solve()
-        force[k], proof[k], iterations[k] = parts.force, parts.proof, parts.iterations
-        exact[k] = parts.exact
-        used.add(parts.method.removeprefix("auto: "))
+        islands = Islands(ContactSystem(a[k], b[k]), tolerance, limit)
+        islands.solve()
+        force[k], proof[k], iterations[k] = (
+            islands.force,
+            islands.proof,
+            islands.iterations,
+        )
+        to_rounding[k] = islands.to_rounding
+        used.add(islands.method.removeprefix("auto: "))
     require_solution(proof.reshape(shape), system.b)
-    method = "auto: " + ", ".join(sorted(used))
     solution = contact_solution(
         system,
         force.reshape(shape),
         iterations.reshape(shape[:-1]),
-        method,
+        "auto: " + ", ".join(sorted(used)),
         tolerance,
-        exact=exact.reshape(shape),
+        to_rounding=to_rounding.reshape(shape),
     )
     require_convergence(solution, tolerance)
     return solution

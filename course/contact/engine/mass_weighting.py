@@ -1,4 +1,4 @@
-"""J M^-1/2, whose rows are the contacts' directions measured by mass: A = G'G with G' = J M^-1/2."""
+"""Mass weighting: from J and M^-1 to J M^-1/2, the rows whose products are the entries of A."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import numpy as np
 from course.arrays import failure
 
 #: Entries below this times the largest of their row are rounding.
-ROUNDING = 1e-15
+NEGLIGIBLE = 1e-15
 
 
 def mass_weighted_jacobian(system: Any) -> Any:
-    """Sparse (c, 6n) F with A = F F', from the system's jacobian and inverse mass; None where it has none.
+    """J M^-1/2, sparse (c, 6n), G' with A = G'G, from the system's jacobian and inverse mass; None where it has none.
 
     Args:
         system: a ``ContactSystem``; its inverse mass consists of 6 x 6
@@ -51,13 +51,15 @@ def mass_weighted_jacobian(system: Any) -> Any:
         (root[body, row, column], (6 * body + row, 6 * body + column)),
         shape=(6 * n, 6 * n),
     )
-    factor = csr_array(csr_array(system.jacobian) @ sparse_root)
-    largest = (
-        np.maximum.reduceat(np.append(np.abs(factor.data), 0.0), factor.indptr[:-1])
-        if factor.nnz
-        else np.zeros(0)
-    )
-    length = np.diff(factor.indptr)
-    factor.data[np.abs(factor.data) <= ROUNDING * np.repeat(largest, length)] = 0.0
-    factor.eliminate_zeros()
-    return factor
+    return _without_rounding(csr_array(csr_array(system.jacobian) @ sparse_root))
+
+
+def _without_rounding(rows: Any) -> Any:
+    """A sparse matrix without the entries that are rounding beside the largest of their row."""
+    if rows.nnz:
+        sizes = np.append(np.abs(rows.data), 0.0)
+        largest = np.maximum.reduceat(sizes, rows.indptr[:-1])
+        row_by_row = np.repeat(largest, np.diff(rows.indptr))
+        rows.data[np.abs(rows.data) <= NEGLIGIBLE * row_by_row] = 0.0
+        rows.eliminate_zeros()
+    return rows

@@ -53,8 +53,6 @@ def reference_motion(
     Args:
         times: (t,) [s], monotonic, in one direction from ``time``.
     """
-    from scipy.integrate import solve_ivp
-
     start = scalar("time", time)
     at = scalars("times", times)
     if at.ndim != 1 or not at.size:
@@ -76,20 +74,24 @@ def reference_motion(
         if end != reached and len(bodies):
             # A separate run to each time: between its own steps DOP853 interpolates,
             # only to order 7.
-            solution = solve_ivp(
-                partial(_rates, motion, wrench),
-                (reached, end),
-                _packed(motion),
-                method="DOP853",
-                rtol=tolerance,
-                atol=tolerance,
-            )
-            if not solution.success:
-                raise RuntimeError(f"dop853: {solution.message}")
-            motion = _unpacked(motion, solution.y[:, -1].reshape(13, -1))
+            motion = _run(motion, wrench, (reached, end), tolerance)
         reached = end
         states.append(motion.to_bodies())
     return states
+
+
+def _run(
+    motion: Motion, wrench: Wrench | None, span: tuple[float, float], tolerance: float
+) -> Motion:
+    """The motion at the end of a span of time."""
+    from scipy.integrate import solve_ivp
+
+    options = {"method": "DOP853", "rtol": tolerance, "atol": tolerance}
+    rates = partial(_rates, motion, wrench)
+    solution = solve_ivp(rates, span, _packed(motion), **options)
+    if not solution.success:
+        raise RuntimeError(f"dop853: {solution.message}")
+    return _unpacked(motion, solution.y[:, -1].reshape(13, -1))
 
 
 def _scales(motion: Motion) -> tuple[Array, Array]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from course.study import plank_forces
 from course.workbook.demos.panel import Panel, slider
-from course.workbook.plots import contact_forces
+from course.workbook.plots import two_contacts
 
 
 def plank() -> Panel:
@@ -12,6 +12,6 @@ def plank() -> Panel:
     minimise, and a foot that lifts.
     """
     return Panel(
-        lambda **chosen: contact_forces.plank_and_forces(plank_forces(**chosen)),
+        lambda **chosen: two_contacts.plank_and_forces(plank_forces(**chosen)),
         {"load_at": slider("place of the load", 0.3, -1.5, 1.5, 0.05, "m")},
     )

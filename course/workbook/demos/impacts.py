@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from course.study import central_impact, wall_reflection
 from course.workbook.demos.panel import Panel, log_slider, slider
-from course.workbook.plots import bounces, impacts
+from course.workbook.plots import ball_impacts, bounces
 
 
 def impulse() -> Panel:
@@ -12,7 +12,7 @@ def impulse() -> Panel:
     of them.
     """
     return Panel(
-        lambda **chosen: impacts.impact(central_impact(**chosen)),
+        lambda **chosen: ball_impacts.impact(central_impact(**chosen)),
         {
             "mass_1": log_slider("mass 1 (right)", 2.0, -2, 2, "kg"),
             "mass_2": log_slider("mass 2 (left)", 1.0, -2, 2, "kg"),

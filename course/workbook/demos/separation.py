@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from course import study
 from course.workbook.demos.panel import Panel, slider
-from course.workbook.plots import separation, separation_acceleration
+from course.workbook.plots import bar_and_plank, domes
 
 
 def gap_rate() -> Panel:
     """A bar over a plank: let each rise and turn, and see what closes the gap."""
     return Panel(
-        lambda **chosen: separation.contact_velocities(study.gap_rate(**chosen)),
+        lambda **chosen: bar_and_plank.contact_velocities(study.gap_rate(**chosen)),
         {
             "rate_a": slider("A turns", 1.5, -3.0, 3.0, 0.25, "rad/s"),
             "rate_b": slider("B turns", 0.5, -3.0, 3.0, 0.25, "rad/s"),
@@ -27,7 +27,7 @@ def dome() -> Panel:
     that it touched.
     """
     return Panel(
-        lambda **chosen: separation_acceleration.old_point(study.old_point(**chosen)),
+        lambda **chosen: domes.old_point(study.old_point(**chosen)),
         {
             "angle": slider("angle from the top", 40.0, 5.0, 70.0, 1.0, "°"),
             "ahead": slider("moment ahead", 0.08, 0.0, 0.12, 0.01, "s"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from course.study import rod_landing
 from course.workbook.demos.panel import Panel, slider
-from course.workbook.plots import spin
+from course.workbook.plots import rods
 
 
 def rod() -> Panel:
@@ -12,7 +12,7 @@ def rod() -> Panel:
     the floor meets it.
     """
     return Panel(
-        lambda **chosen: spin.rod_impact(rod_landing(**chosen)),
+        lambda **chosen: rods.rod_impact(rod_landing(**chosen)),
         {
             "place": slider("hit at (0 middle, 1 end)", 1.0, -1.0, 1.0, 0.05),
             "angle": slider("angle of the rod", 0.0, 0.0, 90.0, 1.0, "°"),

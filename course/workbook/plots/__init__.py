@@ -1,34 +1,41 @@
-"""Pictures of results: ``plots.<what>(result, *, ax=None) -> Axes``, then
-``plots.show()``.
+"""Pictures of results: ``plots.<what>(result, *, ax=None) -> Axes``.
 
 Every function draws into ``ax`` (a new one in the house's style when none is given),
 writes the alternative text of what it drew, and returns the Axes, so that a student can
-go on drawing.
+go on drawing. Nothing is worked out here: results come from ``course.study`` and from
+the closed forms of ``course.dynamics``. ``plots.show()`` shows what was drawn.
 """
 
+from course.workbook.plots.ball_impacts import ball_row, billiard_break, impact
+from course.workbook.plots.bar_and_plank import (
+    contact_velocities,
+    marked_point,
+    turning_pair,
+)
+from course.workbook.plots.blocks import block_paths, blocks_and_wall, velocity_circle
 from course.workbook.plots.bounces import (
     bouncing_errors,
     energy_over_time,
     heights,
     reflection,
 )
-from course.workbook.plots.charts import stability_sweep, work_precision
-from course.workbook.plots.contact_forces import (
-    force_plane,
-    ladder_forces,
-    leg_forces,
-    plank_and_forces,
-    solver_growth,
+from course.workbook.plots.box_landings import (
+    box_outcomes,
+    mass_over_face,
+    spins_by_order,
 )
 from course.workbook.plots.contact_matrix import (
     matrix_costs,
     matrix_pattern,
     pushed_table,
 )
+from course.workbook.plots.corners import passing_a_corner
 from course.workbook.plots.difference_quotients import (
     difference_errors,
     errors_by_looks,
 )
+from course.workbook.plots.domes import dome, dome_bias, old_point
+from course.workbook.plots.error_and_cost import work_precision
 from course.workbook.plots.figure import (
     PALETTE,
     axes,
@@ -38,38 +45,19 @@ from course.workbook.plots.figure import (
     side_by_side,
     style,
 )
-from course.workbook.plots.impacts import (
-    ball_row,
-    billiard_break,
-    block_paths,
-    blocks_and_wall,
-    impact,
-    velocity_circle,
-)
+from course.workbook.plots.ladders import ladder_forces, ladder_picture
 from course.workbook.plots.maps import course_map, falling_boxes
 from course.workbook.plots.motion import energies, energy_contours, seen_from_body
-from course.workbook.plots.separation import (
-    contact_velocities,
-    ladder_picture,
-    marked_point,
-    passing_a_corner,
-    turning_pair,
-)
-from course.workbook.plots.separation_acceleration import (
-    bias_terms,
-    dome,
-    dome_bias,
-    old_point,
-)
-from course.workbook.plots.spin import (
-    box_outcomes,
-    mass_over_face,
+from course.workbook.plots.rods import (
     rod_impact,
     rod_impulses,
     rod_on_pegs,
     spin_by_pegs,
-    spins_by_order,
 )
+from course.workbook.plots.solver_comparison import leg_forces, solver_growth
+from course.workbook.plots.sweeps import stability_sweep
+from course.workbook.plots.terms_of_b import bias_terms
+from course.workbook.plots.two_contacts import force_plane, plank_and_forces
 
 __all__ = [
     "PALETTE",

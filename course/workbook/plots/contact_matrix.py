@@ -1,10 +1,9 @@
-"""Pictures of the contact matrix: a table that is pushed, the pattern of A, and what A
-costs.
-"""
+"""Pictures of the contact matrix: a pushed table, the pattern of A, its costs."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,7 +12,7 @@ from matplotlib.patches import Rectangle
 
 from course.arrays import Array
 from course.contact import ContactSystem
-from course.study import PushedTable
+from course.study import MatrixGrowth, PushedTable
 from course.workbook.plots.figure import (
     LINES,
     MARKERS,
@@ -22,6 +21,7 @@ from course.workbook.plots.figure import (
     centre_mark,
     describe,
     legend_beside,
+    line,
     side_by_side,
     style,
 )
@@ -30,10 +30,10 @@ from course.workbook.plots.figure import (
 def pushed_table(
     result: PushedTable, *, answer: bool = True, ax: Axes | None = None
 ) -> Axes:
-    """The table of 1 kg from above, pushed up from below with 1 N at (x, y): how its
-    four feet begin to move.
+    """The table of 1 kg from above, pushed up from below with 1 N at (x, y).
 
-    The dashed line is where nothing moves at first. Without ``answer`` only the push is shown; with ``ax`` only the
+    Its four feet are marked by how they begin to move; the dashed line is where nothing
+    moves at first. Without ``answer`` only the push is shown; with ``ax`` only the
     picture from above.
     """
     (x, y), centre, response = result.place, result.centre, result.response
@@ -44,45 +44,41 @@ def pushed_table(
         ax = axes(ax, size=(6.4, 3.9))
         _table_from_above(ax, result.feet, centre)
         if answer:
-            if result.still is not None:
-                ax.plot(*result.still.T, color="black", lw=1.4, ls="--", marker="",
-                        label="not moved at first")  # fmt: skip
-            _moving_feet(ax, result.feet, response)
-        ax.plot(
-            x,
-            y,
-            ls="none",
-            marker="*",
-            ms=15,
-            mfc=PALETTE["orange"],
-            mec="black",
-            label="pushed up with 1 N",
-        )
-        ax.set(
-            xlim=(-0.85, 0.85),
-            ylim=(-0.52, 0.52),
-            aspect="equal",
-            xlabel="x [m]",
-            ylabel="y [m]",
-        )
-        ax.legend(
-            loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, labelspacing=0.8
-        )
+            _answer(ax, result)
+        look: dict[str, Any] = {"ls": "none", "marker": "*", "ms": 15, "mec": "black"}
+        ax.plot(x, y, mfc=PALETTE["orange"], label="pushed up with 1 N", **look)
+        ax.set(xlim=(-0.85, 0.85), ylim=(-0.52, 0.52), aspect="equal")
+        ax.set(xlabel="x [m]", ylabel="y [m]")
+        place: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17)}
+        ax.legend(ncols=2, labelspacing=0.8, **place)
         if bars is not None:
             _response_bars(bars, response)
     spoken = ""
     if answer:
-        spoken = f" The feet are accelerated by {', '.join(f'{v + 0.0:+.2f}' for v in response)} m/s^2, 1 to 4."
+        rates = ", ".join(f"{v + 0.0:+.2f}" for v in response)
+        spoken = f" The feet are accelerated by {rates} m/s^2, 1 to 4."
     describe(
         ax,
-        f"A table of 1 kg on four feet, from above, its centre of mass at ({centre[0]:g}, {centre[1]:g}) m from the "
-        f"middle. It is pushed up with 1 N at ({x:g}, {y:g}) m.{spoken}",
+        "A table of 1 kg on four feet, from above, its centre of mass at "
+        f"({centre[0]:g}, {centre[1]:g}) m from the middle. It is pushed up with 1 N "
+        f"at ({x:g}, {y:g}) m.{spoken}",
     )
     return ax
 
 
+def _answer(ax: Axes, result: PushedTable) -> None:
+    """The line that is not moved at first, and the feet as they begin to move."""
+    if result.still is not None:
+        still = "not moved at first"
+        line(ax, result.still, "black", lw=1.4, ls="--", label=still)
+    _moving_feet(ax, result.feet, result.response)
+
+
 def matrix_pattern(system: ContactSystem, *, name: str, ax: Axes | None = None) -> Axes:
-    """Where J and A of a named scene are not 0, and with which sign; with ``ax`` A alone."""
+    """Where J and A of a named scene are not 0, and with which sign.
+
+    With ``ax`` only A is drawn.
+    """
     a, factors = system.A.toarray(), system.jacobian.toarray()
     with style():
         if ax is None:
@@ -93,48 +89,58 @@ def matrix_pattern(system: ContactSystem, *, name: str, ax: Axes | None = None) 
     full = np.count_nonzero(a) / a.size
     describe(
         ax,
-        f"{name}: the pattern of J, {factors.shape[0]} by {factors.shape[1]}, and of A, {len(a)} by {len(a)}, "
-        f"positive and negative entries. {100 * full:.0f} percent of A is not 0: only contacts that share a body that "
-        "can move.",
+        f"{name}: the pattern of J, {factors.shape[0]} by {factors.shape[1]}, and of "
+        f"A, {len(a)} by {len(a)}, positive and negative entries. {100 * full:.0f} "
+        "percent of A is not 0: only contacts that share a body that can move.",
     )
     return ax
 
 
-def matrix_costs(
-    contacts: Mapping[str, Sequence[float]],
-    seconds: Mapping[str, Sequence[float]],
-    counts: Mapping[str, Sequence[float]],
-) -> Axes:
+def matrix_costs(result: MatrixGrowth) -> Axes:
     """Seconds and counted multiplications over the number of contacts.
 
-    The counts come with the exponent fitted to their end; that of seconds differs from
-    machine to machine, so they are given as measured.
+    The counts come with their exponent; that of seconds differs from machine to
+    machine, so they are given as measured.
     """
     with style():
-        _, panels = side_by_side(2, size=(10.4, 4.0))
-        spoken = []
-        for ax, values, label in zip(
-            panels, (seconds, counts), ("time [s]", "multiplications"), strict=True
-        ):
-            for k, (name, y) in enumerate(values.items()):
-                x = np.asarray(contacts[name], dtype=float)
-                power = np.polyfit(np.log(x[-3:]), np.log(np.asarray(y)[-3:]), 1)[0]
-                counted = values is counts
-                named = f"{name}: c^{power:.1f}" if counted else name
-                ax.loglog(x, y, marker=MARKERS[k], ls=LINES[k % 4], label=named)
-                ends = (
-                    f"from {y[0]:.2g} at {x[0]:g} to {y[-1]:.2g} at {x[-1]:g} contacts"
-                )
-                spoken.append(f"{name} {label} {f'c^{power:.1f}' if counted else ends}")
-            ax.set(xlabel="contacts c", ylabel=label)
-            ax.legend(loc="upper left")
-            low, high = ax.get_ylim()
-            ax.set_ylim(low, high * 30)  # room for the legend
+        _, (left, right) = side_by_side(2, size=(10.4, 4.0))
+        times = {name: name for name in result.contacts}
+        _costs(left, result.contacts, result.seconds, times)
+        counts = {name: f"{name}: c^{p:.1f}" for name, p in result.exponent.items()}
+        _costs(right, result.contacts, result.multiplications, counts)
+        left.set_ylabel("time [s]")
+        right.set_ylabel("multiplications")
+    spoken = [
+        f"{name} time [s] from {y[0]:.2g} at {c[0]:g} to {y[-1]:.2g} at {c[-1]:g} "
+        "contacts"
+        for (name, c), y in zip(
+            result.contacts.items(), result.seconds.values(), strict=True
+        )
+    ]
+    spoken += [
+        f"{name} multiplications c^{p:.1f}" for name, p in result.exponent.items()
+    ]
     describe(
-        panels[0],
-        f"Cost of making A over the number of contacts, both axes logarithmic: {'; '.join(spoken)}.",
+        left,
+        "Cost of making A over the number of contacts, both axes logarithmic: "
+        f"{'; '.join(spoken)}.",
     )
-    return panels[0]
+    return left
+
+
+def _costs(
+    ax: Axes,
+    contacts: Mapping[str, Array],
+    costs: Mapping[str, Array],
+    labels: Mapping[str, str],
+) -> None:
+    for k, (name, c) in enumerate(contacts.items()):
+        look: dict[str, Any] = {"marker": MARKERS[k], "ls": LINES[k % 4]}
+        ax.loglog(c, costs[name], label=labels[name], **look)
+    ax.set_xlabel("contacts c")
+    ax.legend(loc="upper left")
+    low, high = ax.get_ylim()
+    ax.set_ylim(low, high * 30)  # room for the legend
 
 
 def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
@@ -144,14 +150,8 @@ def _table_from_above(ax: Axes, feet: Array, centre: Array) -> None:
     ax.plot(*feet[:, :2].T, ls="none", marker="o", ms=6, mfc="white", mec="0.3")
     for k, foot in enumerate(feet):
         inward = (-16 * np.sign(foot[0]), 0)
-        ax.annotate(
-            str(k + 1),
-            foot[:2],
-            inward,
-            textcoords="offset points",
-            ha="center",
-            va="center",
-        )
+        ax.annotate(str(k + 1), foot[:2], inward, textcoords="offset points",
+                    ha="center", va="center")  # fmt: skip
     centre_mark(ax, centre, label="centre of mass")
     ax.grid(False)
 
@@ -167,28 +167,18 @@ def _moving_feet(ax: Axes, feet: Array, response: Array) -> None:
     ):
         if chosen.any():
             place = feet[chosen, :2].T
-            ax.plot(
-                *place,
-                ls="none",
-                marker=mark,
-                ms=13,
-                color=PALETTE[colour],
-                label=f"foot {word}",
-            )
+            look: dict[str, Any] = {"marker": mark, "ms": 13, "color": PALETTE[colour]}
+            ax.plot(*place, ls="none", label=f"foot {word}", **look)
 
 
 def _response_bars(ax: Axes, response: Array) -> None:
     for k, value in enumerate(response):
         up = value > 0
-        ax.bar(
-            k,
-            value,
-            color=PALETTE["blue" if up else "vermillion"],
-            hatch="" if up else "//",
-            ec="white",
-        )
-        ax.annotate(f"{value + 0.0:+.2f}", (k, value), (0, 3 if up else -3), textcoords="offset points", ha="center",
-                    va="bottom" if up else "top")  # fmt: skip
+        colour, hatch = ("blue", "") if up else ("vermillion", "//")
+        ax.bar(k, value, color=PALETTE[colour], hatch=hatch, ec="white")
+        shift, side = (3, "bottom") if up else (-3, "top")
+        ax.annotate(f"{value + 0.0:+.2f}", (k, value), (0, shift), ha="center", va=side,
+                    textcoords="offset points")  # fmt: skip
     ax.axhline(0, color="0.3", lw=0.8)
     reach = max(1.0, float(np.abs(response).max()))
     ax.set_xticks(range(4), [f"foot {k + 1}" for k in range(4)])
@@ -200,20 +190,9 @@ def _signs(ax: Axes, matrix: Array, title: str, columns: str) -> None:
     size = max(1.2, 160 / max(matrix.shape))
     for positive, mark, colour in ((True, "s", "blue"), (False, "x", "vermillion")):
         rows, places = np.nonzero(matrix > 0 if positive else matrix < 0)
-        ax.plot(
-            places + 1,
-            rows + 1,
-            ls="none",
-            marker=mark,
-            ms=size,
-            color=PALETTE[colour],
-            label="above 0" if positive else "below 0",
-        )
-    ax.set(
-        xlim=(0, matrix.shape[1] + 1),
-        ylim=(matrix.shape[0] + 1, 0),
-        xlabel=columns,
-        ylabel="contact",
-        title=title,
-    )
+        look: dict[str, Any] = {"marker": mark, "ms": size, "color": PALETTE[colour]}
+        label = "above 0" if positive else "below 0"
+        ax.plot(places + 1, rows + 1, ls="none", label=label, **look)
+    ax.set(xlim=(0, matrix.shape[1] + 1), ylim=(matrix.shape[0] + 1, 0))
+    ax.set(xlabel=columns, ylabel="contact", title=title)
     ax.grid(False)

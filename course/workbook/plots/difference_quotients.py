@@ -1,10 +1,9 @@
-"""Pictures of what differences of a gap are worth: errors over the step, and by how
-often one looks.
-"""
+"""Pictures of the errors of difference quotients: over their step, and by looks."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -31,50 +30,39 @@ def difference_errors(
     expected: Mapping[str, Sequence[float]] | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Error of difference quotients over their step, both logarithmic: a V for each
-    stencil.
+    """Error of difference quotients over their step: a V for each stencil.
 
-    ``formula`` is the error of the closed formula, drawn as a level line; ``expected``
-    holds predicted curves by stencil. An error of exactly 0 is drawn at 1e-17.
+    Both axes are logarithmic; an error of exactly 0 is drawn at 1e-17.
+
+    Args:
+        result: of ``study.difference_errors``.
+        formula: the error of the closed formula, drawn as a level line.
+        expected: name of a stencil -> the curve predicted for it.
     """
     colours = list(PALETTE.values())
     with style():
         ax = axes(ax, size=(7.6, 4.4))
         for i, (name, error) in enumerate(result.error.items()):
-            options = {"marker": MARKERS[i % 6], "color": colours[i % 6]}
-            ax.loglog(
-                result.step,
-                np.maximum(error, FOOT),
-                ls="none",
-                ms=5,
-                label=name,
-                **options,
-            )
+            colour = colours[i % 6]
+            look: dict[str, Any] = {"marker": MARKERS[i % 6], "color": colour, "ms": 5}
+            drawn = np.maximum(error, FOOT)
+            ax.loglog(result.step, drawn, ls="none", label=name, **look)
             if expected is not None:
-                ax.loglog(
-                    result.step,
-                    expected[name],
-                    ls=LINES[i % 4],
-                    marker="",
-                    lw=1.2,
-                    color=colours[i % 6],
-                    label=f"{name}, predicted",
-                )
+                curve = {"ls": LINES[i % 4], "marker": "", "lw": 1.2, "color": colour}
+                label = f"{name}, predicted"
+                ax.loglog(result.step, expected[name], label=label, **curve)
         if formula is not None:
-            ax.axhline(
-                max(formula, FOOT),
-                color="black",
-                lw=1.6,
-                ls=(0, (5, 1)),
-                label="the formula",
-            )
+            dashes = (0, (5, 1))
+            height = max(formula, FOOT)
+            ax.axhline(height, color="black", lw=1.6, ls=dashes, label="the formula")
         ax.set(xlabel="step h [s]", ylabel=f"error [{result.unit}]")
         ax.set_title("Errors of difference quotients")
         legend_beside(ax)
     describe(
         ax,
-        f"Error of difference quotients ({', '.join(result.error)}) over the step h, both axes logarithmic. "
-        "Each is a V: from the right it falls as the step shrinks; left of its best step it rises again by rounding."
+        f"Error of difference quotients ({', '.join(result.error)}) over the step h, "
+        "both axes logarithmic. Each is a V: from the right it falls as the step "
+        "shrinks; left of its best step it rises again by rounding."
         + (_level_line(formula, result) if formula is not None else ""),
     )
     return ax
@@ -121,8 +109,8 @@ def errors_by_looks(
     spoken = "; ".join(f"{n} {looks[n]}: {_span(errors[n])}" for n in names)
     describe(
         ax,
-        f"{result.problem.name}: error in {result.problem.unit} of each way, a mark for "
-        f"each step; a line marks {tolerance:g}. {spoken}.",
+        f"{result.problem.name}: error in {result.problem.unit} of each way, a mark "
+        f"for each step; a line marks {tolerance:g}. {spoken}.",
     )
     return ax
 

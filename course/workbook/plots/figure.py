@@ -36,6 +36,7 @@ PALETTE = {
 COLOURS = tuple(name for name in PALETTE if name not in ("black", "grey"))
 MARKERS = "os^DvPX*"
 LINES = ("-", "--", "-.", ":")
+SPEED_SCALE = 0.22  # metres of a picture for a speed of 1 m/s
 HATCHES = ("", "//", "..", "xx", "\\\\", "--")
 _ALT = "_course_alternative_text"
 
@@ -51,8 +52,9 @@ def style() -> AbstractContextManager[None]:
 def axes(
     ax: Axes | None = None, *, size: tuple[float, float] | None = None, **options: Any
 ) -> Axes:
-    """``ax`` itself, or the Axes of a new figure (``size`` in inches; options as for
-    ``plt.subplots``).
+    """``ax`` itself, or the Axes of a new figure.
+
+    ``size`` is in inches; options are those of ``plt.subplots``.
     """
     if ax is not None:
         return ax
@@ -62,9 +64,7 @@ def axes(
 
 
 def side_by_side(columns: int, *, size: tuple[float, float]) -> tuple[Figure, Any]:
-    """A figure with several Axes in a row, in the house's style: (figure, array of
-    Axes).
-    """
+    """A figure with several Axes in a row, in the house's style, and those Axes."""
     with style():
         figure, several = plt.subplots(1, columns, figsize=size)
     return figure, several
@@ -83,28 +83,50 @@ def arrow(
     style: str = "-|>",
     **options: Any,
 ) -> None:
-    """An arrow between two places of the picture, as long as it says; none where it has no length.
+    """An arrow between two places of the picture; none where they are the same.
 
     Args:
-        label: stands beyond the tip, by so much of the axes' unit; before the start where
-            ``beyond`` is negative.
+        label: what is written beyond the tip.
+        beyond: its distance from the tip in units of the axes; where this is negative,
+            the label stands before the start.
         head: length of the head in points.
         style: "<->" for a measure with two heads.
-        options: of matplotlib's arrow, ``connectionstyle``, ``shrinkA``, ``zorder``.
+        options: of matplotlib's arrows: ``connectionstyle``, ``shrinkA``, ``zorder``.
     """
     tail, end = (np.asarray(p, dtype=float)[:2] for p in (start, tip))
     length = float(np.linalg.norm(end - tail))
     if length < 1e-9:
         return
-    look = {"arrowstyle": style, "lw": lw, "color": PALETTE[colour], "shrinkA": 0, "shrinkB": 0,
-            "mutation_scale": head}  # fmt: skip
-    ax.annotate("", tuple(end), tuple(tail), arrowprops=look | options)
+    look = {"arrowstyle": style, "lw": lw, "color": PALETTE[colour]}
+    look |= {"shrinkA": 0, "shrinkB": 0, "mutation_scale": head} | options
+    ax.annotate("", tuple(end), tuple(tail), arrowprops=look)
     if label:
         x, y = (end if beyond > 0 else tail) + beyond * (end - tail) / length
         behind = {"fc": "white", "ec": "none", "pad": 1.0, "alpha": 0.8}
         ax.text(
             x, y, label, color=PALETTE[colour], ha="center", va="center", bbox=behind
         )
+
+
+def line(
+    ax: Axes,
+    points: ArrayLike,
+    colour: str = "0.3",
+    *,
+    ls: str = "-",
+    lw: float | None = None,
+    **options: Any,
+) -> None:
+    """A line through places of the picture, (k, 2), without marks.
+
+    Args:
+        colour: a name of the palette, or any other of matplotlib's.
+        ls, lw: its dashes and its width in points.
+        options: of ``Axes.plot``, ``label``, ``zorder``.
+    """
+    x, y = np.asarray(points, dtype=float)[:, :2].T
+    look = {"color": PALETTE.get(colour, colour), "ls": ls, "lw": lw, "marker": ""}
+    ax.plot(x, y, **look | options)
 
 
 def centre_mark(ax: Axes, place: ArrayLike, **options: Any) -> None:
@@ -148,7 +170,8 @@ def alternative_text(figure: Figure) -> str:
 def figure_html(figure: Figure, *, dots_per_inch: int = 160) -> str:
     """A figure as one ``<img>`` with its alternative text.
 
-    Raises ``ValueError`` for a figure that has none.
+    Raises:
+        ValueError: a figure that has none.
     """
     text = alternative_text(figure)
     if not text:
@@ -172,8 +195,9 @@ def figure_html(figure: Figure, *, dots_per_inch: int = 160) -> str:
 
 
 def show() -> None:
-    """Show every open figure with its alternative text, and close it, also one that has
-    none and is refused.
+    """Show every open figure with its alternative text, and close it.
+
+    A figure without such a text is closed and refused.
     """
     for number in plt.get_fignums():
         figure = plt.figure(number)

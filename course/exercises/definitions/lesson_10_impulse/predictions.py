@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.dynamics import impulse
+from course.dynamics import impulse_central
 from course.exercises.definition import Prediction
 
 
@@ -40,7 +40,7 @@ PREDICTIONS = (
         "equal_balls",
         "Two balls of 1 kg, e = 1, v_1 = -2 m/s, v_2 = 0. What is p_hat?",
         lambda: float(
-            impulse.impulse_central(
+            impulse_central(
                 1.0,
                 1.0,
                 np.array([-2.0, 0.0, 0.0]),

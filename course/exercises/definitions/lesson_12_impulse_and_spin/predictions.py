@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from course import formulas
-from course.dynamics import impulse
+from course.dynamics import effective_mass
 from course.exercises.definition import Prediction
 
 
@@ -21,7 +21,7 @@ def _halfway() -> float:
     from course.scenes import falling_rods
 
     rod = falling_rods(0.0, place=0.5)
-    return float(impulse.effective_mass(rod.bodies, rod.contacts)[0])
+    return float(effective_mass(rod.bodies, rod.contacts)[0])
 
 
 def _box_in_turn() -> str:

@@ -17,8 +17,8 @@ from course.exercises.definitions.lesson_14_separation_acceleration.shared impor
 from course.exercises.slips import slip
 
 
-def _spins(rng: np.random.Generator) -> Sequence[Case]:
-    def spin(shape: tuple[int, ...] = ()) -> dict[str, Any]:
+def _turning_bodies(rng: np.random.Generator) -> Sequence[Case]:
+    def turning(shape: tuple[int, ...] = ()) -> dict[str, Any]:
         axes = np.linalg.qr(rng.normal(size=(*shape, 3, 3)))[0]
         # The largest stays below the sum of the others, as for any real body: I_x + I_y
         # - I_z = 2 sum m z^2.
@@ -37,19 +37,21 @@ def _spins(rng: np.random.Generator) -> Sequence[Case]:
         "inverse_inertia": np.diag([0.5, 0.25, 0.2]), "angular_momentum": np.array([2.0, 4.0, 5.0]),
         "angular_velocity": np.array([1.0, 1.0, 1.0]), "torque": np.array([0.0, 3.0, 0.0]),
     }  # fmt: skip
-    ball = {**spin(), "inverse_inertia": 0.5 * np.eye(3)}
+    ball = {**turning(), "inverse_inertia": 0.5 * np.eye(3)}
     return [
         Case("moments 2, 4 and 5, axes along x, y and z", plain),
-        Case("axes turned", spin()),
-        Case("axes turned again", spin()),
-        Case("no torque", {**spin(), "torque": ZERO}, "edge"),
+        Case("axes turned", turning()),
+        Case("axes turned again", turning()),
+        Case("no torque", {**turning(), "torque": ZERO}, "edge"),
         Case(
             "a ball: L along omega",
             {**ball, "angular_velocity": 0.5 * ball["angular_momentum"]},
             "edge",
         ),
-        Case("three bodies, as many as a vector has components", spin((3,)), "batch"),
-        Case("a 2 by 4 batch", spin((2, 4)), "batch"),
+        Case(
+            "three bodies, as many as a vector has components", turning((3,)), "batch"
+        ),
+        Case("a 2 by 4 batch", turning((2, 4)), "batch"),
     ]
 
 
@@ -73,7 +75,7 @@ ANGULAR_ACCELERATION_FREE = Exercise(
     ),
     results=(Value("omega_dot", "(..., 3)", "rad/s^2", "angular acceleration"),),
     reference=formulas.angular_acceleration_free,
-    cases=_spins,
+    cases=_turning_bodies,
     mistakes=(
         Mistake(
             "L x omega forgotten",
