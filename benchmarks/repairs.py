@@ -22,6 +22,7 @@ import numpy as np
 
 from course.exercises.answer import as_function, call_all
 from course.exercises.definition import find_exercise
+from course.exercises.inputs import inputs_of
 from course.exercises.repair.recipe import Recipe, expression_recipe
 from course.exercises.verdict import judge
 from course.sandbox.repairing import repair_of
@@ -81,13 +82,15 @@ def _told(wrong: Mapping[str, Any]) -> tuple[str, float]:
     verdict = judge(exercise, cases, outcomes)
     if verdict.mistake:
         return "planted", 0.0
+    if not verdict.unexplained:
+        return "(told by its outcome)", 0.0
     recipe: Recipe | None = Recipe(wrong["code"], prelude)
     if exercise.kind == "expression":
         recipe = expression_recipe(wrong["code"], exercise.name, arguments)
     if recipe is None:
         return "-", 0.0
     began = time.perf_counter()
-    repair = repair_of(exercise, recipe, verdict.outcomes)
+    repair = repair_of(inputs_of(exercise), recipe, verdict.outcomes)
     seconds = time.perf_counter() - began
     if repair is None:
         words = [r for r in verdict.reason if "answer each element" in r]

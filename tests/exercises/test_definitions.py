@@ -16,9 +16,10 @@ from course.exercises.definition import (
     Value,
     all_lessons,
 )
+from course.exercises.explanation import verdict_message
 from course.exercises.formula_source import source_of
-from course.exercises.message import verdict_message
-from course.exercises.verdict import answers_of, judge, violated
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge, violated
 
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
 SEEDS = (

@@ -7,39 +7,43 @@ import pytest
 
 from course.exercises.answer import call_all
 from course.exercises.definition import find_exercise
+from course.exercises.inputs import inputs_of
+from course.exercises.repair.changes import ChangedSource
 from course.exercises.repair.edits import Code, edits_of
 from course.exercises.repair.recipe import expression_recipe
-from course.exercises.repair.search import Search, drawn_cases
+from course.exercises.repair.search import Search
 
 HEAD = "def speed_along(velocity, normal):\n    return "
 AXES = {"velocity": 1, "normal": 1}
 
 
-def here(exercise, cases):
-    """Runs sources in this process: for sources that end."""
+class Here(ChangedSource):
+    """Runs changed sources in this process: for sources that end."""
 
-    def attempt(sources, indices, left=False):
-        runs = []
-        for source in sources:
-            space = {"np": np}
-            exec(source, space)
-            arguments = [cases[i].arguments for i in indices]
-            runs.append(
-                call_all(space[exercise.name], arguments, len(exercise.results))
-            )
-        return runs
+    def __init__(self, inputs, source, axes, hidden=""):
+        super().__init__(Code(source, axes), hidden)
+        self._inputs, self._source = inputs, source
+        drawn = (inputs, *inputs.others)
+        self.cases = [case.arguments for one in drawn for case in one.cases]
 
-    return attempt
+    def ran(self, source, cases):
+        space = {"np": np}
+        exec(source, space)
+        question = self._inputs.question
+        arguments = [self.cases[i] for i in cases]
+        return call_all(space[question.name], arguments, question.results)
+
+    def unchanged(self):
+        return self.ran(self._source, range(len(self._inputs.cases)))
+
+    def outcomes(self, numbers, cases, *, after=-1, left=False):
+        return [self.ran(self.source(n, after), cases) for n in numbers]
 
 
-def repair_of_source(name, source, axes, seconds=20.0):
-    exercise = find_exercise(name)[1]
-    cases, own = drawn_cases(exercise)
-    attempt = here(exercise, cases)
-    (outcomes,) = attempt([source], range(own))
-    return Search(exercise, cases, own, attempt, seconds).find(
-        Code(source, axes), outcomes
-    )
+def repair_of_source(name, source, axes, seconds=20.0, answer=Here, **more):
+    inputs = inputs_of(find_exercise(name)[1])
+    answer = answer(inputs, source, axes, **more)
+    return Search(inputs, answer, seconds).find(answer.unchanged())
 
 
 @pytest.mark.parametrize(
@@ -105,23 +109,21 @@ def test_nothing_is_found_after_the_time_is_over():
 
 def test_a_change_that_only_the_notebooks_cases_allow_is_not_told():
     """The change passes the notebook's cases and is made to fail the first of another seed."""
-    exercise = find_exercise("speed_along")[1]
-    cases, own = drawn_cases(exercise)
-    assert len(cases) > own
+
+    class WrongElsewhere(Here):
+        def ran(self, source, cases):
+            own = len(self._inputs.cases)
+            assert len(self.cases) > own
+            came = super().ran(source, cases)
+            spoilt = call_all(lambda v, n: np.float64(np.nan), [self.cases[own]], 1)[0]
+            return [spoilt if i >= own else o for i, o in zip(cases, came, strict=True)]
+
     source = HEAD + "2 * np.sum(velocity * normal, axis=-1)\n"
-    inner = here(exercise, cases)
-
-    def wrong_elsewhere(sources, indices, left=False):
-        runs = inner(sources, indices)
-        spoilt = call_all(lambda v, n: np.float64(np.nan), [cases[own].arguments], 1)[0]
-        return [
-            [spoilt if i >= own else o for i, o in zip(indices, run, strict=True)]
-            for run in runs
-        ]
-
-    (outcomes,) = inner([source], range(own))
-    search = Search(exercise, cases, own, wrong_elsewhere, 5.0)
-    assert search.find(Code(source, AXES), outcomes) is None
+    assert repair_of_source("speed_along", source, AXES, 5.0) is not None
+    assert (
+        repair_of_source("speed_along", source, AXES, 5.0, answer=WrongElsewhere)
+        is None
+    )
 
 
 @pytest.mark.parametrize(
@@ -239,12 +241,7 @@ def test_no_line_is_told_that_only_the_search_wrote():
     names = ["m_1", "m_2", "v_1", "v_2", "e"]
     recipe = expression_recipe(cell, "p_hat", names)
     assert "    p_hat = (1 + e) * (v_2 - v_1) * m_1 * m_2\n" in recipe.source
-    exercise = find_exercise("p_hat")[1]
-    cases, own = drawn_cases(exercise)
-    attempt = here(exercise, cases)
-    (outcomes,) = attempt([recipe.source], range(own))
-    search = Search(exercise, cases, own, attempt, 20.0)
-    repair = search.find(Code(recipe.source), outcomes)
+    repair = repair_of_source("p_hat", recipe.source, {}, hidden="return p_hat")
     told = [*(s.line for s in repair.steps), *repair.elsewhere]
     assert all(line in cell for line in told)
 

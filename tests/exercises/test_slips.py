@@ -11,8 +11,9 @@ import pytest
 from course import formulas
 from course.exercises.definition import find_exercise
 from course.exercises.formula_source import body, expression
+from course.exercises.inputs import answers_of
 from course.exercises.slips import slip
-from course.exercises.verdict import answers_of, judge
+from course.exercises.verdict import judge
 
 
 def test_a_slip_is_the_formula_with_one_edit():

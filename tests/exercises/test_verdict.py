@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from course.exercises.definition import find_exercise
-from course.exercises.verdict import answers_of, judge
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge
 
 
 def verdict_of(name, function, seed=None):

@@ -20,11 +20,12 @@ from exercises.mutants import Mutant, mutants_in, mutants_of
 from course import formulas
 from course.exercises.answer import Outcome, as_function, call_all
 from course.exercises.definition import Case, Exercise, all_lessons
+from course.exercises.explanation import verdict_message
 from course.exercises.formula_source import own_statements, source_of
-from course.exercises.message import verdict_message
+from course.exercises.inputs import answers_of, inputs_of
 from course.exercises.repair.recipe import Recipe, expression_recipe
 from course.exercises.repair.search import Repair
-from course.exercises.verdict import Verdict, alike, answers_of, judge
+from course.exercises.verdict import Verdict, alike, judge
 from course.sandbox.repairing import repair_of
 from course.workbook.repairing import repair_message
 
@@ -171,8 +172,8 @@ def told_of(answer: Slipped) -> Told | None:
         names = [a.name for a in exercise.arguments]
         recipe = expression_recipe(answer.cell, exercise.name, names)
     repair = None
-    if recipe and verdict.mistake is None:
-        repair = repair_of(exercise, recipe, verdict.outcomes)
+    if recipe and verdict.unexplained:
+        repair = repair_of(inputs_of(exercise), recipe, verdict.outcomes)
     return Told(answer, verdict, recipe, repair)
 
 
@@ -196,7 +197,7 @@ def _of_the_mistake(verdict, exercise, cases, outcomes) -> list[str]:
     if verdict.mistake is None:
         return []
     theirs = answers_of(verdict.mistake.function, exercise, cases)
-    same = alike(exercise, cases, outcomes, theirs)
+    same = alike(exercise, outcomes, theirs)
     return [] if same else [f"planted {verdict.mistake.name!r}: not with other seeds"]
 
 

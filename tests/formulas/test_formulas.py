@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 from course import formulas
-from course.exercises.answer import call_all, evaluator
+from course.exercises.answer import call_all
 from course.exercises.comparison import same
 from course.exercises.definition import all_lessons
+from course.exercises.expressions import evaluator
 from course.exercises.formula_source import own_statements, source_of
-from course.exercises.verdict import answers_of
+from course.exercises.inputs import answers_of
 from course.workbook.syllabus import read_syllabus
 
 ROOT = Path(__file__).resolve().parents[2]
