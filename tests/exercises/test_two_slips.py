@@ -41,7 +41,7 @@ def test_what_is_false_is_found():
     nothing = Mutant("", "", cell)
     answer = Slipped(exercise, (nothing, nothing), cell, "import numpy as np")
     verdict = Verdict("speed_along", "wrong")
-    repair = Repair((Step("a sign", "return -1", "1", "-1"),), cell)
+    repair = Repair((Step("a sign", "return -1", "1", "-1", cell),))
     told = Told(answer, verdict, Recipe(cell, "import numpy as np"), repair)
     assert len(falsehoods(told)) == 2  # no such line, and not right
     changed = dataclasses.replace(verdict, mistake=exercise.mistakes[0])

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from course.exercises.definition import find_exercise
-from course.workbook.checking import judge_here
+from course.workbook.judging import judge_here
 
 S = sp.Symbol
 POSITIVE = {"positive": True}

@@ -235,7 +235,8 @@ def test_what_is_no_number_is_not_said_to_be_one():
 
 
 def reasons(name, function) -> str:
-    return " ".join(verdict_of(name, function).reason)
+    verdict = verdict_of(name, function)
+    return " ".join((*verdict.reason, *verdict.violated))
 
 
 def test_a_batch_is_blamed_only_where_it_is_a_batch_that_stops():

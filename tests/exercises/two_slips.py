@@ -235,7 +235,7 @@ def _right(told: Told, source: str) -> bool:
 
 
 def _of_the_facts(verdict, answer, cases, outcomes) -> list[str]:
-    false, reason = [], " ".join(verdict.reason)
+    false, reason = [], " ".join((*verdict.reason, *verdict.violated))
     judged = [
         judge(answer.exercise, [c], [o]) for c, o in zip(cases, outcomes, strict=True)
     ]

@@ -32,7 +32,7 @@ def test_kind_and_line_of_a_cause_are_told_and_the_mark_is_the_same(boxed):
     assert (row.state, row.points) == ("wrong", 0)
     assert row.reason.endswith("one change makes it right: a term too many")
     shown = str(row.message)
-    assert "return 3 * x + 1" in shown and "two other draws" in shown
+    assert "return 3 * x + 1" in shown and "two other sets of drawn cases" in shown
     assert row.repair.steps[0].new not in shown.replace("return 3 * x + 1", "")
 
 
