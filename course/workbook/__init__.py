@@ -2,9 +2,11 @@
 demos.
 """
 
-from course.workbook.checking import check, predict, use
+from course.workbook.checking import check
 from course.workbook.hints import hint
+from course.workbook.lending import use
 from course.workbook.numbers import show
+from course.workbook.predicting import predict
 from course.workbook.recording import progress
 
 __all__ = ["check", "hint", "predict", "progress", "show", "use"]
