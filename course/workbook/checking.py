@@ -16,6 +16,7 @@ from course.workbook.lending import name_of, refuse_lent
 from course.workbook.notebook import display_message, in_notebook
 from course.workbook.repairing import look_for_repair
 from course.workbook.surroundings import unfinished_before, with_surroundings
+from course.workbook.watching import WATCHED
 
 
 def check(answer: Any, name: str | None = None) -> None:
@@ -42,8 +43,10 @@ def check(answer: Any, name: str | None = None) -> None:
         after = Part("next", whats_next(lesson, exercise, passed_before, passed))
     else:
         after = Part("stuck?", f"hint({name!r}) gives {_next_help(name)}")
+    moving = [Part("see it", f"watch({name}) plays it beside the right one")]
     message = verdict_message(exercise, verdict)
-    display_message(message.followed_by(after))
+    seen = moving if name in WATCHED and verdict.state in ("passed", "wrong") else []
+    display_message(message.followed_by(*seen, after))
     repair = None
     if in_notebook() and not borrowed:
         repair = look_for_repair(inputs, answer, verdict)
