@@ -1,0 +1,59 @@
+"""What holds of every exhibit: it can be made at the ends of its knobs, and its window stands still."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from course.workbook.films.wall import wall
+from course.workbook.stage import Exhibit, Flat
+from course.workbook.stage.encoding import encoded
+
+EXHIBITS = {
+    "wall": wall(),
+    "wall, printed": wall("printed"),
+}
+
+
+def at_the_ends(exhibit: Exhibit) -> list[dict[str, float]]:
+    ends = [{k.name: end} for k in exhibit.knobs for end in (k.low, k.high)]
+    corners = [
+        {k.name: getattr(k, end) for k in exhibit.knobs} for end in ("low", "high")
+    ]
+    return [{}, *ends, *corners, *(dict(p.values) for p in exhibit.presets)]
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_it_can_be_made_at_both_ends_of_every_knob_and_for_every_preset(name):
+    exhibit = EXHIBITS[name]
+    first = exhibit.made()
+    for values in at_the_ends(exhibit):
+        film = exhibit.made(**values)
+        json.dumps(encoded(film), allow_nan=False)
+        assert film.title and film.caption and film.ending and film.moves
+        assert len(film.panes) == len(first.panes)
+        assert [c.title for c in film.charts] == [c.title for c in first.charts]
+        if isinstance(film.view, Flat):
+            assert film.view.window == first.view.window is not None
+    assert exhibit.question and exhibit.answer
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_arrows_and_segments_have_the_same_names_in_all_panes(name):
+    film = EXHIBITS[name].made()
+    for kind in ("arrows", "segments"):
+        named = [{item.name for item in getattr(p, kind)} for p in film.panes]
+        assert all(names == named[0] for names in named)
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_hands_hold_something_that_is_there(name):
+    exhibit = EXHIBITS[name]
+    pane = exhibit.made().panes[0]
+    for hand in exhibit.hands:
+        if hand.body is not None:
+            assert 0 <= hand.body < len(pane.solids)
+        else:
+            arrows = next(a for a in pane.arrows if a.name == hand.arrows)
+            assert hand.index < len(arrows.color)
