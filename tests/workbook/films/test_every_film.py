@@ -6,11 +6,15 @@ import json
 
 import pytest
 
+from course.workbook.films.cradle import cradle_by_laws
+from course.workbook.films.two_blocks import two_blocks_and_a_wall
 from course.workbook.films.wall import wall
 from course.workbook.stage import Exhibit, Flat
 from course.workbook.stage.encoding import encoded
 
 EXHIBITS = {
+    "cradle": cradle_by_laws(),
+    "two blocks": two_blocks_and_a_wall(),
     "wall": wall(),
     "wall, printed": wall("printed"),
 }
