@@ -6,21 +6,13 @@ import json
 
 import pytest
 
-from course.workbook.films.billiard_break import break_by_laws
-from course.workbook.films.cradle import cradle_by_laws
-from course.workbook.films.many_balls import bouncing_balls
-from course.workbook.films.two_blocks import two_blocks_and_a_wall
-from course.workbook.films.wall import wall
+from course.workbook.films.listing import LISTED
+from course.workbook.films.wall_bounces import wall
 from course.workbook.stage import Exhibit, Flat
 from course.workbook.stage.encoding import encoded
 
-EXHIBITS = {
-    "break": break_by_laws(),
-    "cradle": cradle_by_laws(),
-    "many balls": bouncing_balls(),
-    "two blocks": two_blocks_and_a_wall(),
-    "wall": wall(),
-    "wall, printed": wall("printed"),
+EXHIBITS = {film.name: film.exhibit() for film in LISTED} | {
+    "wall, printed": wall("printed")
 }
 
 

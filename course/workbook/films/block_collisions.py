@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array
-from course.dynamics import TwoBlocks, two_blocks
-from course.workbook.films.moments import moments
+from course.dynamics import TwoBlocks
+from course.dynamics import two_blocks as collided_blocks
+from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -39,10 +40,10 @@ PRESETS = (
 )
 
 
-def two_blocks_and_a_wall() -> Exhibit:
+def two_blocks() -> Exhibit:
     """Block 2 comes in from the right, block 1 stands between it and a wall; nothing is lost."""
     return Exhibit(
-        lambda mass_ratio: _film(two_blocks(mass_ratio, start=START)),
+        lambda mass_ratio: _film(collided_blocks(mass_ratio, start=START)),
         KNOBS,
         (),
         PRESETS,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from course.study.wall_meeting import mirrored, wall_meeting
-from course.workbook.films.wall import PRESETS, wall
+from course.study.wall_meetings import mirrored, wall_meeting
+from course.workbook.films.wall_bounces import PRESETS, wall
 
 
 @pytest.mark.parametrize("seed", range(30))

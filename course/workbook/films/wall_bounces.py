@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from course import rotations
-from course.study.wall_meeting import WallMeeting, mirrored, wall_meeting
+from course.study.wall_meetings import WallMeeting, mirrored, wall_meeting
 from course.workbook.stage import (
     Arrows,
     Curves,

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from course.dynamics import pi_count
-from course.workbook.films.two_blocks import SMALL, two_blocks_and_a_wall
+from course.workbook.films.block_collisions import SMALL, two_blocks
 
 
 @pytest.mark.parametrize("exponent", [0, 1, 2])
 def test_the_counter_ends_at_the_digits_of_pi(exponent):
-    film = two_blocks_and_a_wall().made(mass_ratio=100**exponent)
+    film = two_blocks().made(mass_ratio=100**exponent)
     counted = film.counters["collisions"]
     assert counted[0] == 0 and counted[-1] == pi_count(exponent)
     assert set(np.diff(counted)) == {0, 1}
@@ -20,7 +20,7 @@ def test_the_counter_ends_at_the_digits_of_pi(exponent):
 
 @pytest.mark.parametrize("mass_ratio", [1.0, 1.7, 20.0, 100.0, 10_000.0])
 def test_blocks_and_wall_never_overlap_and_the_point_stays_on_its_circle(mass_ratio):
-    film = two_blocks_and_a_wall().made(mass_ratio=mass_ratio)
+    film = two_blocks().made(mass_ratio=mass_ratio)
     places = film.charts[1].curves
     one, two = places["block 1"], places["block 2"]
     assert np.all(one >= -1e-12) and np.all(two >= one - 1e-12)
@@ -34,7 +34,7 @@ def test_blocks_and_wall_never_overlap_and_the_point_stays_on_its_circle(mass_ra
 
 
 def test_places_are_those_that_velocities_add_up_to():
-    film = two_blocks_and_a_wall().made(mass_ratio=100)
+    film = two_blocks().made(mass_ratio=100)
     velocity = film.panes[0].arrows[0].vector[:-1, :, 0]
     moved = np.diff(film.panes[0].position[:, :2, 0], axis=0)
     assert moved == pytest.approx(np.diff(film.times)[:, None] * velocity)
@@ -42,6 +42,6 @@ def test_places_are_those_that_velocities_add_up_to():
 
 def test_a_last_graze_after_the_film_is_said():
     """Just above the ratio 3 there is a sixth collision, very late."""
-    film = two_blocks_and_a_wall().made(mass_ratio=3.0001)
+    film = two_blocks().made(mass_ratio=3.0001)
     assert film.times[-1] == 10.0 and film.counters["collisions"][-1] == 5
     assert film.ending.startswith("After 6 collisions, the last of them, a graze,")

@@ -8,8 +8,8 @@ import numpy as np
 
 from course.arrays import Array
 from course.contact.collisions import LAWS
-from course.study.swinging_cradle import SwingingCradle, swinging_cradle
-from course.workbook.films.moments import moments
+from course.study.cradle_swings import SwingingCradle, swinging_cradle
+from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -45,7 +45,7 @@ PRESETS = (
 )
 
 
-def cradle_by_laws() -> Exhibit:
+def cradle() -> Exhibit:
     """Five balls on threads, one to three of them let go, by each of the three laws."""
 
     def film(coming: float, restitution: float) -> Film:

@@ -9,7 +9,7 @@ from course.dynamics import BallMotion, ball_events
 from course.scenes import GRAVITY
 from course.study import bouncing_loop, energy_error
 from course.study.bouncing_ball import BALLS, DROP, DURATION, MASS, RADIUS
-from course.workbook.films.moments import moments
+from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Curves,
     Exhibit,
@@ -42,7 +42,7 @@ PRESETS = (
 )
 
 
-def bouncing_balls() -> Exhibit:
+def many_balls() -> Exhibit:
     """The drop of 49 balls of a published benchmark, exact and by two fixed-step loops."""
     return Exhibit(
         _film,

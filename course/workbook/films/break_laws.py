@@ -10,7 +10,7 @@ from course.arrays import Array
 from course.contact.collisions import LAWS
 from course.scenes import POOL_MASS, POOL_RADIUS, billiard_rack
 from course.study import BallTracks, roll
-from course.workbook.films.moments import moments
+from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -45,7 +45,7 @@ PRESETS = (
 )
 
 
-def break_by_laws() -> Exhibit:
+def billiard_break() -> Exhibit:
     """A cue ball onto a rack of touching balls; it can be taken and moved sideways."""
 
     def film(offset: float, rows: float, restitution: float) -> Film:

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 
 from course.scenes import POOL_RADIUS
-from course.workbook.films.billiard_break import (
+from course.workbook.films.break_laws import (
     MEETING,
     SPEED,
     _from_mirror,
-    break_by_laws,
+    billiard_break,
 )
 
 
 @pytest.fixture(scope="module")
 def film():
-    return break_by_laws().made()
+    return billiard_break().made()
 
 
 def test_no_ball_overlaps_another_in_any_pane(film):

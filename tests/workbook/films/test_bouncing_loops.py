@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from course.study import PUBLISHED_BOUNCING
-from course.workbook.films.many_balls import PANES, bouncing_balls
+from course.workbook.films.bouncing_loops import PANES, many_balls
 
 
 @pytest.mark.parametrize("step", [0.001, 0.004, 0.01])
 def test_the_errors_are_the_published_ones(step):
-    film = bouncing_balls().made(step=step)
+    film = many_balls().made(step=step)
     at = PUBLISHED_BOUNCING.step.tolist().index(step)
     exact, ode, bullet = film.numbers[1].values
     assert exact == 0.0
@@ -20,7 +20,7 @@ def test_the_errors_are_the_published_ones(step):
 
 
 def test_one_loop_gains_with_every_bounce_and_the_other_wavers():
-    film = bouncing_balls().made()
+    film = many_balls().made()
     exact, ode, bullet = (film.charts[0].curves[name] for name in PANES)
     assert exact == pytest.approx(100.0)
     assert np.abs(ode - 100).max() < 2.0
@@ -31,7 +31,7 @@ def test_one_loop_gains_with_every_bounce_and_the_other_wavers():
 
 
 def test_the_balls_are_where_their_heights_say():
-    film = bouncing_balls().made()
+    film = many_balls().made()
     for pane, height in zip(film.panes, film.charts[1].curves.values(), strict=True):
         assert np.array_equal(pane.position[:, 0, 2], height)
     assert film.panes[0].position[:, 0, 2].min() == pytest.approx(0.1)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from course.contact.collisions import LAWS
-from course.study.swinging_cradle import swinging_cradle
-from course.workbook.films.cradle import cradle_by_laws
+from course.study.cradle_swings import swinging_cradle
+from course.workbook.films.cradle_laws import cradle
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -43,7 +43,7 @@ def test_a_swing_is_that_of_a_small_pendulum():
 
 
 def test_who_goes_out_is_what_the_answer_says():
-    film = cradle_by_laws().made()
+    film = cradle().made()
     after = np.array([n.values for n in film.numbers[:5]]).T / 0.8
     assert after[0] == pytest.approx([-0.6, 0.4, 0.4, 0.4, 0.4])
     for row in after[1:]:
@@ -55,6 +55,6 @@ def test_who_goes_out_is_what_the_answer_says():
 
 
 def test_all_stay_together_where_nothing_bounces():
-    film = cradle_by_laws().made(restitution=0.0)
+    film = cradle().made(restitution=0.0)
     for number in film.numbers[:5]:
         assert number.values == pytest.approx((0.16,) * 3)

@@ -9,7 +9,7 @@ import numpy as np
 from course import rotations
 from course.arrays import Array, BoolArray
 from course.study import RodLanding, rod_landing
-from course.workbook.films.moments import moments
+from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Arrows,
     Curves,
