@@ -102,6 +102,42 @@ LISTED = (
         "1, 2. Then drag the peg from the middle to the end, slowly, and look at the impulse.",
         still=0.5,
     ),
+    Listed(
+        "landing_boxes",
+        "landings",
+        "Three boxes fall: gaps that are asked for, and gaps that are not",
+        (0, 1),
+        3,
+        "1, at a tenth of the speed: which gap is 0 first, and what answers it?",
+        still=0.3,
+    ),
+    Listed(
+        "gap_rate",
+        "gap_rates",
+        "A bar over a plank: the gap and what adds to its rate",
+        (19,),
+        5,
+        "1, 2, 3. Then 4: the centre rises and the gap closes. Take the green arrow of A to 0.",
+        still=0.2,
+    ),
+    Listed(
+        "dome",
+        "dome_gaps",
+        "A particle on a dome: three gaps, one of which says whether it parts",
+        (19, 20),
+        5,
+        "2, at a tenth of the speed: blue is below 0 while the old point says it parts. Then 3 and 4.",
+        still=0.1,
+    ),
+    Listed(
+        "ladder",
+        "sliding_ladders",
+        "A ladder slides down a wall, and lets go of it",
+        (19, 20),
+        4,
+        "2: vote first. Then stop where the wall's force is 0, and go on by single steps.",
+        still=0.9,
+    ),
 )
 
 
