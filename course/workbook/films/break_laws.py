@@ -167,10 +167,10 @@ def _numbers(tracks: dict[str, BallTracks]) -> list[Number]:
     kept = [100 * float(np.sum(v**2)) / SPEED**2 for v in after]
     odd = [round(float(_from_mirror(v)), 9) + 0.0 for v in after]
     return [
-        Number("velocities off their mirror image", tuple(odd), "m/s"),
-        Number("balls of the rack that move", tuple(moving)),
+        Number("velocities off mirror image", tuple(odd), "m/s"),
+        Number("balls that move", tuple(moving)),
         Number("fastest of them", tuple(fastest), "m/s"),
-        Number("energy kept by the break", tuple(kept), "%"),
+        Number("energy kept", tuple(kept), "%"),
     ]
 
 

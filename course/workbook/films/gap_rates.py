@@ -87,7 +87,7 @@ def _film(times: Array, motion: GapMotion) -> Film:
         "Take a velocity by its tip at 0 s.",
         ending=_ending(motion, rate),
         charts=[
-            Curves("gap d", "m", {"d": motion.gap}, limits=(-0.1, 2.6), colors=("purple",)),
+            Curves("gap d", "m", {"gap d": motion.gap}, limits=(-0.1, 2.6), colors=("purple",)),
             Curves("rate of the gap, and what adds to it", "m/s", {"ḋ": np.where(seen, rate, np.nan)} | shown,
                    limits=(-5.0, 5.0), colors=("purple", "blue", "sky", "vermillion", "orange")),
         ],
@@ -114,7 +114,7 @@ def _pane(motion: GapMotion) -> Pane:
                    at=motion.point, scale=SCALE, color="green"),
             Arrows("velocity of the centres", motion.lift, "m/s", at=centre, scale=SCALE, color="black"),
         ],
-        segments=[Segments("d", motion.point[:, 1:], motion.point[:, :1], motion.gap[:, None])],
+        segments=[Segments("d", motion.point[:, 1:], motion.point[:, :1], np.round(motion.gap, 9)[:, None] + 0.0)],
     )  # fmt: skip
 
 

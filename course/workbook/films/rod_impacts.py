@@ -81,6 +81,8 @@ def _film(landing: RodLanding) -> Film:
             Number("impulse p̂", (landing.impulse,), "N s"),
             Number("mass felt there", (landing.felt,), "kg"),
             Number("middle after, upward", (float(landing.after[1, 2]),), "m/s"),
+            Number("left end", (float(landing.after[0, 2]),), "m/s"),
+            Number("right end", (float(landing.after[2, 2]),), "m/s"),
             Number("spin after", (abs(landing.spin),), "rad/s"),
             Number("energy kept", (100 * landing.kept,), "%"),
         ],
@@ -124,8 +126,7 @@ def _pane(landing: RodLanding, times: Array, late: BoolArray, since: Array) -> P
         place,
         rotations.from_rotation_vector(turn),
         arrows=[
-            Arrows("velocity of ends and middle", velocity, "m/s", at=points, scale=SCALE, color="vermillion",
-                   numbers=True),
+            Arrows("velocity of ends and middle", velocity, "m/s", at=points, scale=SCALE, color="vermillion"),
             Arrows("impulse p̂", push, "N s", at=touch[None], scale=PUSH_SCALE, color="green"),
         ],
     )  # fmt: skip

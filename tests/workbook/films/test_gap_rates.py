@@ -59,9 +59,9 @@ def test_neither_body_is_in_the_other_before_or_at_the_touch(seed):
 def test_the_end_is_told_as_it_is():
     closes = gap_rate().made(rate_a=1.5, velocity_a=-1.5, rate_b=0.0)
     assert "A's corner is on B" in closes.ending
-    assert closes.charts[0].curves["d"][-1] == pytest.approx(0.0, abs=1e-6)
+    assert closes.charts[0].curves["gap d"][-1] == pytest.approx(0.0, abs=1e-6)
     other = gap_rate().made(rate_a=-1.0, velocity_a=-1.5, rate_b=1.5, velocity_b=1.0)
-    assert "B's end is on A" in other.ending and other.charts[0].curves["d"][-1] > 0
+    assert "B's end is on A" in other.ending and other.charts[0].curves["gap d"][-1] > 0
     film = gap_rate().made(**PRESETS[3].values)
     rises, *_, rate = (n.values[0] for n in film.numbers)
     assert rises == 0.5 and rate < 0
