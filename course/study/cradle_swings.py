@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, positive, scalar, whole_number
+from course.arrays import Array, IntArray, positive, scalar, whole_number
 from course.study.ball_impacts import cradle
 
 
@@ -22,7 +22,7 @@ class SwingingCradle:
     half_period: float
     velocity: Array
 
-    def at(self, time: Array, collisions: Array) -> tuple[Array, Array]:
+    def at(self, time: Array, collisions: IntArray) -> tuple[Array, Array]:
         """Displacements and velocities, (t, n) each [m], [m/s].
 
         Args:

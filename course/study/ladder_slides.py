@@ -62,34 +62,36 @@ def ladder_slide(
     theta = scalar("start", start)
     if not 0 < theta < np.pi / 2:
         raise failure("start", "a number between 0 and pi/2, both excluded", f"{theta}")
-    half, g = 0.5 * length, gravity
-    on_wall = _phase(lambda x, v: -0.75 * g / half * np.cos(x), [theta, 0.0],
-                     None if held else np.arcsin(2 / 3 * np.sin(theta)))  # fmt: skip
-    leaving = np.inf if held else on_wall.end
-    phases = [on_wall]
-    if not held:
-        x, v = on_wall.state(on_wall.end)
-        phases.append(_phase(lambda x, v: _free(x, v, half, g), [x, v], 0.0))
-    lying = sum(phase.end for phase in phases)
-    times = np.union1d(np.linspace(0.0, duration, frames), [t for t in (leaving, lying) if t < duration])  # fmt: skip
-    free = times > leaving
+    half, let_go = 0.5 * length, np.arcsin(2 / 3 * np.sin(theta))
+    wall = _phase(
+        lambda x, v: -0.75 * gravity / half * np.cos(x),
+        theta,
+        0.0,
+        0.0 if held else let_go,
+    )
+    leaving = np.inf if held else wall.end
+    at, rate = (float(value) for value in wall.state(wall.end))
+    free = _phase(lambda x, v: _free(x, v, half, gravity), at, rate, 0.0)
+    lying = wall.end if held else wall.end + free.end
+    jumps = [t for t in (leaving, lying) if t < duration]
+    times = np.union1d(np.linspace(0.0, duration, frames), jumps)
     seen = np.minimum(times, lying)
-    x, v = on_wall.state(np.minimum(seen, on_wall.end))
-    if not held:
-        x[free], v[free] = phases[1].state(seen[free] - leaving)
+    x, v = wall.state(np.minimum(seen, wall.end))
     y = -half * np.cos(x)
-    force = sliding_ladder_forces(np.clip(x, 0, np.pi / 2), rate=v, length=length, mass=mass, gravity=g)  # fmt: skip
-    if not held:
-        at, rate = on_wall.state(leaving)
-        drift = half * np.sin(at) * rate
-        y[free] = -half * np.cos(at) + drift * (seen[free] - leaving)
-        pull = _free(x, v, half, g)[free]
-        lifted = half * (pull * np.cos(x[free]) - v[free] ** 2 * np.sin(x[free]))
-        force[free] = np.stack([mass * (g + lifted), 0 * lifted], axis=-1)
+    size = {"length": length, "mass": mass, "gravity": gravity}
+    force = sliding_ladder_forces(np.clip(x, 0, np.pi / 2), rate=v, **size)
+    off = seen > leaving
+    if np.any(off):
+        since = seen[off] - leaving
+        x[off], v[off] = free.state(since)
+        y[off] = half * (np.sin(at) * rate * since - np.cos(at))
+        turning = _free(x[off], v[off], half, gravity)
+        lifted = half * (turning * np.cos(x[off]) - v[off] ** 2 * np.sin(x[off]))
+        force[off] = np.stack([mass * (gravity + lifted), 0 * lifted], axis=-1)
     z = half * np.sin(x)
     force[times > lying] = np.nan
-    gap = ladder_gaps(y, z, x, length=length)
-    return LadderSlide(times, x, v, np.stack([y, z], axis=-1), force, gap, float(leaving), float(lying))  # fmt: skip
+    gap, centre = ladder_gaps(y, z, x, length=length), np.stack([y, z], axis=-1)
+    return LadderSlide(times, x, v, centre, force, gap, float(leaving), float(lying))
 
 
 @dataclass(frozen=True)
@@ -105,23 +107,24 @@ class _Phase:
 
 
 def _phase(
-    acceleration: Callable[[Any, Any], Any], start: list[float], stop: float | None
+    acceleration: Callable[[Any, Any], Any], angle: float, rate: float, stop: float
 ) -> _Phase:
-    """Integrated until theta falls to ``stop`` [rad]; none: to 0."""
+    """Integrated from theta and theta_dot until theta falls to ``stop`` [rad]."""
     from scipy.integrate import solve_ivp
 
-    target = stop or 0.0
+    if angle <= stop:  # it lies already
+        return _Phase(lambda t: np.array([angle + 0 * t, rate + 0 * t]), 0.0)
 
     def there(_: float, state: Array) -> float:
-        return float(state[0] - target)
+        return float(state[0] - stop)
 
     there.terminal, there.direction = True, -1.0  # type: ignore[attr-defined]
 
-    def rate(_: float, state: Array) -> list[float]:
+    def rates(_: float, state: Array) -> list[float]:
         return [state[1], float(acceleration(state[0], state[1]))]
 
     options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12, "dense_output": True}
-    done = solve_ivp(rate, (0.0, 60.0), start, events=there, **options)
+    done = solve_ivp(rates, (0.0, 60.0), [angle, rate], events=there, **options)
     return _Phase(done.sol, float(done.t_events[0][0]))
 
 

@@ -49,7 +49,11 @@ def billiard_break() -> Exhibit:
     """A cue ball onto a rack of touching balls; it can be taken and moved sideways."""
 
     def film(offset: float, rows: float, restitution: float) -> Film:
-        rack = {"speed": SPEED, "offset": 1e-3 * offset, "rows": round(rows)}
+        rack: dict[str, Any] = {
+            "speed": SPEED,
+            "offset": 1e-3 * offset,
+            "rows": round(rows),
+        }
         scene = billiard_rack(**rack)
         tracks = {
             law: roll(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from course import rotations
@@ -49,10 +51,10 @@ def gap_rate() -> Exhibit:
         rate_a: float, velocity_a: float, rate_b: float, velocity_b: float
     ) -> Film:
         rates, lifts = np.array([rate_a, rate_b]), np.array([velocity_a, velocity_b])
-        start = {"reach": REACH, "clear": CLEAR}
+        start: dict[str, Any] = {"reach": REACH, "clear": CLEAR}
         touching, corner = first_touch(rates, lifts, LAST, **start)
         times, _ = moments(LAST, [touching], frames=51)
-        met = {"touching": touching, "corner": corner}
+        met: dict[str, Any] = {"touching": touching, "corner": corner}
         return _film(times, gap_motion(rates, lifts, times, **start, **met))
 
     arms = (-BAR, REACH - BAR)
