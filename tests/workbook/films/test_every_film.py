@@ -10,6 +10,7 @@ from course.workbook.films.listing import LISTED
 from course.workbook.films.wall_bounces import wall
 from course.workbook.stage import Exhibit, Flat
 from course.workbook.stage.encoding import encoded
+from course.workbook.stage.words import shown_number
 
 EXHIBITS = {film.name: film.exhibit() for film in LISTED} | {
     "wall, printed": wall("printed")
@@ -34,6 +35,9 @@ def test_it_can_be_made_at_both_ends_of_every_knob_and_for_every_preset(name):
         assert film.title and film.caption and film.ending and film.moves
         assert len(film.panes) == len(first.panes)
         assert [c.title for c in film.charts] == [c.title for c in first.charts]
+        # What is rounding only is written as 0.
+        said = [shown_number(v, n.digits) for n in film.numbers for v in n.values]
+        assert not [v for v in said if "e−" in v]
         if isinstance(film.view, Flat):
             assert film.view.window == first.view.window is not None
     assert exhibit.question and exhibit.answer
