@@ -69,10 +69,15 @@ def wall(against: Any = None) -> Exhibit:
         return _film(shown, values["wall_angle"], values["restitution"])
 
     grows = {"velocity_x": (1.0, 0.0, 0.0), "velocity_y": (0.0, 1.0, 0.0)}
+    # It is to arrive at the same place and time: from farther away it has to be faster.
+    away = {"velocity_x": (-1.0, 0.0, 0.0), "velocity_y": (0.0, -1.0, 0.0)}
     return Exhibit(
         film,
         KNOBS,
-        [Hand(grows, arrows="velocity", until=MEETING - 1e-9)],
+        [
+            Hand(grows, arrows="velocity", until=MEETING - 1e-9),
+            Hand(away, body=0, until=MEETING - 1e-9),
+        ],
         PRESETS,
         question="A ball comes at 45° onto a level wall, and half of the speed comes back, e = 0.5. "
         "Does it leave flatter or steeper than it came?",
@@ -90,7 +95,7 @@ def _film(
         Flat("xy", WINDOW),
         title="A ball and a wall",
         caption="The velocity is the sum of a part along n and a part along the wall. "
-        "Take it by the tip of its arrow before they meet.",
+        "Before they meet, take its arrow by the tip, or the ball itself.",
         ending=_ending(right),
         charts=_charts(shown),
         numbers=_numbers([motion for _, motion in shown]),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
 
 from course.workbook.films.listing import LISTED
@@ -61,3 +62,45 @@ def test_hands_hold_something_that_is_there(name):
         else:
             arrows = next(a for a in pane.arrows if a.name == hand.arrows)
             assert hand.index < len(arrows.color)
+
+
+def held(film, hand):
+    """Where what a hand holds is at the start, and how many metres one unit of it is."""
+    pane = film.panes[0]
+    if hand.body is not None:
+        return pane.position[0, hand.body], 1.0
+    arrows = next(a for a in pane.arrows if a.name == hand.arrows)
+    return (
+        arrows.at[0, hand.index] + arrows.scale * arrows.vector[0, hand.index],
+        arrows.scale,
+    )
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_what_a_hand_holds_goes_with_it(name):
+    """Knobs move by what the hand does along their directions, and the held thing follows."""
+    exhibit = EXHIBITS[name]
+    first = exhibit.made()
+    for hand in exhibit.hands:
+        before, scale = held(first, hand)
+        for knob, direction in hand.knobs.items():
+            way = np.asarray(direction) / np.linalg.norm(direction)
+            # Inside the knob's range, whichever way that is.
+            limits = next((k.low, k.high) for k in exhibit.knobs if k.name == knob)
+            value = exhibit.values[knob]
+            sign = 1.0 if limits[1] - value > value - limits[0] else -1.0
+            moved = sign * 0.02 * way
+            film = exhibit.made(**{knob: value + moved @ direction / scale})
+            after, _ = held(film, hand)
+            # An arrow that starts elsewhere when its value is another follows at its own pace.
+            start = (0.0, 0.0)
+            if hand.body is None:
+                start = tuple(
+                    next(a for a in f.panes[0].arrows if a.name == hand.arrows).at[
+                        0, hand.index
+                    ]
+                    @ way
+                    for f in (first, film)
+                )
+            along = (after - before) @ way - (start[1] - start[0])
+            assert along == pytest.approx(sign * 0.02, rel=0.35)
