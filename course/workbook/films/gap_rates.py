@@ -121,7 +121,8 @@ def _pane(motion: GapMotion) -> Pane:
 
 
 def _ending(motion: GapMotion, rate: Array) -> str:
-    start = f"At 0 s the gap changes by {rate[0]:+.2f} m/s"
+    way = "shrinks" if rate[0] < 0 else "grows"
+    start = f"At 0 s the gap {way} with {abs(rate[0]):.2f} m/s"
     if not np.isfinite(motion.touching):
         return f"{start}; after {LAST} s it is {motion.gap[-1]:.2f} m"
     if motion.corner:

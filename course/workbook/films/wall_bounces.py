@@ -169,12 +169,12 @@ def _kept(motion: WallMeeting) -> float:
 
 
 def _ending(motion: WallMeeting) -> str:
-    come, leave = (float(v @ motion.normal) for v in (motion.before, motion.after))
+    come, leave = (abs(float(v @ motion.normal)) for v in (motion.before, motion.after))
     if not np.isfinite(motion.meeting):
         return (
             f"It does not approach the wall: its speed along n, {come:.2f} m/s, stays"
         )
     return (
-        f"Along n it comes with {come:.2f} and leaves with {leave:.2f} m/s; "
-        f"along the wall it keeps {float(motion.after @ motion.along):.2f} m/s"
+        f"Along n its speed is {come:.2f} m/s before and {leave:.2f} m/s after; "
+        f"along the wall it keeps {abs(float(motion.after @ motion.along)):.2f} m/s"
     )
