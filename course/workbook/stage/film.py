@@ -22,6 +22,7 @@ from course.arrays import (
     read_only,
     scalar,
     scalars,
+    shaped,
     unit_quaternions,
     vectors,
     written,
@@ -76,15 +77,24 @@ class Space:
     Args:
         camera: "corner", "front", "side" or "top".
         ground: height z of a ground plane on which shadows fall [m]; None: there is none.
+        window: two opposite corners of what is seen, lowest and highest, (2, 3) [m]; none:
+            all that ever shows. With it the picture stands still while a knob moves.
     """
 
     camera: str = "corner"
     ground: float | None = None
+    window: ArrayLike | None = None
 
     def __post_init__(self) -> None:
         choice("camera", self.camera, tuple(CAMERAS))
         if self.ground is not None:
             scalar("ground", self.ground)
+        if self.window is not None:
+            corners = vectors("window", self.window)
+            shaped("window", corners, (2, 3))
+            low, high = corners
+            if not np.all(low < high):
+                raise failure("window", "lowest < highest corner", written(high - low))
 
 
 @dataclass(frozen=True, eq=False)
@@ -284,6 +294,9 @@ class Film:
     @property
     def bounds(self) -> tuple[Array, Array]:
         """The lowest and highest corner of all that is ever seen, (3,) each [m]."""
+        if isinstance(self.view, Space) and self.view.window is not None:
+            low, high = np.asarray(self.view.window, dtype=float)
+            return low, high
         flat = np.concatenate([_reached(pane) for pane in self.panes])
         return flat.min(axis=0), flat.max(axis=0)
 
