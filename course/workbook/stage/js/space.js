@@ -86,11 +86,11 @@ function leastSquares(slopes, left) {
   const inner = (a, b) => a[0] * b[0] + a[1] * b[1];
   const [a, b] = slopes;
   if (!b) return [inner(a, left) / (inner(a, a) || 1)];
-  const [aa, ab, bb] = [inner(a, a), inner(a, b), inner(b, b)];
-  const size = aa * bb - ab * ab;
-  // Seen edge-on a plane is a line: what lies across it cannot be taken from the picture.
-  if (size < 1e-6 * aa * bb) return [inner(a, left) / (aa + bb), inner(b, left) / (aa + bb)];
+  // Seen from its edge a plane is a line: what lies across it cannot be taken from the picture.
+  const least = 1e-3 * (inner(a, a) + inner(b, b)) || 1;
+  const [aa, ab, bb] = [inner(a, a) + least, inner(a, b), inner(b, b) + least];
   const [p, q] = [inner(a, left), inner(b, left)];
+  const size = aa * bb - ab * ab;
   return [(bb * p - ab * q) / size, (aa * q - ab * p) / size];
 }
 
