@@ -2,18 +2,19 @@
 demo impulse``.
 """
 
-from course.workbook.demos.contact_forces import plank
-from course.workbook.demos.contact_matrix import pushed_table
 from course.workbook.demos.impacts import wall
-from course.workbook.demos.motion import tumbling
 from course.workbook.demos.panel import Panel
 from course.workbook.demos.registry import DEMOS, Demo, find_demo, player, table
 from course.workbook.demos.separation import dome, gap_rate
 from course.workbook.demos.spin import rod
 
 impulse = player("impulse")
+handle = player("handle")
+pushed_table = player("pushed_table")
+plank = player("plank")
+sweeps = player("sweeps")
 
 __all__ = [
-    "DEMOS", "Demo", "Panel", "dome", "find_demo", "gap_rate", "impulse", "plank", "pushed_table", "rod", "table",
-    "tumbling", "wall",
+    "DEMOS", "Demo", "Panel", "dome", "find_demo", "gap_rate", "handle", "impulse", "plank",
+    "pushed_table", "rod", "sweeps", "table", "wall",
 ]  # fmt: skip

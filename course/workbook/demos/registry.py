@@ -10,10 +10,7 @@ from typing import Any
 
 from course.workbook import stage
 from course.workbook.demos import (
-    contact_forces,
-    contact_matrix,
     impacts,
-    motion,
     separation,
     spin,
 )
@@ -59,14 +56,6 @@ def player(name: str) -> Callable[..., Any]:
 DEMOS = (
     *(Demo.of_film(film) for film in LISTED),
     Demo(
-        "tumbling",
-        motion.tumbling,
-        "A handle that spins in space, and turns over",
-        (14,),
-        5,
-        "Play: no torque, L stays, and it turns over. Now the other two axes. Then make the tilt ten times smaller.",
-    ),
-    Demo(
         "wall",
         impacts.wall,
         "A ball meets a wall",
@@ -97,22 +86,6 @@ DEMOS = (
         (20, 24),
         5,
         "Look ahead from 42 degrees: it sinks in, and yet the old point falls behind. Past 48 degrees it lets go.",
-    ),
-    Demo(
-        "plank",
-        contact_forces.plank,
-        "A plank on two feet, and the plane of the two forces",
-        (20, 25),
-        5,
-        "Drag the load outward: the ellipses' middle leaves the quadrant at 0.75 m, and a foot lifts. What pulls?",
-    ),
-    Demo(
-        "pushed_table",
-        contact_matrix.pushed_table,
-        "Push a table from below: which of its feet feel it?",
-        (21, 22, 24),
-        5,
-        "Push foot 1: the foot across is driven down. Move the push inward until the dashed line meets that foot.",
     ),
 )
 

@@ -48,6 +48,41 @@ LISTED = (
         "1: they swap. 2: the heavy ball is a wall. Then e to 0, and look at the grey area.",
         still=0.5,
     ),
+    Listed(
+        "handle",
+        "tumbling",
+        "A handle that spins in space, and turns over",
+        (14,),
+        5,
+        "2 and play: L stands still, and it turns over. 1 and 3: it does not. Then the tilt ten times smaller.",
+        still=1.56,
+    ),
+    Listed(
+        "pushed_table",
+        "tables",
+        "Push a table from below: which of its feet feel it?",
+        (21, 22, 24),
+        5,
+        "1: foot 3 presses more. Drag the ball inward until the black line meets foot 3 (key 2). 3 and play: it lifts.",
+    ),
+    Listed(
+        "plank",
+        "planks",
+        "A plank on two feet, and the plane of the two forces",
+        (20, 25),
+        5,
+        "Drag the load outward: at 0.75 m the lines' crossing leaves the quadrant, and a foot lifts. Then play.",
+        still=8.0,
+    ),
+    Listed(
+        "sweeps",
+        "sweeping",
+        "Sweeps of projected Gauss-Seidel through a stack",
+        (25,),
+        5,
+        "1 and play: the forces climb. 2: twelve boxes, not done after 60 sweeps. 3: a heavy top. 5: r = 1.75.",
+        still=9.0,
+    ),
 )
 
 

@@ -205,6 +205,7 @@ def _chart(chart: Curves | Path) -> dict[str, Any]:
             "title": chart.title,
             "unit": chart.unit,
             "stacked": chart.stacked,
+            "logarithmic": chart.logarithmic,
             "limits": chart.limits,
             "colors": list(chart.colors),
             "curves": [

@@ -180,6 +180,8 @@ class Curves:
         stacked: whether the curves are drawn as areas on top of each other.
         limits: lowest and highest value shown; none: from the curves.
         colors: names of the palette, one a curve; none: the bodies' order of colours.
+        logarithmic: whether equal steps upward are equal factors; what is not above 0
+            is left out.
     """
 
     title: str
@@ -188,6 +190,19 @@ class Curves:
     stacked: bool = False
     limits: tuple[float, float] | None = None
     colors: Sequence[str] = ()
+    logarithmic: bool = False
+
+    def __post_init__(self) -> None:
+        if not self.logarithmic:
+            return
+        if self.stacked:
+            raise failure(f"charts {self.title}", "stacked or logarithmic", "both")
+        if self.limits is not None and not 0 < self.limits[0] < self.limits[1]:
+            raise failure(
+                f"charts {self.title}, limits",
+                "0 < lowest < highest",
+                written(np.array(self.limits)),
+            )
 
 
 @dataclass(frozen=True, eq=False)

@@ -338,7 +338,10 @@ export function drawAbove(context, film, pane, time, eye, options) {
     }
   }
   const labels = pane.solids.map((solid, k) => ({ solid, k })).filter(({ solid }) => solid.label)
-    .map(({ solid, k }) => ({ text: solid.label, color: theme.ink, places: [at(between(pane.position, moment, 3 * k, 3)).point] }));
+    .map(({ solid, k }) => {
+      const [x, y] = at(between(pane.position, moment, 3 * k, 3)).point;
+      return { text: solid.label, color: theme.ink, places: [[x, y + 1.1 * font], [x, y - 1.1 * font], [x + font, y], [x - font, y]] };
+    });
   for (const s of pane.segments) {
     if (hidden.has(s.name)) continue;
     for (let k = 0; k < s.start.stride / 3; k += 1) {
@@ -358,7 +361,7 @@ export function drawAbove(context, film, pane, time, eye, options) {
       const tip = between(a.at, moment, 3 * k, 3).map((v, i) => v + a.scale * vector[i]);
       if (Math.hypot(...vector) * a.scale < 1e-6) return;
       const { point: [x, y] } = at(tip);
-      const said = a.unit ? `${a.name} ${written(Math.hypot(...vector))} ${a.unit}` : a.name;
+      const said = a.unit ? `${written(Math.hypot(...vector))} ${a.unit}` : a.name;
       labels.push({ text: said, color: theme.palette[color], places: [[x, y - font], [x, y + font], [x + 3 * font, y], [x - 3 * font, y]] });
     });
   }
