@@ -90,6 +90,18 @@ export function corners(vertices, triangles, colors, smooth) {
   return out;
 }
 
+/** Corners that are the same in all their numbers once, and which of them each triangle has. */
+export function indexed(values, stride) {
+  const [kept, known] = [[], new Map()];
+  const index = Uint32Array.from({ length: values.length / stride }, (_, k) => {
+    const corner = values.subarray(k * stride, (k + 1) * stride);
+    const key = corner.join();
+    if (!known.has(key)) { known.set(key, known.size); kept.push(...corner); }
+    return known.get(key);
+  });
+  return { values: new Float32Array(kept), index };
+}
+
 /** An arrow of length 1 along z, as `corners` has it; its shaft has radius 1, to be thinned. */
 export function arrowCorners(sides = 10, head = 1) {
   const ring = (radius, z) => Array.from({ length: sides }, (_, k) => {

@@ -4,7 +4,7 @@
 
 import { between, momentAt, turnedBetween, written } from "./film.js";
 import { drawLabels } from "./look.js";
-import { arrowCorners, corners, frameAlong, lookAt, multiplied, perspective, projected, putPlace, shadowOn, unit }
+import { arrowCorners, corners, frameAlong, indexed, lookAt, multiplied, perspective, projected, putPlace, shadowOn, unit }
   from "./matrices.js";
 
 const ANGLE = (32 * Math.PI) / 180; // from foot to top of the picture
@@ -112,11 +112,22 @@ function groundLines(view, color) {
   return new Float32Array(out);
 }
 
+function rendererOf(gl) {
+  const told = gl.getExtension("WEBGL_debug_renderer_info");
+  return String(gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+}
+
 /** The page's one WebGL context, and what all pictures draw with. */
 class Drawing {
   constructor() {
-    this.canvas = document.createElement("canvas");
-    this.gl = this.canvas.getContext("webgl2", { antialias: true });
+    this.#open(true);
+    // Where the processor draws, smoothing every frame halves their number: there only what stands is smooth.
+    this.slow = Boolean(this.gl) && /swiftshader|llvmpipe|software/i.test(rendererOf(this.gl));
+    if (this.slow) {
+      const lose = this.gl.getExtension("WEBGL_lose_context");
+      if (lose) lose.loseContext();
+      this.#open(false);
+    }
     this.views = new Set();
     this.age = 0; // how often the context was lost
     if (!this.gl) return;
@@ -127,6 +138,11 @@ class Drawing {
       for (const view of this.views) view.again();
     });
     this.#begin();
+  }
+
+  #open(antialias) {
+    this.canvas = document.createElement("canvas");
+    this.gl = this.canvas.getContext("webgl2", { antialias });
   }
 
   #begin() {
@@ -150,11 +166,15 @@ class Drawing {
   /** Corners: `sizes` numbers for each attribute from location 0 on; and room for instances. */
   mesh(values, sizes) {
     const { gl } = this;
-    const [array, buffer, instances] = [gl.createVertexArray(), gl.createBuffer(), gl.createBuffer()];
+    const array = gl.createVertexArray();
+    const [buffer, order, instances] = [0, 1, 2].map(() => gl.createBuffer());
     const stride = sizes.reduce((a, b) => a + b, 0);
+    const once = indexed(values, stride);
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, once.values, gl.STATIC_DRAW);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, order);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, once.index, gl.STATIC_DRAW);
     sizes.reduce((from, size, location) => {
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * stride, 4 * from);
@@ -166,7 +186,7 @@ class Drawing {
       gl.vertexAttribPointer(3 + k, 3, gl.FLOAT, false, 4 * INSTANCE, 12 * k);
       gl.vertexAttribDivisor(3 + k, 1);
     }
-    return { array, buffer, instances, count: values.length / stride };
+    return { array, buffers: [buffer, order, instances], instances, count: once.index.length };
   }
 
   /** Draws a mesh once for each 15 numbers; none: for those it was drawn with before. */
@@ -179,14 +199,15 @@ class Drawing {
       mesh.drawn = values.length / INSTANCE;
     }
     gl.uniform4fv(uniform.flat_color, color || [0, 0, 0, 0]);
-    gl.drawArraysInstanced(lines ? gl.LINES : gl.TRIANGLES, 0, mesh.count, mesh.drawn);
+    gl.drawElementsInstanced(lines ? gl.LINES : gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0, mesh.drawn);
   }
 
   /** A clean sheet of so many pixels in the lower left corner. */
   begin(width, height, eye, paper) {
     const { gl, canvas, uniform } = this;
-    if (canvas.width < width) canvas.width = width;
-    if (canvas.height < height) canvas.height = height;
+    // All of it is copied, however much was asked for: where that is slow it is as large as the picture.
+    if (this.slow ? canvas.width !== width : canvas.width < width) canvas.width = width;
+    if (this.slow ? canvas.height !== height : canvas.height < height) canvas.height = height;
     gl.viewport(0, 0, width, height);
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(0, 0, width, height);
@@ -200,10 +221,9 @@ class Drawing {
   }
 
   drop(meshes) {
-    for (const { array, buffer, instances } of meshes) {
+    for (const { array, buffers } of meshes) {
       this.gl.deleteVertexArray(array);
-      this.gl.deleteBuffer(buffer);
-      this.gl.deleteBuffer(instances);
+      for (const buffer of buffers) this.gl.deleteBuffer(buffer);
     }
   }
 }
@@ -240,11 +260,12 @@ export class SpaceView {
   }
 
   /** Paints a time onto a canvas; returns the matrix from the world to the screen. */
-  draw(context, film, pane, time, { theme, hidden, camera, width, height }) {
+  draw(context, film, pane, time, { theme, hidden, camera, width, height, playing }) {
     const { drawing } = this;
     const { gl } = drawing;
     const eye = eyeOf(camera, width / height);
-    const [w, h] = [context.canvas.width, context.canvas.height];
+    const dense = drawing.slow && !playing ? 2 : 1;
+    const [w, h] = [context.canvas.width, context.canvas.height].map((v) => dense * v);
     if (!gl || gl.isContextLost()) { sheet(context, theme, width, height, gl ? "" : "This browser draws no WebGL2."); return eye; }
     this.#load(film.view, pane, theme);
     const moment = momentAt(film.times, time);
@@ -258,7 +279,7 @@ export class SpaceView {
     if (this.ground) this.#floor(film.view, theme, camera);
     context.save();
     context.setTransform(1, 0, 0, 1, 0, 0);
-    context.drawImage(drawing.canvas, 0, drawing.canvas.height - h, w, h, 0, 0, w, h);
+    context.drawImage(drawing.canvas, 0, drawing.canvas.height - h, w, h, 0, 0, context.canvas.width, context.canvas.height);
     context.restore();
     return eye;
   }

@@ -38,7 +38,7 @@ export function made(tag, attributes = {}, ...children) {
 /** The stage for one exhibit. `ask(values, id)` asks Python for a film; none: nobody answers. */
 export class Stage {
   constructor(root, exhibit, ask = null) {
-    Object.assign(this, { root, exhibit, hidden: new Set(), trails: true, pictures: [], charts: [], painting: false });
+    Object.assign(this, { root, exhibit, hidden: new Set(), trails: true, pictures: [], charts: [], painting: false, seen: true });
     this.values = Object.fromEntries((exhibit.knobs || []).map((k) => [k.name, k.value]));
     this.clock = new Clock(() => this.paintSoon());
     this.questions = ask && asker(ask);
@@ -50,6 +50,11 @@ export class Stage {
     this.#overlays();
     this.sizes = new ResizeObserver(() => this.paintSoon());
     this.sizes.observe(root);
+    this.sight = new IntersectionObserver((found) => {
+      this.seen = found[found.length - 1].isIntersecting;
+      if (this.seen) this.paintSoon();
+    });
+    this.sight.observe(root);
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.dark.addEventListener("change", this.repaint = () => this.paintSoon());
     this.themes = new MutationObserver(this.repaint);
@@ -76,6 +81,7 @@ export class Stage {
   destroy() {
     this.clock.pause();
     this.sizes.disconnect();
+    this.sight.disconnect();
     this.themes.disconnect();
     this.dark.removeEventListener("change", this.repaint);
     for (const picture of this.pictures) if (picture.space) picture.space.release();
@@ -279,14 +285,15 @@ export class Stage {
   }
 
   paint() {
-    if (!this.root.isConnected) return;
+    // What is out of sight is painted when it is seen again.
+    if (!this.root.isConnected || !this.seen) return;
     const { film, clock, root } = this;
     const dark = onDark(root.parentElement || document.body);
     if (!this.theme || this.theme.dark !== dark) this.theme = themeOf(dark, film.palette);
     root.dataset.theme = dark ? "dark" : "light";
     const font = parseFloat(getComputedStyle(root).fontSize);
     for (const key of root.querySelectorAll("[data-color]")) key.style.background = this.theme.palette[key.dataset.color];
-    const options = { theme: this.theme, font, hidden: this.hidden, trails: this.trails };
+    const options = { playing: clock.playing, theme: this.theme, font, hidden: this.hidden, trails: this.trails };
     const room = this.#room(font);
     for (const picture of this.pictures) this.#paintPane(picture, film.panes[picture.k], Object.assign({ most: room.pane }, options));
     const count = this.charts.length;

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 
 import {
-  arrowCorners, corners, frameAlong, lookAt, multiplied, perspective, projected, putPlace, shadowOn,
+  arrowCorners, corners, frameAlong, indexed, lookAt, multiplied, perspective, projected, putPlace, shadowOn,
 } from "../../../../course/workbook/stage/js/matrices.js";
 import { turned } from "../../../../course/workbook/stage/js/film.js";
 
@@ -55,4 +55,11 @@ test("the frame along a direction is right-handed and orthonormal", () => {
     const cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     close(cross, c, 1e-12);
   }
+});
+
+test("equal corners are kept once, and triangles stay what they were", () => {
+  const values = Float32Array.from([0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1]);
+  const { values: kept, index } = indexed(values, 2);
+  assert.deepEqual(Array.from(kept), [0, 0, 1, 0, 0, 1, 1, 1]);
+  assert.deepEqual(Array.from(index).flatMap((k) => Array.from(kept.slice(2 * k, 2 * k + 2))), Array.from(values));
 });
