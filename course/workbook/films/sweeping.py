@@ -2,17 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from course.arrays import Array
-from course.contact.solvers.projected_gauss_seidel import (
-    gauss_seidel_path,
-    predicted_gauss_seidel_factor,
-)
-from course.contact.solvers.residual import complementarity_residual
-from course.scenes import stack
+from course.study.swept_stacks import SweptStack, swept_stack
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -45,32 +38,6 @@ PRESETS = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class SweptStack:
-    """A stack's forces after each step, (k, c) [N], the right ones, (c,) [N], the residual
-    after each step, (k,), and by what factor a sweep shrinks the error in the end.
-    """
-
-    path: Array
-    truth: Array
-    residual: Array
-    factor: float
-
-
-def swept_stack(count: int, top: float, relaxation: float) -> SweptStack:
-    """Boxes of 1 kg, one on one point of another, the topmost of ``top`` [kg], swept from below."""
-    mass = np.ones(count)
-    mass[-1] = top
-    system = stack(count, mass=mass, corners=1).system()
-    matrix = system.A.toarray()
-    path = gauss_seidel_path(matrix, system.b, SWEEPS, relaxation=relaxation)
-    off = complementarity_residual(
-        np.broadcast_to(matrix, (len(path), *matrix.shape)), path, np.broadcast_to(system.b, path.shape)
-    )  # fmt: skip
-    factor = predicted_gauss_seidel_factor(matrix, relaxation=relaxation)
-    return SweptStack(path, 9.81 * np.cumsum(mass[::-1])[::-1], off, factor)
-
-
 def sweeps() -> Exhibit:
     """A stack, its forces as they grow, and the residual sweep by sweep."""
     return Exhibit(
@@ -85,7 +52,7 @@ def sweeps() -> Exhibit:
 
 def film(count: float, top: float, relaxation: float) -> Film:
     """Sixty sweeps; a second of the film is a sweep, and four are played in one."""
-    found = swept_stack(round(count), top, relaxation)
+    found = swept_stack(round(count), top, relaxation, SWEEPS)
     steps, contacts = found.path.shape
     times = np.arange(steps) / contacts
     return Film(
@@ -134,7 +101,7 @@ def _charts(
 ) -> list[Curves]:
     residual = {f"r = {relaxation:g}": found.residual}
     if relaxation != 1.0:
-        residual["r = 1"] = swept_stack(count, top, 1.0).residual
+        residual["r = 1"] = swept_stack(count, top, 1.0, SWEEPS).residual
     share = found.path / found.truth
     some = sorted({0, count // 2, count - 1})
     return [

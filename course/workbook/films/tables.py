@@ -66,7 +66,7 @@ def film(x: float, y: float, push: float, offset_x: float, offset_y: float) -> F
     return Film(
         [_pane(found, push, times, offset_x, offset_y)],
         times,
-        Space(ground=0.0, window=WINDOW),
+        Space("low", ground=0.0, window=WINDOW),
         title="A table is pushed up from below",
         caption="Drag the orange ball under the top. Of all f that carry the table, the shortest is drawn; "
         "a foot that lifts is played as it begins.",

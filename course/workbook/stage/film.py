@@ -33,6 +33,7 @@ from course.workbook.stage.solids import Solid
 #: Where a camera in space looks from (a direction), and what is up in its picture.
 CAMERAS = {
     "corner": ((0.62, -0.72, 0.42), (0.0, 0.0, 1.0)),
+    "low": ((0.42, -0.9, 0.27), (0.0, 0.0, 1.0)),
     "front": ((0.0, -1.0, 0.0), (0.0, 0.0, 1.0)),
     "side": ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)),
     "top": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
@@ -75,7 +76,7 @@ class Space:
     """A view into space, to be turned with the hand.
 
     Args:
-        camera: "corner", "front", "side" or "top".
+        camera: "corner", "low", "front", "side" or "top".
         ground: height z of a ground plane on which shadows fall [m]; None: there is none.
         window: two opposite corners of what is seen, lowest and highest, (2, 3) [m]; none:
             all that ever shows. With it the picture stands still while a knob moves.

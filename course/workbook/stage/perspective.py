@@ -22,9 +22,10 @@ from course.workbook.stage.solids import Solid
 ANGLE, ROOM = np.radians(32.0), 1.06
 LIGHT = np.array([-0.45, 0.62, -1.0]) / np.linalg.norm([-0.45, 0.62, -1.0])
 SHADOW, GRID = "#d1d1d1", "#e2e6ea"
-#: Triangles with an edge longer than this part of what is seen are quartered: painted as
-#: wholes from far to near, large ones would cover what lies before their middle.
-FINE = 0.18
+SEAM = "0.9"  # what an edge is wide, so that nothing shows between neighbours
+#: Triangles with an edge longer than this part of what is seen are cut: painted as wholes
+#: from far to near, large ones would cover what lies before their middle.
+FINE = 0.2
 #: Something to paint: how far from the eye it is [m], and its SVG.
 Piece = tuple[float, str]
 
@@ -140,7 +141,7 @@ def _body(solid: Solid, turn: Array, place: Array, eye: Eye) -> Iterator[Piece]:
         shade = marks.shaded(color, lit(normal / size))
         for part in _fine(face, FINE * eye.reach):
             middle = float(np.linalg.norm(part.mean(axis=0) - view))
-            yield middle, marks.polygon(eye.screen(part), shade)
+            yield middle, marks.polygon(eye.screen(part), shade, SEAM, shade)
 
 
 def lit(normal: Array) -> float:
@@ -149,14 +150,15 @@ def lit(normal: Array) -> float:
 
 
 def _fine(face: Array, longest: float) -> list[Array]:
-    """The triangle, or its quarters where an edge is too long."""
-    edges = np.linalg.norm(face - np.roll(face, 1, axis=0), axis=1)
-    if edges.max() <= longest or edges.max() > 64 * longest:
+    """The triangle, or its halves, cut across its longest edge, where that is too long."""
+    edges = np.linalg.norm(np.roll(face, -1, axis=0) - face, axis=1)
+    k = int(edges.argmax())
+    if edges[k] <= longest or edges[k] > 64 * longest:
         return [face]
-    a, b, c = face
-    ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
-    quarters = ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))
-    return [f for q in quarters for f in _fine(np.array(q), longest)]
+    a, b, c = np.roll(face, -k, axis=0)
+    middle = (a + b) / 2
+    halves = np.array([[a, middle, c], [middle, b, c]])
+    return [part for half in halves for part in _fine(half, longest)]
 
 
 def _ball(solid: Solid, turn: Array, place: Array, eye: Eye) -> Piece:

@@ -5,22 +5,23 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from course.workbook.films.sweeping import (
-    KNOBS,
-    LONGEST,
-    PRESETS,
-    SWEEPS,
-    sweeps,
-    swept_stack,
-)
+from course.study.swept_stacks import swept_stack
+from course.workbook.films.sweeping import KNOBS, LONGEST, PRESETS, SWEEPS, sweeps
 
 START = {k.name: k.value for k in KNOBS}
 CASES = [START | {k.name: end} for k in KNOBS for end in (k.low, k.high)]
 CASES += [p.values for p in PRESETS]
 
 
+def test_the_right_forces_carry_what_stands_above():
+    found = swept_stack(4, 7.0, 1.0, 1)
+    assert found.truth == pytest.approx(9.81 * np.array([10.0, 9.0, 8.0, 7.0]))
+
+
 def found_for(values):
-    return swept_stack(int(values["count"]), values["top"], values["relaxation"])
+    return swept_stack(
+        int(values["count"]), values["top"], values["relaxation"], SWEEPS
+    )
 
 
 @pytest.mark.parametrize("values", CASES)
@@ -43,7 +44,7 @@ def test_each_step_sets_one_contact_from_its_neighbours(values):
 
 
 def test_the_factor_is_the_one_that_is_seen():
-    found = swept_stack(6, 1.0, 1.0)
+    found = swept_stack(6, 1.0, 1.0, SWEEPS)
     off = np.linalg.norm(found.path[::6] - found.truth, axis=1)
     assert off[-1] / off[-2] == pytest.approx(found.factor, rel=1e-3)
     # D^-1/2 A D^-1/2 has the off-diagonals 1/sqrt(2), 1/2, 1/2, ...: Chebyshev's.
