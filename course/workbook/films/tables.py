@@ -149,7 +149,8 @@ def _still_line(
     found: LiftedTable, push: float, offset_x: float, offset_y: float
 ) -> list[Segments]:
     """Where the top would not move at first if there were no ground, within its sides."""
-    ends = study.pushed_table(*found.place, offset_x, offset_y).still
+    x, y = found.place
+    ends = study.pushed_table(x, y, offset_x, offset_y).still
     if ends is None:
         return []
     along = np.linspace(ends[0], ends[1], 4001)

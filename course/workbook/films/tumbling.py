@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
 
 from course import rotations
+from course.arrays import Array
 from course.dynamics import Tumble, free_tumble
 from course.scenes import handle_mass_properties, spinning_handle
 from course.scenes.spinning import HANDLE_CENTERS, HANDLE_HALF_EXTENTS
@@ -90,7 +92,7 @@ def handle_film(
 
 def handle_solid() -> Solid:
     """A blue crossbar and an orange stem, about the centre of mass."""
-    center = handle_mass_properties().centre
+    center = _center()
     bar, stem = (
         box(size, center=place - center, color=color)
         for size, place, color in zip(
@@ -100,9 +102,14 @@ def handle_solid() -> Solid:
     return joined(bar, stem, what="handle")
 
 
+@cache
+def _center() -> Array:
+    return handle_mass_properties().centre
+
+
 def _pane(motion: Tumble, arrows: bool) -> Pane:
     turn = rotations.from_matrix(motion.rotation)
-    tip = HANDLE_CENTERS[0] - handle_mass_properties().centre
+    tip = HANDLE_CENTERS[0] - _center()
     tip = tip + HANDLE_HALF_EXTENTS[0] * [1.0, 0.0, 0.0]
     at = motion.position - motion.position
     place = np.stack([at, at + motion.rotation @ tip], axis=1)
@@ -155,7 +162,8 @@ def _ending(motion: Tumble, about: int) -> str:
     name = AXIS_NAMES[about]
     over = motion.turnover_times(about)
     if len(over):
-        listed = ", ".join(f"{when:.2f}" for when in over)
+        listed = ", ".join(f"{when:.2f}" for when in over[:4])
+        listed += ", ..." if len(over) > 4 else ""
         times = "once" if len(over) == 1 else f"{len(over)} times"
         return f"The {name} turns over {times}: it lies across L at {listed} s"
     l_body = motion.seen_from_body

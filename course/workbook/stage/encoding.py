@@ -152,7 +152,8 @@ def _solid(solid: Solid, mesh: int) -> dict[str, Any]:
 def _meshes(solids: Sequence[Solid]) -> tuple[list[dict[str, Any]], list[int]]:
     """Each different mesh once, and which of them each solid has."""
     known: dict[Any, int] = {}
-    meshes, which = [], []
+    meshes: list[dict[str, Any]] = []
+    which = []
     for s in solids:
         key = (s.vertices.tobytes(), s.triangles.tobytes(), s.colors, s.smooth, s.fixed)
         if key not in known:
