@@ -8,7 +8,6 @@ from course.arrays import Array
 from course.study import PlankForces, plank_forces, two_forces
 from course.workbook.stage import (
     Arrows,
-    Curves,
     Exhibit,
     Film,
     Flat,
@@ -25,10 +24,10 @@ from course.workbook.stage import (
 )
 
 SWEEPS, PAUSE = 8, 0.5  # each sweep is two steps, one a foot [s]
-FORCE, ACCELERATION = 0.0016, 0.035  # metres for 1 N, 1 m/s^2
+FORCE, ACCELERATION = 0.0028, 0.07  # metres for 1 N, 1 m/s^2
 #: What the plane of the forces shows, whatever the knob says [N].
 LOW, HIGH = -160.0, 460.0
-WINDOW = (-1.75, -0.36, 1.75, 0.62)
+WINDOW = (-1.75, -0.78, 1.75, 1.1)
 KNOBS = (Knob("load_at", "place of the load", 0.3, -1.5, 1.5, 0.05, "m"),)
 PRESETS = (
     Preset("between the feet", {"load_at": 0.3}),
@@ -67,7 +66,7 @@ def film(load_at: float) -> Film:
         caption="Drag the load. Each step sets one foot's d̈ to 0 by its own force, or the force to 0: "
         "projected Gauss-Seidel, from f = 0.",
         ending=_ending(found),
-        charts=[_plane(found, path), _off(found, path, times)],
+        charts=[_plane(found, path)],
         counters={"step": np.arange(len(path), dtype=float)},
         numbers=_numbers(found),
         events=tuple(times),
@@ -78,14 +77,14 @@ def _pane(found: PlankForces, path: Array, rest: Array) -> Pane:
     count = len(path)
     place = [
         [0, 0, 0.05], [0, found.load_at, 0.24], [0, found.centre, 0.05],
-        [0, found.feet[0], -0.15], [0, found.feet[1], -0.15], [0, 0, -1.3],
+        [0, found.feet[0], -0.3], [0, found.feet[1], -0.3], [0, 0, -1.6],
     ]  # fmt: skip
     solids = [
         box((0.1, 1.5, 0.05), color="orange"),
         labelled(ball(0.14, color="blue"), "20"),
         ball(0.035, color="black"),
-        labelled(standing(box((0.1, 0.06, 0.15))), "1"),
-        labelled(standing(box((0.1, 0.06, 0.15))), "2"),
+        labelled(standing(box((0.1, 0.06, 0.3))), "1"),
+        labelled(standing(box((0.1, 0.06, 0.3))), "2"),
         standing(box((0.1, 30.0, 1.0)), endless=True),
     ]
     at = np.zeros((2, 3))
@@ -100,7 +99,7 @@ def _pane(found: PlankForces, path: Array, rest: Array) -> Pane:
                    numbers=True),
             Arrows("d̈", rest[:, :, None] * up, "m/s²", at=at + [0, 0.12, 0.12], scale=ACCELERATION,
                    color="vermillion", numbers=True),
-            Arrows("weight", np.broadcast_to(weight, (count, 1, 3)), "N", at=[place[2]], scale=0.0008, color="black",
+            Arrows("weight", np.broadcast_to(weight, (count, 1, 3)), "N", at=[place[2]], scale=0.0028, color="black",
                    shown=False),
         ],
     )  # fmt: skip
@@ -122,13 +121,6 @@ def _within(row: Array, bias: float) -> Array:
     along = np.linspace(-1500, 1500, 6001)[:, None] * [-normal[1], normal[0]] + near
     inside = along[np.all((along >= LOW) & (along <= HIGH), axis=1)]
     return inside[[0, -1]]
-
-
-def _off(found: PlankForces, path: Array, times: Array) -> Curves:
-    """How far each step is from the solution."""
-    off = np.linalg.norm(path - found.forces.force, axis=1)
-    return Curves("distance from the solution", "N", {"|f − f*|": np.where(off > 1e-6, off, np.nan)},
-                  logarithmic=True, limits=(1e-6, 1e3), colors=("purple",))  # fmt: skip
 
 
 def _numbers(found: PlankForces) -> list[Number]:
