@@ -114,11 +114,12 @@ def _charts(
 
 def _numbers(found: SweptStack) -> list[Number]:
     lowest = float(found.path[-1, 0])
+    worst = 100 * float(np.abs(found.path[-1] / found.truth - 1).max())
     return [
         Number("lowest force after 60 sweeps", (lowest,), "N"),
         Number("the right one", (float(found.truth[0]),), "N"),
         Number("a sweep shrinks the error to", (found.factor,), "of it"),
-        Number("residual after 60 sweeps", (float(found.residual[-1]),), ""),
+        Number("the worst force is off by", (round(worst, 2),), "%"),
     ]
 
 
