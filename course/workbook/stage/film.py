@@ -216,6 +216,7 @@ class Path:
         x, y: (t,) numbers.
         guides: other lines in the same plane by name, each (k, 2): the circle itself.
         equal: whether both axes have the same scale.
+        limits: left, bottom, right, top of the axes; none: all that ever shows.
     """
 
     title: str
@@ -225,6 +226,7 @@ class Path:
     y: ArrayLike
     guides: Mapping[str, ArrayLike] = field(default_factory=dict)
     equal: bool = True
+    limits: tuple[float, float, float, float] | None = None
 
 
 @dataclass(frozen=True)

@@ -86,9 +86,11 @@ def text(
     place: Array, words: str, color: str, weight: str, anchor: str = "middle"
 ) -> str:
     x, y = place
+    # White around what is not written on a body: it may lie on lines or a floor.
+    halo = "" if color == "#fff" else 'stroke="#fff" stroke-width="3" '
     return (
-        f'<text x="{x:.1f}" y="{y + 5:.1f}" text-anchor="{anchor}" fill="{color}" '
-        f'font-weight="{weight}">{html.escape(words)}</text>'
+        f'<text x="{x:.1f}" y="{y + 5:.1f}" text-anchor="{anchor}" fill="{color}" {halo}'
+        f'paint-order="stroke" font-weight="{weight}">{html.escape(words)}</text>'
     )
 
 

@@ -39,12 +39,17 @@ def scale_in_words(arrows: Arrows) -> str:
 
 
 def shown_number(value: float, digits: int) -> str:
-    """A number for reading: ``digits`` significant ones, a true minus, never -0."""
+    """A number for reading: ``digits`` significant ones, a true minus, never -0.
+
+    What is below 1e-12 is rounding, and written as 0.
+    """
     if np.isnan(value):
         return "–"
     if np.isinf(value):
         return "∞" if value > 0 else "−∞"
-    return f"{value + 0.0:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+    if abs(value) < 1e-12:
+        return "0"
+    return f"{value:.{digits}g}".replace("-", "\N{MINUS SIGN}")
 
 
 def _sentence(text: str) -> str:

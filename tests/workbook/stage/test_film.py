@@ -126,7 +126,14 @@ def test_the_description_says_what_moves_how_it_ends_and_the_numbers():
 
 @pytest.mark.parametrize(
     ("value", "words"),
-    [(-0.0, "0"), (np.inf, "∞"), (-np.inf, "−∞"), (np.nan, "–"), (-2.5, "−2.5")],
+    [
+        (-0.0, "0"),
+        (-2e-16, "0"),
+        (np.inf, "∞"),
+        (-np.inf, "−∞"),
+        (np.nan, "–"),
+        (-2.5, "−2.5"),
+    ],
 )
 def test_numbers_are_written_for_reading(value, words):
     assert shown_number(value, 3) == words

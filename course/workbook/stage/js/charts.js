@@ -94,7 +94,11 @@ export function drawChart(context, chart, film, time, options) {
     + ((x - box.left) / (box.right - box.left)) * (axes.x[1] - axes.x[0]) };
 }
 
-function pathAxes(chart) {
+export function pathAxes(chart) {
+  if (chart.limits) {
+    const [left, bottom, right, top] = chart.limits;
+    return { x: [left, right], y: [bottom, top], across: chart.across, up: chart.up };
+  }
   const all = { x: Array.from(chart.x.values), y: Array.from(chart.y.values) };
   for (const guide of chart.guides) for (const [x, y] of guide.points) { all.x.push(x); all.y.push(y); }
   const around = (list) => {

@@ -236,7 +236,9 @@ export class Stage {
       canvas.addEventListener("pointermove", seek);
       return { canvas, frame: made("div", { class: "chart" }, canvas), texts: [] };
     });
+    // Wide panes stand one below the other, several others beside each other: charts have their place below both.
     this.wide = !space && this.#aspect() > 1.9;
+    this.below = !this.wide && this.film.panes.length > 1;
     this.parts.pictures.replaceChildren(
       made("div", { class: "panes" }, ...this.pictures.map((p) => p.figure)),
       this.charts.length ? made("div", { class: "charts" }, ...this.charts.map((c) => c.frame)) : "");
@@ -328,18 +330,26 @@ export class Stage {
     const large = Boolean(exhibit.large) || document.fullscreenElement === root;
     root.classList.toggle("large", large);
     parts.pictures.classList.toggle("wide", this.wide);
+    parts.pictures.classList.toggle("below", this.below);
     if (!large) return { large, pane: exhibit.height || 440, chart: Infinity, charts: this.charts.length };
     const others = Object.values(parts).filter((p) => p.parentElement === root && p !== parts.pictures).reduce((sum, p) => sum + p.offsetHeight, 0);
     const left = innerHeight - others - 3 * font;
     const titles = this.film.panes[0].title ? 1.6 * font : 0;
     const least = LEAST_CHART * font;
-    if (!this.wide) {
+    // Where that makes several panes larger, the charts stand beside them after all.
+    const each = parts.pictures.clientWidth / this.pictures.length / this.#aspect();
+    const under = Math.max(least, 0.4 * left);
+    const below = this.below && Math.min(each, left - titles - under) > 0.6 * each;
+    parts.pictures.classList.toggle("below", below);
+    if (!this.wide && !below) {
       const charts = Math.min(this.charts.length, Math.max(1, Math.floor(left / least)));
       return { large, pane: Math.max(LEAST_PANE, left - titles), chart: Math.max(least, left / (charts || 1) - 8), charts };
     }
     const charts = Math.min(this.charts.length, Math.max(1, Math.floor(this.root.clientWidth / (1.6 * least))));
-    const chart = charts ? Math.max(least, 0.4 * left) : 0;
-    return { large, pane: Math.max(LEAST_PANE, (left - chart) / this.pictures.length - titles), chart, charts };
+    let chart = charts ? under : 0;
+    if (this.wide) return { large, pane: Math.max(LEAST_PANE, (left - chart) / this.pictures.length - titles), chart, charts };
+    if (charts) chart = Math.max(chart, left - titles - each);
+    return { large, pane: Math.max(LEAST_PANE, left - titles - chart), chart, charts };
   }
 
   /** Where not all charts have room, the next of them comes up. */

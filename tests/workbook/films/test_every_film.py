@@ -1,0 +1,106 @@
+"""What holds of every exhibit: it can be made at the ends of its knobs, and its window stands still."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from course.workbook.films.listing import LISTED
+from course.workbook.films.wall_bounces import wall
+from course.workbook.stage import Exhibit, Flat
+from course.workbook.stage.encoding import encoded
+from course.workbook.stage.words import shown_number
+
+EXHIBITS = {film.name: film.exhibit() for film in LISTED} | {
+    "wall, printed": wall("printed")
+}
+
+
+def at_the_ends(exhibit: Exhibit) -> list[dict[str, float]]:
+    ends = [{k.name: end} for k in exhibit.knobs for end in (k.low, k.high)]
+    corners = [
+        {k.name: getattr(k, end) for k in exhibit.knobs} for end in ("low", "high")
+    ]
+    return [{}, *ends, *corners, *(dict(p.values) for p in exhibit.presets)]
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_it_can_be_made_at_both_ends_of_every_knob_and_for_every_preset(name):
+    exhibit = EXHIBITS[name]
+    first = exhibit.made()
+    for values in at_the_ends(exhibit):
+        film = exhibit.made(**values)
+        json.dumps(encoded(film), allow_nan=False)
+        assert film.title and film.caption and film.ending and film.moves
+        assert len(film.panes) == len(first.panes)
+        assert [c.title for c in film.charts] == [c.title for c in first.charts]
+        # What is rounding only is written as 0.
+        said = [shown_number(v, n.digits) for n in film.numbers for v in n.values]
+        assert not [v for v in said if "e−" in v]
+        if isinstance(film.view, Flat):
+            assert film.view.window == first.view.window is not None
+    assert exhibit.question and exhibit.answer
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_arrows_and_segments_have_the_same_names_in_all_panes(name):
+    film = EXHIBITS[name].made()
+    for kind in ("arrows", "segments"):
+        named = [{item.name for item in getattr(p, kind)} for p in film.panes]
+        assert all(names == named[0] for names in named)
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_hands_hold_something_that_is_there(name):
+    exhibit = EXHIBITS[name]
+    pane = exhibit.made().panes[0]
+    for hand in exhibit.hands:
+        if hand.body is not None:
+            assert 0 <= hand.body < len(pane.solids)
+        else:
+            arrows = next(a for a in pane.arrows if a.name == hand.arrows)
+            assert hand.index < len(arrows.color)
+
+
+def held(film, hand):
+    """Where what a hand holds is at the start, and how many metres one unit of it is."""
+    pane = film.panes[0]
+    if hand.body is not None:
+        return pane.position[0, hand.body], 1.0
+    arrows = next(a for a in pane.arrows if a.name == hand.arrows)
+    return (
+        arrows.at[0, hand.index] + arrows.scale * arrows.vector[0, hand.index],
+        arrows.scale,
+    )
+
+
+@pytest.mark.parametrize("name", EXHIBITS)
+def test_what_a_hand_holds_goes_with_it(name):
+    """Knobs move by what the hand does along their directions, and the held thing follows."""
+    exhibit = EXHIBITS[name]
+    first = exhibit.made()
+    for hand in exhibit.hands:
+        before, scale = held(first, hand)
+        for knob, direction in hand.knobs.items():
+            way = np.asarray(direction) / np.linalg.norm(direction)
+            # Inside the knob's range, whichever way that is.
+            limits = next((k.low, k.high) for k in exhibit.knobs if k.name == knob)
+            value = exhibit.values[knob]
+            sign = 1.0 if limits[1] - value > value - limits[0] else -1.0
+            moved = sign * 0.02 * way
+            film = exhibit.made(**{knob: value + moved @ direction / scale})
+            after, _ = held(film, hand)
+            # An arrow that starts elsewhere when its value is another follows at its own pace.
+            start = (0.0, 0.0)
+            if hand.body is None:
+                start = tuple(
+                    next(a for a in f.panes[0].arrows if a.name == hand.arrows).at[
+                        0, hand.index
+                    ]
+                    @ way
+                    for f in (first, film)
+                )
+            along = (after - before) @ way - (start[1] - start[0])
+            assert along == pytest.approx(sign * 0.02, rel=0.35)
