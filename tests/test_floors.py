@@ -71,7 +71,7 @@ HEAVY = {
     "sympy",
     "ipywidgets",
     "IPython",
-    "k3d",
+    "anywidget",
     "pandas",
     "jupyterlab",
 }
@@ -425,7 +425,11 @@ def test_no_module_bears_the_name_of_a_function_it_holds():
             "imports ipywidgets",
         ),
         ("course.study.stability", "import IPython", "imports IPython"),
-        ("course.simulation.scene", "def f():\n    import k3d", "imports k3d"),
+        (
+            "course.simulation.scene",
+            "def f():\n    import anywidget",
+            "imports anywidget",
+        ),
         ("course.contact.solvers.qp", "import cvxpy", "imports cvxpy at module level"),
         ("course.contact.solvers.nnls", "def f():\n    import cvxpy", "imports cvxpy"),
         (

@@ -18,7 +18,7 @@ from typing import Any
 
 WORKBOOK = ("check", "hint", "predict", "progress", "show", "use")
 LATER = frozenset(
-    {"IPython", "cvxpy", "ipywidgets", "k3d", "matplotlib", "pandas", "scipy", "sympy"}
+    {"IPython", "cvxpy", "ipywidgets", "matplotlib", "pandas", "scipy", "sympy"}
 )
 LATER_NAME = "__import_later__"
 #: Packages that take seconds to import: an answer that uses one finds it loaded when

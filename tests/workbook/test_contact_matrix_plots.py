@@ -6,7 +6,7 @@ from workbook.pictures import text
 
 from course.scenes import table, wall
 from course.study import matrix_growth, pushed_table
-from course.workbook import demos, plots
+from course.workbook import plots
 
 
 def test_a_push_at_a_foot_shows_its_column_of_a():
@@ -60,14 +60,6 @@ def test_costs_show_the_exponent():
     first, last = n[0], n[-1]
     told = f"from {first**2:.2g} at {first:g} to {last**2:.2g} at {last:g} contacts"
     assert f"full time [s] {told}" in text(ax)
-
-
-@pytest.mark.slow
-def test_the_widget_redraws():
-    panel = demos.pushed_table()
-    before = panel.picture
-    panel.children[0].children[0].value = 0.1
-    assert panel.picture != before
 
 
 def test_a_foot_on_the_still_line_feels_nothing():

@@ -148,13 +148,15 @@ class _Sweeps:
         return float(residual_of(self.diagonal, product, size, f, self.bias))
 
 
-def gauss_seidel_path(matrix: Any, bias: ArrayLike, sweeps: int) -> Array:
+def gauss_seidel_path(
+    matrix: Any, bias: ArrayLike, sweeps: int, *, relaxation: float = 1.0
+) -> Array:
     """The Gauss-Seidel path: the forces from 0 on, after each single step of the sweeps, (sweeps c + 1, c)."""
     system = _Sweeps(*square_system(matrix, bias))
     force = np.zeros(system.bias.size)
     path = [force.copy()]
     for i in list(range(force.size)) * whole_number("sweeps", sweeps):
-        step(i, *system.rows, 1.0, force)
+        step(i, *system.rows, relaxation, force)
         path.append(force.copy())
     return np.array(path)
 

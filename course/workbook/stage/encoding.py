@@ -8,6 +8,7 @@ for the numbers that it prints.
 from __future__ import annotations
 
 import base64
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -31,7 +32,7 @@ from course.workbook.stage.words import description, shown_number
 
 def encoded(film: Film) -> dict[str, Any]:
     """The film as plain JSON, to be played by the stage's module in the browser."""
-    middle = film.middle
+    middle, space = film.middle, isinstance(film.view, Space)
     return {
         "title": film.title,
         "caption": film.caption,
@@ -42,10 +43,7 @@ def encoded(film: Film) -> dict[str, Any]:
         "events": [float(t) for t in film.events],
         "view": _view(film),
         "palette": PALETTE,
-        "panes": [
-            _pane(pane, middle, meshes=isinstance(film.view, Space))
-            for pane in film.panes
-        ],
+        "panes": [_pane(pane, middle, space=space) for pane in film.panes],
         "charts": [_chart(chart) for chart in film.charts],
         "counters": [
             {"name": name, "values": _over(film, values)}
@@ -123,10 +121,12 @@ def _view(film: Film) -> dict[str, Any]:
     }
 
 
-def _pane(pane: Pane, middle: Any, *, meshes: bool) -> dict[str, Any]:
+def _pane(pane: Pane, middle: Any, *, space: bool) -> dict[str, Any]:
+    meshes, which = _meshes(pane.solids) if space else ([], [0] * len(pane.solids))
     return {
         "title": pane.title,
-        "solids": [_solid(s, mesh=meshes) for s in pane.solids],
+        "solids": [_solid(s, mesh) for s, mesh in zip(pane.solids, which, strict=True)],
+        "meshes": meshes,
         "position": _from_middle(pane.position, middle),
         "orientation": _array(pane.orientation),
         "arrows": [_arrows(a, middle) for a in pane.arrows],
@@ -135,27 +135,42 @@ def _pane(pane: Pane, middle: Any, *, meshes: bool) -> dict[str, Any]:
     }
 
 
-def _solid(solid: Solid, *, mesh: bool) -> dict[str, Any]:
-    """A solid; its triangles only where they are drawn, in space."""
-    shown = {
+def _solid(solid: Solid, mesh: int) -> dict[str, Any]:
+    return {
         "what": solid.what,
         "label": solid.label,
         "fixed": solid.fixed,
         "endless": solid.endless,
-        "smooth": solid.smooth,
+        "mesh": mesh,
         "parts": [
             {"core": p.core.tolist(), "radius": p.radius, "color": p.color}
             for p in solid.parts
         ],
     }
-    if not mesh:
-        return shown
-    return shown | {
-        "vertices": _array(solid.vertices),
-        "triangles": _array(solid.triangles, np.uint32),
-        "colors": [sorted(set(solid.colors)).index(c) for c in solid.colors],
-        "names": sorted(set(solid.colors)),
-    }
+
+
+def _meshes(solids: Sequence[Solid]) -> tuple[list[dict[str, Any]], list[int]]:
+    """Each different mesh once, and which of them each solid has."""
+    known: dict[Any, int] = {}
+    meshes: list[dict[str, Any]] = []
+    which = []
+    for s in solids:
+        key = (s.vertices.tobytes(), s.triangles.tobytes(), s.colors, s.smooth, s.fixed)
+        if key not in known:
+            known[key] = len(meshes)
+            names = sorted(set(s.colors))
+            meshes.append(
+                {
+                    "smooth": s.smooth,
+                    "fixed": s.fixed,
+                    "vertices": _array(s.vertices),
+                    "triangles": _array(s.triangles, np.uint32),
+                    "colors": [names.index(c) for c in s.colors],
+                    "names": names,
+                }
+            )
+        which.append(known[key])
+    return meshes, which
 
 
 def _arrows(arrows: Arrows, middle: Any) -> dict[str, Any]:
@@ -191,6 +206,7 @@ def _chart(chart: Curves | Path) -> dict[str, Any]:
             "title": chart.title,
             "unit": chart.unit,
             "stacked": chart.stacked,
+            "logarithmic": chart.logarithmic,
             "limits": chart.limits,
             "colors": list(chart.colors),
             "curves": [

@@ -22,6 +22,7 @@ from course.arrays import (
     read_only,
     scalar,
     scalars,
+    shaped,
     unit_quaternions,
     vectors,
     written,
@@ -32,6 +33,7 @@ from course.workbook.stage.solids import Solid
 #: Where a camera in space looks from (a direction), and what is up in its picture.
 CAMERAS = {
     "corner": ((0.62, -0.72, 0.42), (0.0, 0.0, 1.0)),
+    "low": ((0.42, -0.9, 0.27), (0.0, 0.0, 1.0)),
     "front": ((0.0, -1.0, 0.0), (0.0, 0.0, 1.0)),
     "side": ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)),
     "top": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
@@ -74,17 +76,26 @@ class Space:
     """A view into space, to be turned with the hand.
 
     Args:
-        camera: "corner", "front", "side" or "top".
+        camera: "corner", "low", "front", "side" or "top".
         ground: height z of a ground plane on which shadows fall [m]; None: there is none.
+        window: two opposite corners of what is seen, lowest and highest, (2, 3) [m]; none:
+            all that ever shows. With it the picture stands still while a knob moves.
     """
 
     camera: str = "corner"
     ground: float | None = None
+    window: ArrayLike | None = None
 
     def __post_init__(self) -> None:
         choice("camera", self.camera, tuple(CAMERAS))
         if self.ground is not None:
             scalar("ground", self.ground)
+        if self.window is not None:
+            corners = vectors("window", self.window)
+            shaped("window", corners, (2, 3))
+            low, high = corners
+            if not np.all(low < high):
+                raise failure("window", "lowest < highest corner", written(high - low))
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,6 +181,8 @@ class Curves:
         stacked: whether the curves are drawn as areas on top of each other.
         limits: lowest and highest value shown; none: from the curves.
         colors: names of the palette, one a curve; none: the bodies' order of colours.
+        logarithmic: whether equal steps upward are equal factors; what is not above 0
+            is left out.
     """
 
     title: str
@@ -178,6 +191,19 @@ class Curves:
     stacked: bool = False
     limits: tuple[float, float] | None = None
     colors: Sequence[str] = ()
+    logarithmic: bool = False
+
+    def __post_init__(self) -> None:
+        if not self.logarithmic:
+            return
+        if self.stacked:
+            raise failure(f"charts {self.title}", "stacked or logarithmic", "both")
+        if self.limits is not None and not 0 < self.limits[0] < self.limits[1]:
+            raise failure(
+                f"charts {self.title}, limits",
+                "0 < lowest < highest",
+                written(np.array(self.limits)),
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -286,6 +312,9 @@ class Film:
     @property
     def bounds(self) -> tuple[Array, Array]:
         """The lowest and highest corner of all that is ever seen, (3,) each [m]."""
+        if isinstance(self.view, Space) and self.view.window is not None:
+            low, high = np.asarray(self.view.window, dtype=float)
+            return low, high
         flat = np.concatenate([_reached(pane) for pane in self.panes])
         return flat.min(axis=0), flat.max(axis=0)
 

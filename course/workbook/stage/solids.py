@@ -215,6 +215,8 @@ def joined(*solids: Solid, what: str = "body") -> Solid:
     """
     if not solids:
         raise failure("solids", "at least one", "none")
+    if any(s.smooth for s in solids):  # what has edges keeps them: no shared corners
+        solids = tuple(s if s.smooth else _apart(s) for s in solids)
     counts = np.cumsum([0, *(len(s.vertices) for s in solids)])
     triangles = [s.triangles + start for s, start in zip(solids, counts, strict=False)]
     return Solid(
@@ -222,8 +224,19 @@ def joined(*solids: Solid, what: str = "body") -> Solid:
         np.concatenate(triangles),
         tuple(name for s in solids for name in s.colors),
         what,
-        smooth=all(s.smooth for s in solids),
+        smooth=any(s.smooth for s in solids),
         parts=tuple(part for s in solids for part in s.parts),
+    )
+
+
+def _apart(solid: Solid) -> Solid:
+    """The same with corners of its own for each triangle."""
+    corners = solid.triangles.ravel()
+    return replace(
+        solid,
+        vertices=solid.vertices[corners],
+        triangles=np.arange(len(corners)).reshape(-1, 3),
+        colors=tuple(solid.colors[k] for k in corners),
     )
 
 

@@ -8,9 +8,15 @@ const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 const finite = (list) => list.filter((v) => Number.isFinite(v));
 const spread = (low, high) => (high > low ? [low, high] : [low - 0.5, low + 0.5]);
 
-/** Lowest and highest value of a chart's curves, 0 included where areas are stacked. */
+/** Lowest and highest value of a chart's curves, 0 included where areas are stacked; whole
+ * powers of ten where it is logarithmic. */
 export function limitsOf(chart) {
   if (chart.limits) return chart.limits;
+  if (chart.logarithmic) {
+    const all = finite(chart.curves.flatMap((c) => Array.from(c.values.values))).filter((v) => v > 0).map(Math.log10);
+    const [low, high] = all.length ? [Math.floor(Math.min(...all)), Math.ceil(Math.max(...all))] : [-1, 0];
+    return [10 ** low, 10 ** Math.max(high, low + 1)];
+  }
   if (!chart.stacked) {
     const all = finite(chart.curves.flatMap((c) => Array.from(c.values.values)));
     const [low, high] = spread(Math.min(...all, Infinity), Math.max(...all, -Infinity));
@@ -22,6 +28,26 @@ export function limitsOf(chart) {
     top = Math.max(top, chart.curves.reduce((sum, c) => sum + c.values.values[k], 0));
   }
   return [0, 1.1 * top || 1];
+}
+
+/** How far a value is from the low to the high end of an axis, 0 to 1; NaN where it has no logarithm. */
+export function placeOn(value, [low, high], logarithmic = false) {
+  const [a, b, v] = logarithmic ? [low, high, value].map(Math.log10) : [low, high, value];
+  return Number.isFinite(v) ? (v - a) / (b - a) : NaN;
+}
+
+/** Powers of ten between two numbers, about `count` of them, and how they are written. */
+export function decades(low, high, count) {
+  const [first, last] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
+  const step = Math.max(1, Math.ceil((last - first + 1) / Math.max(1, count)));
+  const out = [];
+  for (let k = last; k >= first; k -= step) out.push(10 ** k);
+  return out.reverse();
+}
+
+export function tenTo(value) {
+  const raised = String(Math.round(Math.log10(value))).replace(/-/, "⁻").replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[d]);
+  return `10${raised}`;
 }
 
 /** Paints a chart at a time; returns the boxes of its texts, and how a place in it is a time. */
@@ -51,12 +77,12 @@ export function drawChart(context, chart, film, time, options) {
   if (path && chart.equal) widen(axes, box);
   const at = {
     x: (v) => box.left + ((v - axes.x[0]) / (axes.x[1] - axes.x[0])) * (box.right - box.left),
-    y: (v) => box.bottom - ((v - axes.y[0]) / (axes.y[1] - axes.y[0])) * (box.bottom - box.top),
+    y: (v) => box.bottom - placeOn(v, axes.y, chart.logarithmic) * (box.bottom - box.top),
   };
   const unit = path ? "" : chart.unit && ` [${chart.unit}]`;
   text(`${chart.title}${unit}`, width / 2, 0.85 * font, "center");
   drawLegend(context, legend, theme, font, text);
-  drawAxes(context, axes, at, box, theme, font, text);
+  drawAxes(context, Object.assign(axes, { logarithmic: chart.logarithmic }), at, box, theme, font, text);
   context.save();
   context.beginPath();
   context.rect(box.left, box.top - 2, box.right - box.left, box.bottom - box.top + 4);
@@ -97,7 +123,8 @@ function drawAxes(context, axes, at, box, theme, font, text) {
   context.lineWidth = 1;
   context.strokeStyle = theme.grid;
   const across = ticks(axes.x[0], axes.x[1], Math.max(2, (box.right - box.left) / (4.6 * font)));
-  const up = ticks(axes.y[0], axes.y[1], Math.max(2, (box.bottom - box.top) / (2.4 * font)));
+  const rows = Math.max(2, (box.bottom - box.top) / (2.4 * font));
+  const up = axes.logarithmic ? decades(axes.y[0], axes.y[1], rows) : ticks(axes.y[0], axes.y[1], rows);
   context.beginPath();
   for (const v of across) { context.moveTo(at.x(v), box.top); context.lineTo(at.x(v), box.bottom); }
   for (const v of up) { context.moveTo(box.left, at.y(v)); context.lineTo(box.right, at.y(v)); }
@@ -105,7 +132,7 @@ function drawAxes(context, axes, at, box, theme, font, text) {
   context.strokeStyle = theme.soft;
   context.strokeRect(box.left, box.top, box.right - box.left, box.bottom - box.top);
   for (const v of across) text(written(v, 6), at.x(v), box.bottom + 0.8 * font, "center", theme.soft);
-  for (const v of up) text(written(v, 6), box.left - 0.35 * font, at.y(v), "right", theme.soft);
+  for (const v of up) text(axes.logarithmic ? tenTo(v) : written(v, 6), box.left - 0.35 * font, at.y(v), "right", theme.soft);
   text(axes.across, (box.left + box.right) / 2, box.bottom + 2 * font, "center", theme.soft);
   if (axes.across === "time [s]") return;
   context.save();
@@ -169,7 +196,7 @@ function drawCurves(context, chart, film, time, at, box, theme) {
       context.beginPath();
       let drawing = false;
       curve.values.values.forEach((v, i) => {
-        if (!Number.isFinite(v)) { drawing = false; return; }
+        if (!Number.isFinite(at.y(v))) { drawing = false; return; }
         if (drawing) context.lineTo(at.x(times[i]), at.y(v)); else context.moveTo(at.x(times[i]), at.y(v));
         drawing = true;
       });
@@ -188,7 +215,7 @@ function drawCurves(context, chart, film, time, at, box, theme) {
   chart.curves.forEach((curve, k) => {
     const v = curve.values.values;
     const here = v[index] + (part ? part * (v[index + 1] - v[index]) : 0);
-    if (Number.isFinite(here)) disc(context, at.x(time), at.y(here), 4, theme.palette[colorOf(chart, k)]);
+    if (Number.isFinite(at.y(here))) disc(context, at.x(time), at.y(here), 4, theme.palette[colorOf(chart, k)]);
   });
 }
 

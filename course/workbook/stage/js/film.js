@@ -22,7 +22,7 @@ export function decoded(film) {
   return Object.assign({}, film, {
     times: unpack(film.times).values,
     panes: film.panes.map((pane) => Object.assign(unpackAll(pane, ["position", "orientation"]), {
-      solids: pane.solids.map((solid) => unpackAll(solid, ["vertices", "triangles"])),
+      meshes: pane.meshes.map((mesh) => unpackAll(mesh, ["vertices", "triangles"])),
       arrows: pane.arrows.map((a) => unpackAll(a, ["at", "vector"])),
       segments: pane.segments.map((s) => unpackAll(s, ["start", "end", "value"])),
     })),

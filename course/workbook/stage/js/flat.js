@@ -5,7 +5,8 @@ import { drawArrow, drawLabels } from "./look.js";
 
 /**
  * How the plane of a view lies on a canvas: the whole window, to one scale, in its middle.
- * @returns {{scale: number, screen: (p: number[]) => number[], world: (x: number, y: number) => number[]}}
+ * @returns {{scale: number, screen: (p: number[]) => number[],
+ *   dragged: (start: number[], directions: number[][], point: number[]) => number[]}}
  */
 export function flatFrame(view, width, height) {
   const across = [dot(view.low, view.right), dot(view.high, view.right)].sort((a, b) => a - b);
@@ -23,9 +24,9 @@ export function flatFrame(view, width, height) {
     width,
     height,
     screen: (p) => [x0 + scale * dot(p, view.right), y0 - scale * dot(p, view.up)],
-    /** The place of the plane under a point of the canvas, as a vector of the world. */
-    world: (x, y) => {
-      const [a, b] = [(x - x0) / scale, (y0 - y) / scale];
+    /** The way in the plane from a place to a point of the canvas, whatever moves along it. */
+    dragged: (start, directions, [x, y]) => {
+      const [a, b] = [(x - x0) / scale - dot(start, view.right), (y0 - y) / scale - dot(start, view.up)];
       return view.right.map((r, i) => a * r + b * view.up[i]);
     },
   };
@@ -159,6 +160,13 @@ export function arrowEnds(arrows, k, view, moment, frame) {
   // A jump is not smeared out: an arrow holds its value until the next moment of a jump.
   const vector = between(arrows.vector, moment, 3 * k, 3);
   return [frame.screen(start), frame.screen(start.map((v, i) => v + arrows.scale * vector[i])), vector];
+}
+
+/** The tip of an arrow in the world: what a hand holds. */
+export function arrowTip(arrows, k, view, moment) {
+  const lift = view.up ? arrows.lift[k] : 0;
+  const vector = between(arrows.vector, moment, 3 * k, 3);
+  return between(arrows.at, moment, 3 * k, 3).map((v, i) => v + arrows.scale * vector[i] + (lift && lift * view.up[i]));
 }
 
 function drawArrows(context, arrows, view, moment, frame, theme, labels, font) {

@@ -1,6 +1,6 @@
 // Matrices and meshes for the view into space. Column-major 4x4, as WebGL reads them.
 
-import { dot, turned } from "./film.js";
+import { dot } from "./film.js";
 
 export const cross = (a, b) => [
   a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -38,10 +38,18 @@ export function lookAt(eye, target, up) {
     right[2], above[2], back[2], 0, -dot(right, eye), -dot(above, eye), -dot(back, eye), 1]);
 }
 
-/** A body's place: its rotation, and its position from the film's middle. */
-export function placed(position, quaternion) {
-  const [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((v) => turned(quaternion, v));
-  return new Float32Array([...x, 0, ...y, 0, ...z, 0, ...position, 1]);
+/** A body's place in a row of numbers: the axes that its quaternion gives, and its position. */
+export function putPlace(out, from, position, [x, y, z, w]) {
+  out[from] = 1 - 2 * (y * y + z * z);
+  out[from + 1] = 2 * (x * y + w * z);
+  out[from + 2] = 2 * (x * z - w * y);
+  out[from + 3] = 2 * (x * y - w * z);
+  out[from + 4] = 1 - 2 * (x * x + z * z);
+  out[from + 5] = 2 * (y * z + w * x);
+  out[from + 6] = 2 * (x * z + w * y);
+  out[from + 7] = 2 * (y * z - w * x);
+  out[from + 8] = 1 - 2 * (x * x + y * y);
+  for (let i = 0; i < 3; i += 1) out[from + 9 + i] = position[i];
 }
 
 /** Flattens along the light onto a plane z = height: a body's shadow. */
@@ -80,6 +88,18 @@ export function corners(vertices, triangles, colors, smooth) {
     out.set([...at(v), ...n, ...colors[v]], 27 * f + 9 * i);
   }));
   return out;
+}
+
+/** Corners that are the same in all their numbers once, and which of them each triangle has. */
+export function indexed(values, stride) {
+  const [kept, known] = [[], new Map()];
+  const index = Uint32Array.from({ length: values.length / stride }, (_, k) => {
+    const corner = values.subarray(k * stride, (k + 1) * stride);
+    const key = corner.join();
+    if (!known.has(key)) { known.set(key, known.size); kept.push(...corner); }
+    return known.get(key);
+  });
+  return { values: new Float32Array(kept), index };
 }
 
 /** An arrow of length 1 along z, as `corners` has it; its shaft has radius 1, to be thinned. */

@@ -4,9 +4,9 @@ import { asker, draggedValue, slid, unslid } from "./asking.js";
 import { drawChart } from "./charts.js";
 import { Clock } from "./clock.js";
 import { between, decoded, momentAt, written } from "./film.js";
-import { arrowEnds, drawFlat, flatFrame } from "./flat.js";
+import { arrowTip, drawFlat, flatFrame } from "./flat.js";
 import { onDark, themeOf } from "./look.js";
-import { SpaceView, cameraOf, drawAbove } from "./space.js";
+import { SpaceView, cameraOf, drawAbove, spaceFrame } from "./space.js";
 
 const LEAST_PANE = 240; // pixels, before a room
 const LEAST_CHART = 10; // lines of text
@@ -38,7 +38,7 @@ export function made(tag, attributes = {}, ...children) {
 /** The stage for one exhibit. `ask(values, id)` asks Python for a film; none: nobody answers. */
 export class Stage {
   constructor(root, exhibit, ask = null) {
-    Object.assign(this, { root, exhibit, hidden: new Set(), trails: true, pictures: [], charts: [], painting: false });
+    Object.assign(this, { root, exhibit, hidden: new Set(), trails: true, pictures: [], charts: [], painting: false, seen: true });
     this.values = Object.fromEntries((exhibit.knobs || []).map((k) => [k.name, k.value]));
     this.clock = new Clock(() => this.paintSoon());
     this.questions = ask && asker(ask);
@@ -50,6 +50,11 @@ export class Stage {
     this.#overlays();
     this.sizes = new ResizeObserver(() => this.paintSoon());
     this.sizes.observe(root);
+    this.sight = new IntersectionObserver((found) => {
+      this.seen = found[found.length - 1].isIntersecting;
+      if (this.seen) this.paintSoon();
+    });
+    this.sight.observe(root);
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.dark.addEventListener("change", this.repaint = () => this.paintSoon());
     this.themes = new MutationObserver(this.repaint);
@@ -76,6 +81,7 @@ export class Stage {
   destroy() {
     this.clock.pause();
     this.sizes.disconnect();
+    this.sight.disconnect();
     this.themes.disconnect();
     this.dark.removeEventListener("change", this.repaint);
     for (const picture of this.pictures) if (picture.space) picture.space.release();
@@ -212,11 +218,11 @@ export class Stage {
     for (const picture of this.pictures) if (picture.space) picture.space.release();
     const space = this.film.view.kind === "space";
     this.pictures = this.film.panes.map((pane, k) => {
-      const [canvas, above] = [made("canvas", { role: "img" }), made("canvas", { class: "above", "aria-hidden": "true" })];
+      const canvas = made("canvas", { role: "img" });
       const caption = made("figcaption", {});
-      const frame = made("div", { class: "picture" }, canvas, space ? above : null);
-      const picture = { k, canvas, above, caption, frame, figure: made("figure", {}, caption, frame), labels: [] };
-      this.#hands(picture, space ? above : canvas);
+      const frame = made("div", { class: "picture" }, canvas);
+      const picture = { k, canvas, caption, frame, figure: made("figure", {}, caption, frame), labels: [] };
+      this.#hands(picture, canvas);
       return picture;
     });
     this.charts = this.film.charts.map((chart, k) => {
@@ -281,14 +287,15 @@ export class Stage {
   }
 
   paint() {
-    if (!this.root.isConnected) return;
+    // What is out of sight is painted when it is seen again.
+    if (!this.root.isConnected || !this.seen) return;
     const { film, clock, root } = this;
     const dark = onDark(root.parentElement || document.body);
     if (!this.theme || this.theme.dark !== dark) this.theme = themeOf(dark, film.palette);
     root.dataset.theme = dark ? "dark" : "light";
     const font = parseFloat(getComputedStyle(root).fontSize);
     for (const key of root.querySelectorAll("[data-color]")) key.style.background = this.theme.palette[key.dataset.color];
-    const options = { theme: this.theme, font, hidden: this.hidden, trails: this.trails };
+    const options = { playing: clock.playing, theme: this.theme, font, hidden: this.hidden, trails: this.trails };
     const room = this.#room(font);
     for (const picture of this.pictures) this.#paintPane(picture, film.panes[picture.k], Object.assign({ most: room.pane }, options));
     const count = this.charts.length;
@@ -350,18 +357,16 @@ export class Stage {
 
   #paintPane(picture, pane, options) {
     const { film, clock } = this;
-    const flat = film.view.kind === "flat";
-    const size = fitted(picture.canvas, picture.frame, this.#aspect(), options.most, flat);
-    const all = Object.assign({}, options, size);
-    if (flat) {
+    const size = fitted(picture.canvas, picture.frame, this.#aspect(), options.most);
+    const all = Object.assign({ camera: picture.camera }, options, size);
+    if (film.view.kind === "flat") {
       picture.labels = drawFlat(size.context, film, pane, clock.time, all);
-      this.#paintHands(picture, size, all);
-      return;
+    } else {
+      if (!picture.space) picture.space = new SpaceView(() => this.paintSoon());
+      const eye = picture.space.draw(size.context, film, pane, clock.time, all);
+      picture.labels = drawAbove(size.context, film, pane, clock.time, eye, all);
     }
-    const above = fitted(picture.above, picture.frame, this.#aspect(), options.most);
-    if (!picture.space) picture.space = new SpaceView(picture.canvas);
-    const eye = picture.space.draw(film, pane, clock.time, Object.assign({ camera: picture.camera }, all));
-    picture.labels = drawAbove(above.context, film, pane, clock.time, eye, Object.assign(all, above));
+    this.#paintHands(picture, size, all);
   }
 
   // ---- hands
@@ -370,14 +375,14 @@ export class Stage {
   #handles(picture, size) {
     const pane = this.film.panes[picture.k];
     const moment = momentAt(this.film.times, this.clock.time);
-    const frame = flatFrame(this.film.view, size.width, size.height);
+    const { view } = this.film;
+    const frame = view.kind === "flat" ? flatFrame(view, size.width, size.height) : spaceFrame(picture.camera, size.width, size.height);
     return (this.exhibit.hands || [])
       .filter((h) => this.questions && (h.until === null || this.clock.time <= h.until))
       .map((hand) => {
-        if (hand.body !== null) return { hand, frame, at: frame.screen(between(pane.position, moment, 3 * hand.body, 3)), scale: 1 };
-        const arrows = pane.arrows.find((a) => a.name === hand.arrows);
-        const [, tip] = arrowEnds(arrows, hand.index, this.film.view, moment, frame);
-        return { hand, frame, at: tip, scale: arrows.scale };
+        const arrows = hand.body === null && pane.arrows.find((a) => a.name === hand.arrows);
+        const place = arrows ? arrowTip(arrows, hand.index, view, moment) : between(pane.position, moment, 3 * hand.body, 3);
+        return { hand, frame, place, at: frame.screen(place), scale: arrows ? arrows.scale : 1 };
       });
   }
 
@@ -397,14 +402,15 @@ export class Stage {
 
   #hands(picture, canvas) {
     const size = () => ({ width: canvas.clientWidth, height: canvas.clientHeight });
-    const nearest = (event) => this.film.view.kind !== "flat" ? null : this.#handles(picture, size())
+    const nearest = (event) => this.#handles(picture, size())
       .map((h) => Object.assign(h, { far: Math.hypot(h.at[0] - event.offsetX, h.at[1] - event.offsetY) }))
       .filter((h) => h.far < 26).sort((a, b) => a.far - b.far)[0];
     canvas.addEventListener("pointerdown", (event) => {
       const found = nearest(event);
       if (found) {
         this.clock.pause();
-        this.held = { hand: found.hand, scale: found.scale, from: found.frame.world(event.offsetX, event.offsetY), values: Object.assign({}, this.values) };
+        this.held = { hand: found.hand, scale: found.scale, place: found.place, off: [event.offsetX - found.at[0], event.offsetY - found.at[1]],
+          values: Object.assign({}, this.values) };
       } else if (picture.camera) this.turning = { x: event.offsetX, y: event.offsetY };
       else return;
       event.preventDefault();
@@ -413,7 +419,7 @@ export class Stage {
       this.paintSoon();
     });
     canvas.addEventListener("pointermove", (event) => {
-      if (this.held) this.#drag(flatFrame(this.film.view, size().width, size().height).world(event.offsetX, event.offsetY));
+      if (this.held) this.#drag(picture, size(), event);
       else if (this.turning && picture.camera) this.#turn(event);
       else canvas.style.cursor = nearest(event) ? "grab" : picture.camera ? "move" : "default";
     });
@@ -428,9 +434,11 @@ export class Stage {
     }, { passive: false });
   }
 
-  #drag(place) {
-    const { hand, scale, from, values } = this.held;
-    const moved = place.map((v, i) => v - from[i]);
+  #drag(picture, { width, height }, event) {
+    const { hand, scale, place, off, values } = this.held;
+    const { view } = this.film;
+    const frame = view.kind === "flat" ? flatFrame(view, width, height) : spaceFrame(picture.camera, width, height);
+    const moved = frame.dragged(place, hand.knobs.map((k) => k.direction), [event.offsetX - off[0], event.offsetY - off[1]]);
     for (const { knob: name, direction } of hand.knobs) {
       const { knob } = this.sliders[name];
       this.#set({ [name]: draggedValue(knob, values[name], moved, direction, scale) });
@@ -468,7 +476,7 @@ export class Stage {
 }
 
 /** A canvas as wide as its frame, sharp on this display; its size in the page's pixels. */
-function fitted(canvas, frame, aspect, most, flat = true) {
+function fitted(canvas, frame, aspect, most) {
   const width = Math.max(160, Math.floor(frame.clientWidth));
   const height = Math.round(Math.min(width / aspect, most || Infinity));
   const dense = Math.min(2, devicePixelRatio || 1);
@@ -476,8 +484,8 @@ function fitted(canvas, frame, aspect, most, flat = true) {
   if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
   canvas.style.width = `${width}px`;
   canvas.style.height = `${height}px`;
-  const context = flat ? canvas.getContext("2d") : null;
-  if (context) context.setTransform(dense, 0, 0, dense, 0, 0);
+  const context = canvas.getContext("2d");
+  context.setTransform(dense, 0, 0, dense, 0, 0);
   return { width, height, context };
 }
 

@@ -2,8 +2,9 @@ import assert from "node:assert/strict";
 import test from "node:test";
 
 import {
-  arrowCorners, corners, frameAlong, lookAt, multiplied, perspective, placed, projected, shadowOn,
+  arrowCorners, corners, frameAlong, indexed, lookAt, multiplied, perspective, projected, putPlace, shadowOn,
 } from "../../../../course/workbook/stage/js/matrices.js";
+import { turned } from "../../../../course/workbook/stage/js/film.js";
 
 const applied = (m, p) => [0, 1, 2, 3].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r] * (p[3] ?? 1));
 const close = (a, b, tolerance = 1e-5) => a.forEach((v, i) => assert.ok(Math.abs(v - b[i]) <= tolerance, `${a} is not ${b}`));
@@ -16,8 +17,11 @@ test("what is looked at is in the middle of the picture, what is above it higher
 });
 
 test("a body's place turns and moves it", () => {
-  const m = placed([1, 2, 3], [0, 0, Math.SQRT1_2, Math.SQRT1_2]);
-  close(applied(m, [1, 0, 0]).slice(0, 3), [1, 3, 3]);
+  const quaternion = [0.1, -0.5, 0.7, 0.5];
+  const row = new Float32Array(13);
+  putPlace(row, 1, [1, 2, 3], quaternion);
+  [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, k) => close(Array.from(row.slice(1 + 3 * k, 4 + 3 * k)), turned(quaternion, axis)));
+  close(Array.from(row.slice(10)), [1, 2, 3]);
 });
 
 test("a shadow lies on the ground, along the light", () => {
@@ -51,4 +55,11 @@ test("the frame along a direction is right-handed and orthonormal", () => {
     const cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     close(cross, c, 1e-12);
   }
+});
+
+test("equal corners are kept once, and triangles stay what they were", () => {
+  const values = Float32Array.from([0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1]);
+  const { values: kept, index } = indexed(values, 2);
+  assert.deepEqual(Array.from(kept), [0, 0, 1, 0, 0, 1, 1, 1]);
+  assert.deepEqual(Array.from(index).flatMap((k) => Array.from(kept.slice(2 * k, 2 * k + 2))), Array.from(values));
 });
