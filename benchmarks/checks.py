@@ -8,8 +8,8 @@ import statistics
 
 from benchmarks.measure import Row, seconds
 from course.exercises.definition import Exercise, all_lessons
-from course.exercises.message import verdict_message
-from course.workbook.checking import judge_here
+from course.exercises.explanation import verdict_message
+from course.workbook.judging import judge_here
 
 WAIT = 0.1
 

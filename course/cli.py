@@ -132,7 +132,7 @@ def check(
 ) -> None:
     """Check a notebook's exercises. Exit code 1 unless all are right, 2 if the file cannot be used."""
     from course.grading.grade import check_notebook
-    from course.sandbox.running import SandboxFailure
+    from course.sandbox.session import SandboxFailure
 
     with plainly(SandboxFailure), bar("checking") as advance:
         done: list[str] = []
@@ -188,6 +188,7 @@ def grade(
     memory: Annotated[int, typer.Option(min=100, help="Megabytes an exercise may take.")] = 2000,
     workers: Annotated[int | None, typer.Option(min=1, help="Notebooks at a time; default: one a processor.")] = None,
     require_sandbox: Annotated[bool, typer.Option("--require-sandbox", help="Run nothing without a box.")] = False,
+    repair_seconds: Annotated[float, typer.Option(min=0.0, help="For causes of a submission's wrong answers.")] = 2.0,
     force: Annotated[bool, typer.Option("--force", help="Mark all again, also what is as it was.")] = False,
 ) -> None:  # fmt: skip
     """Grade every notebook in a folder: a CSV table, and a page of feedback a student. A batch cut off goes on.
@@ -198,13 +199,13 @@ def grade(
     """
     from course.grading.grade import grade_folder
     from course.grading.stopping import Stopped
-    from course.sandbox.running import SandboxFailure
+    from course.sandbox.session import SandboxFailure
 
     try:
         with plainly(SandboxFailure), bar("grading") as advance:
             summary = grade_folder(folder, out, feedback=feedback, seed=seed, time_limit=time_limit, memory_mb=memory,
                                    workers=workers, force=force, require_sandbox=require_sandbox,
-                                   on_progress=advance)  # fmt: skip
+                                   repair_seconds=repair_seconds, on_progress=advance)  # fmt: skip
     except Stopped as stop:
         with suppress(OSError):  # the terminal may be gone
             typer.echo(

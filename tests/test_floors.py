@@ -48,7 +48,7 @@ FORMULAS = "formulas"
 WHEN_CALLED = {
     "course.jit": {"numba"},  # through it all kernels have Numba
     "course.contact.solvers.qp": {"cvxpy"},
-    "course.formulas.contact_forces": {"cvxpy"},
+    "course.formulas.lesson_16_contact_forces": {"cvxpy"},
     "course.study.engines": {
         "fcl",
         "coal",
@@ -62,7 +62,7 @@ WHEN_CALLED = {
     },
 }
 # The lecture's programme as a student writes it, and as a method of the library.
-CVXPY = {"course.contact.solvers.qp", "course.formulas.contact_forces"}
+CVXPY = {"course.contact.solvers.qp", "course.formulas.lesson_16_contact_forces"}
 HEAVY = {
     "scipy",
     "numba",
@@ -432,10 +432,18 @@ def test_no_module_bears_the_name_of_a_function_it_holds():
         ),
         ("course.contact.solvers.qp", "import cvxpy", "imports cvxpy at module level"),
         ("course.contact.solvers.nnls", "def f():\n    import cvxpy", "imports cvxpy"),
-        ("course.formulas.impulse", "import sympy", "imports sympy at module level"),
-        ("course.formulas.impulse", "def f():\n    import cvxpy", "formulas use NumPy"),
         (
-            "course.formulas.impulse",
+            "course.formulas.lesson_10_impulse",
+            "import sympy",
+            "imports sympy at module level",
+        ),
+        (
+            "course.formulas.lesson_10_impulse",
+            "def f():\n    import cvxpy",
+            "formulas use NumPy",
+        ),
+        (
+            "course.formulas.lesson_10_impulse",
             "from course.dynamics import impulse",
             "floor 1) imports course.dynamics (floor 3",
         ),
@@ -486,8 +494,14 @@ def test_a_broken_floor_is_reported(module, source, said):
         ("course.contact.solvers.qp", "def solve():\n    import cvxpy"),
         ("course.rotations", "from course.arrays import vectors"),
         ("course.jit", "def f():\n    import numba"),
-        ("course.formulas.impulse", "import numpy\ndef f():\n    import sympy as sp"),
-        ("course.formulas.contact_forces", "def f():\n    import cvxpy as cp"),
+        (
+            "course.formulas.lesson_10_impulse",
+            "import numpy\ndef f():\n    import sympy as sp",
+        ),
+        (
+            "course.formulas.lesson_16_contact_forces",
+            "def f():\n    import cvxpy as cp",
+        ),
         ("course.dynamics.impulse", "from course import formulas"),
         ("course.contact.solving", "from course.contact.solvers.nnls import solve"),
         (

@@ -1,7 +1,6 @@
 """What contact does to bodies: collisions at an instant, and the forces of resting contact."""
 
 from course.contact.assembly import (
-    ContactSystem,
     contact_jacobian,
     contact_system,
     contact_wrench,
@@ -18,6 +17,7 @@ from course.contact.gaps import (
 )
 from course.contact.solution import ContactSolution, NoContactForce, NotConverged
 from course.contact.solving import solve
+from course.contact.systems import ContactSystem
 
 __all__ = [
     "CollisionsUnresolved",

@@ -1,9 +1,8 @@
-"""The contact system d_ddot = A f + b (syllabus rows 21-24), assembled for all contacts at once."""
+"""The contact system d_ddot = A f + b assembled for all contacts at once (syllabus rows 21-24), and their wrench."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,119 +16,20 @@ from course.arrays import (
     scalars,
     shaped,
     vectors,
-    written,
 )
 from course.contact.gap_terms import signed_terms
 from course.contact.gaps import separation_rate
+from course.contact.systems import ContactSystem
 from course.dynamics.bodies import Bodies
-from course.dynamics.contact_points import require_body_indices
 from course.overlap.contact_arrays import Contacts
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 #: An entry of b below this times the sum of its terms' magnitudes is rounding noise.
-NOISE = 1e-14
-#: Rounding of an entry of the Jacobian, relative to the numbers it was computed from.
-ROUNDING = 4 * np.finfo(float).eps
-
-
-@dataclass(frozen=True, eq=False)
-class ContactSystem:
-    """A and b of d_ddot = A f + b, and what they were made of.
-
-    Args:
-        A: (c, c), sparse or dense, or a dense batch (..., c, c); symmetric
-            and positive semidefinite [1/kg].
-        b: (c,) or (..., c), d_ddot without contact forces [m/s^2].
-        jacobian: J, sparse (c, 6n); d_dot = J v for the velocities of all
-            bodies, velocity then angular velocity, body by body. Columns of
-            fixed bodies are zero.
-        inverse_mass: M^-1, sparse (6n, 6n), of 6 x 6 blocks; A = J M^-1 J'.
-        free_acceleration: (6n,), without contact forces, in the same order.
-    The last three come together, with a sparse or dense A of one system;
-    method "gauss" needs them.
-    Raises:
-        ValueError: shapes that do not belong together, NaN or infinity, A not
-            symmetric or with a negative diagonal.
-    """
-
-    A: Any
-    b: Array
-    jacobian: Any = None
-    inverse_mass: Any = None
-    free_acceleration: Array | None = None
-
-    def __post_init__(self) -> None:
-        from scipy.sparse import csr_array, issparse
-
-        b = scalars("b", self.b)
-        if issparse(self.A):
-            matrix = csr_array(self.A)
-            scalars("A", matrix.data)
-            if b.ndim != 1:
-                raise failure("b", "shape (c,) with a sparse A", f"shape {b.shape}")
-            shaped("A", matrix, (b.size, b.size))
-            off, size = (
-                abs(matrix - matrix.T).max() if b.size else 0.0,
-                abs(matrix).max() if b.size else 0.0,
-            )
-        else:
-            matrix = scalars("A", self.A)
-            if b.ndim < 1:
-                raise failure("b", "shape (c,) or (..., c)", f"shape {b.shape}")
-            shaped("A", matrix, (*b.shape, b.shape[-1]))
-            off = np.abs(matrix - np.swapaxes(matrix, -1, -2)).max(initial=0.0)
-            size = np.abs(matrix).max(initial=0.0)
-        if off > 1e-9 * size:
-            raise failure("A", "a symmetric matrix", f"asymmetry {written(off)}")
-        object.__setattr__(self, "A", matrix)
-        object.__setattr__(self, "b", b)
-        least = self.diagonal.min(initial=0.0)
-        if least < 0:
-            raise failure(
-                "A",
-                "a positive semidefinite matrix",
-                f"{written(least)} on its diagonal",
-            )
-        self._check_parts()
-
-    def _check_parts(self) -> None:
-        parts = (self.jacobian, self.inverse_mass, self.free_acceleration)
-        if all(part is None for part in parts):
-            return
-        if any(part is None for part in parts):
-            expected = "jacobian, inverse_mass and free_acceleration together, or none"
-            raise failure("jacobian", expected, "only some of them")
-        assert self.free_acceleration is not None
-        free = vectors(
-            "free_acceleration",
-            self.free_acceleration,
-            size=np.size(self.free_acceleration),
-        )
-        if free.ndim != 1 or free.size % 6:
-            raise failure("free_acceleration", "shape (6n,)", f"shape {free.shape}")
-        if self.b.ndim != 1:
-            raise failure(
-                "jacobian",
-                "None for a batch of systems",
-                f"shape {np.shape(self.jacobian)}",
-            )
-        shaped("jacobian", self.jacobian, (self.b.size, free.size))
-        shaped("inverse_mass", self.inverse_mass, (free.size, free.size))
-
-    def __len__(self) -> int:
-        """How many contacts a system has."""
-        return self.b.shape[-1]
-
-    @property
-    def diagonal(self) -> Array:
-        """D, the diagonal of A, (..., c): d_ddot of a contact by a unit of its own force [1/kg]."""
-        return (
-            self.A.diagonal()
-            if hasattr(self.A, "tocsr")
-            else np.diagonal(self.A, axis1=-2, axis2=-1)
-        )
+BIAS_NOISE = 1e-14
+#: Rounding of an entry of the Jacobian or of M^-1, relative to the numbers it was computed from.
+ENTRY_ROUNDING = 4 * np.finfo(float).eps
 
 
 def contact_system(
@@ -172,7 +72,7 @@ def contact_system(
     _refuse_moving(separation_rate(bodies, contacts), tolerance)
     terms = signed_terms(bodies, contacts, force, torque).values()
     b = np.sum([value for value, _ in terms], axis=0)
-    b[np.abs(b) <= NOISE * np.sum([size for _, size in terms], axis=0)] = 0.0
+    b[np.abs(b) <= BIAS_NOISE * np.sum([size for _, size in terms], axis=0)] = 0.0
     jacobian, inverse_mass = (
         contact_jacobian(bodies, contacts),
         inverse_mass_matrix(bodies),
@@ -203,8 +103,10 @@ def contact_jacobian(bodies: Bodies, contacts: Contacts) -> csr_array:
         size = np.abs(point).max(axis=1, initial=0.0) + np.abs(position).max(
             axis=1, initial=0.0
         )
-        lever[np.abs(lever) <= ROUNDING * size[:, None]] = 0.0
-        normal = np.where(np.abs(contacts.normal) <= ROUNDING, 0.0, contacts.normal)
+        lever[np.abs(lever) <= ENTRY_ROUNDING * size[:, None]] = 0.0
+        normal = np.where(
+            np.abs(contacts.normal) <= ENTRY_ROUNDING, 0.0, contacts.normal
+        )
         values[:, side] = sign * free[:, None] * np.concatenate([normal, lever], axis=1)
         columns[:, side] = 6 * body[:, None] + np.arange(6)
     kept = values != 0
@@ -224,7 +126,7 @@ def inverse_mass_matrix(bodies: Bodies) -> csr_array:
     blocks[:, [0, 1, 2], [0, 1, 2]] = bodies.inverse_mass[:, None]
     inverse = bodies.world_inverse_inertia
     size = np.abs(inverse).max(axis=(1, 2), keepdims=True, initial=0.0)
-    blocks[:, 3:, 3:] = np.where(np.abs(inverse) <= ROUNDING * size, 0.0, inverse)
+    blocks[:, 3:, 3:] = np.where(np.abs(inverse) <= ENTRY_ROUNDING * size, 0.0, inverse)
     body, row, column = np.nonzero(blocks)
     entries = (blocks[body, row, column], (6 * body + row, 6 * body + column))
     return csr_array(entries, shape=(6 * n, 6 * n))
@@ -257,7 +159,7 @@ def contact_wrench(
     """
     f = scalars("force", force)
     shaped("force", f, (len(contacts),))
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     push = f[:, None] * contacts.normal
     total, torque = np.zeros((len(bodies), 3)), np.zeros((len(bodies), 3))
     for body, point, sign in contacts.sides:
@@ -267,7 +169,7 @@ def contact_wrench(
 
 
 def _refuse_fixed_pairs(bodies: Bodies, contacts: Contacts) -> None:
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     both: BoolArray = bodies.fixed[contacts.body_a] & bodies.fixed[contacts.body_b]
     if np.any(both):
         i = int(np.argmax(both))

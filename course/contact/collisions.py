@@ -10,7 +10,6 @@ import numpy as np
 from course.arrays import Array, BoolArray, IntArray, choice, failure, in_range
 from course.contact.solvers.nnls import nonnegative_least_squares
 from course.dynamics.bodies import Bodies
-from course.dynamics.contact_points import require_body_indices
 from course.dynamics.impulses_at_points import (
     apply_impulse,
     effective_mass,
@@ -71,7 +70,7 @@ def resolve_collisions(
     a ball pinned between fixed bodies at any e, the other two above e = 0.999. At
     e = 0 "sequential" hits the cap of its rounds on rows of more than about 140
     equal balls (squeezed from both ends; about 155 if hit at one end); the
-    other two solve dense systems, seconds for a thousand contacts in one group.
+    other two solve dense systems, seconds for a thousand contacts in one island.
 
     Args:
         bodies: n bodies.
@@ -92,10 +91,10 @@ def resolve_collisions(
         )
     e = float(in_range("restitution", restitution, 0, 1))
     choice("law", law, LAWS)
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     if not len(contacts):
         return bodies
-    u, alone, groups = _groups(bodies, contacts)
+    u, alone, islands = _islands(bodies, contacts)
     mass = np.where(alone, effective_mass(bodies, contacts), 0.0)
     after = apply_impulse(
         bodies, contacts, np.where(alone & (u < 0), -(1 + e) * u * mass, 0.0)
@@ -105,8 +104,8 @@ def resolve_collisions(
         after.angular_momentum.copy(),
         0,
     )
-    motion = _motion(bodies)
-    for chosen in groups:
+    motion = _mass_coordinates(bodies)
+    for chosen in islands:
         if np.any(u[chosen] < 0):
             island = _island(bodies, contacts, motion, chosen)
             change, done = _resolve(island, e, law)
@@ -114,7 +113,10 @@ def resolve_collisions(
             stuck += not done
     after = replace(bodies, momentum=momentum, angular_momentum=angular_momentum)
     if stuck:
-        message = f"{stuck} group(s) of touching bodies still collide after {MAX_ROUNDS} rounds, law {law!r}, e = {e:g}"
+        message = (
+            f"{stuck} group(s) of touching bodies still collide after {MAX_ROUNDS} rounds, "
+            f"law {law!r}, e = {e:g}"
+        )
         raise CollisionsUnresolved(message, after)
     return after
 
@@ -131,7 +133,7 @@ class _Island:
     root_mass: Array  # sqrt(m), (k,)
     root: Array  # C with C C' = I^-1 in the world, (k, 3, 3)
     rows: BoolArray  # which of the 6 k coordinates the contacts can change
-    factor: Array  # G = M^-1/2 J', (rows, c)
+    columns: Array  # G = M^-1/2 J', (rows, c)
     start: Array  # y before, (rows,): of each body sqrt(m) v, then C^-1 omega
     tolerance: float
 
@@ -144,10 +146,10 @@ class _Island:
         angular_momentum[self.bodies] += turned[:, :, 0]
 
 
-def _groups(
+def _islands(
     bodies: Bodies, contacts: Contacts
 ) -> tuple[Array, BoolArray, list[IntArray]]:
-    """Normal velocities, which contacts share no free body with another, and the groups of the rest."""
+    """Normal velocities, which contacts share no free body with another, and the islands of the rest."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
@@ -165,11 +167,11 @@ def _groups(
     rest = np.flatnonzero(movable & ~alone)
     order = rest[np.argsort(label[rest], kind="stable")]
     cuts = np.flatnonzero(np.diff(label[order])) + 1
-    return u, alone, [part for part in np.split(order, cuts) if part.size]
+    return u, alone, [island for island in np.split(order, cuts) if island.size]
 
 
 @dataclass(frozen=True, eq=False)
-class _Motion:
+class _MassCoordinates:
     """Of all bodies: v, sqrt(m), C with C C' = I^-1 in the world, C^-1 omega (any values for fixed ones)."""
 
     velocity: Array
@@ -178,18 +180,18 @@ class _Motion:
     angular: Array  # C^-1 omega
 
 
-def _motion(bodies: Bodies) -> _Motion:
+def _mass_coordinates(bodies: Bodies) -> _MassCoordinates:
     fixed = bodies.fixed[:, None, None]
     root = np.linalg.cholesky(np.where(fixed, np.eye(3), bodies.world_inverse_inertia))
     angular = np.asarray(
         np.linalg.solve(root, bodies.angular_velocity[:, :, None])[:, :, 0],
         dtype=np.float64,
     )
-    return _Motion(bodies.velocity, bodies.mass**0.5, root, angular)
+    return _MassCoordinates(bodies.velocity, bodies.mass**0.5, root, angular)
 
 
 def _island(
-    bodies: Bodies, contacts: Contacts, motion: _Motion, chosen: IntArray
+    bodies: Bodies, contacts: Contacts, motion: _MassCoordinates, chosen: IntArray
 ) -> _Island:
     touched = np.unique(
         np.concatenate([contacts.body_a[chosen], contacts.body_b[chosen]])
@@ -207,7 +209,7 @@ def _island(
     start = np.concatenate(
         [velocity * root_mass[:, None], motion.angular[free]], axis=1
     )
-    factor = np.zeros((chosen.size, free.size, 6))
+    direction = np.zeros((chosen.size, free.size, 6))
     for body, sign in ((contacts.body_a[chosen], 1.0), (contacts.body_b[chosen], -1.0)):
         moves = np.flatnonzero(~bodies.fixed[body])
         index, n = (
@@ -217,10 +219,10 @@ def _island(
         torque = np.cross(
             contacts.point[chosen[moves]] - bodies.position[body[moves]], n
         )
-        factor[moves, index, :3] = n / root_mass[index, None]
-        factor[moves, index, 3:] = np.einsum("cji,cj->ci", root[index], torque)
-    rows = np.asarray(np.any(factor.reshape(chosen.size, -1), axis=0))
-    g, y = factor.reshape(chosen.size, -1)[:, rows].T.copy(), start.reshape(-1)[rows]
+        direction[moves, index, :3] = n / root_mass[index, None]
+        direction[moves, index, 3:] = np.einsum("cji,cj->ci", root[index], torque)
+    rows = np.asarray(np.any(direction.reshape(chosen.size, -1), axis=0))
+    g, y = direction.reshape(chosen.size, -1)[:, rows].T.copy(), start.reshape(-1)[rows]
     fastest = max(float(-np.min(g.T @ y)), 0.0)
     rounding = 4 * np.finfo(float).eps * float(np.max(np.abs(velocity), initial=0.0))
     # Half of it, so that rounding in the answer's own velocities does not cross the line.
@@ -247,7 +249,7 @@ def _at_once(
     island: _Island, strength: float, taken: Callable[[Array], BoolArray]
 ) -> tuple[Array, bool]:
     """Again and again strength times the plastic impulses of the contacts taken, until none approaches."""
-    g, change = island.factor, np.zeros(island.start.shape)
+    g, change = island.columns, np.zeros(island.start.shape)
     for _ in range(MAX_ROUNDS):
         y = island.start + change
         u = g.T @ y
@@ -265,9 +267,9 @@ def _at_once(
 
 def _in_turn(island: _Island, e: float) -> tuple[Array, bool]:
     """One contact after the other, each as if it were alone, until none approaches."""
-    from course.contact.sequential_impulses import Passes
+    from course.contact.sequential_collisions import Passes
 
-    g, change, limit = island.factor, np.zeros(island.start.shape), -island.tolerance
+    g, change, limit = island.columns, np.zeros(island.start.shape), -island.tolerance
     passes = Passes(g.T @ g)
     for _ in range(MAX_ROUNDS):
         u = g.T @ (island.start + change)  # afresh, so that rounding does not add up

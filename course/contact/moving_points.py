@@ -9,7 +9,6 @@ import numpy as np
 from course.arrays import Array, BoolArray, IntArray, failure
 from course.contact.curved import CurvedTerms, curved_terms
 from course.dynamics.bodies import Bodies
-from course.dynamics.contact_points import require_body_indices
 from course.overlap.contact_arrays import Contacts
 
 #: |e_A x e_B| / (|e_A| |e_B|) below which two edges count as parallel.
@@ -37,7 +36,7 @@ class ContactMotion:
 
 
 def contact_motion(bodies: Bodies, contacts: Contacts) -> ContactMotion:
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     a, b = contacts.body_a, contacts.body_b
     point_a, point_b, curved = contacts.point_a, contacts.point_b, None
     rows = of_feature(contacts, "curved")

@@ -5,19 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
-from course.arrays import Array, BoolArray
-from course.contact.assembly import ContactSystem
-from course.contact.solvers.residual import (
-    products,
-    residual_of,
-    strays,
-    violation_of,
-)
-
-#: Of forces that are right to rounding, what their own rounding does to A f may reach this times the largest |b|.
-SEEN = 1e-3
+from course.arrays import Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +17,7 @@ class ContactSolution:
         acceleration: d_ddot = A f + b, (..., c) [m/s^2].
         residual: ``complementarity_residual`` of the force, (...).
         iterations: Newton systems, pivots, sweeps or sets, as the method
-            counts, (...); the most of any part where a system falls apart.
+            counts, (...); the most of any island where a system falls apart.
         method: the name of the method; for "auto" those it used.
         converged: residual <= tolerance, and no contact approaches, or parts
             although it pushes, by more than 100 times that (or 1e-8) of max |b|
@@ -67,35 +55,3 @@ class NoContactForce(RuntimeError):
     def __init__(self, message: str, certificate: Array) -> None:
         super().__init__(message)
         self.certificate = certificate
-
-
-def contact_solution(
-    system: ContactSystem,
-    force: Array,
-    iterations: Any,
-    method: str,
-    tolerance: float,
-    *,
-    known: tuple[Array, Array] | None = None,
-    exact: BoolArray | None = None,
-) -> ContactSolution:
-    """The solution of this force: its accelerations, its residual, and whether it solves the system.
-
-    known: A f and |A| |f| (``products``), if they are at hand. exact: (..., c),
-    the contacts whose forces are right to rounding, however large they are.
-    """
-    product, size = products(system.A, force) if known is None else known
-    residual = residual_of(system.diagonal, product, size, force, system.b)
-    violation = violation_of(system.diagonal, product, force, system.b)
-    missed = strays(violation, size, system.b, tolerance=tolerance)
-    if exact is not None and np.any(exact & missed):
-        largest = np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
-        missed &= ~exact | (np.finfo(float).eps * size > SEEN * largest)
-    return ContactSolution(
-        force,
-        product + system.b,
-        residual,
-        iterations,
-        method,
-        (residual <= tolerance) & ~missed.any(axis=-1),
-    )

@@ -1,4 +1,4 @@
-"""One call for the forces of resting contact, whatever the method."""
+"""``solve``: one call for the forces of resting contact, whatever the method."""
 
 from __future__ import annotations
 
@@ -18,15 +18,13 @@ from course.arrays import (
     scalar,
     scalars,
     whole_number,
-    written,
 )
-from course.contact.assembly import ContactSystem
 from course.contact.solution import ContactSolution, NotConverged
+from course.contact.solvers.arguments import relaxation_of
+from course.contact.systems import ContactSystem
 
 #: A b below this, or above its inverse, is solved for in another unit.
 SMALLEST = 1e-30
-
-METHODS = ("auto", "qp", "nnls", "pivot", "projected_gauss_seidel", "gauss")
 
 
 def solve(
@@ -46,8 +44,8 @@ def solve(
     "projected_gauss_seidel" sweeps; iterations are sweeps;
     "gauss" Gauss' principle in accelerations, an interior point method;
         needs the system's jacobian and inverse mass;
-    "auto" takes the system apart where contacts do not depend on each other,
-        chooses for each part, checks, and tries the next method if need be.
+    "auto" takes the system apart into islands, which do not depend on each other,
+        chooses for each, checks, and tries the next method if need be.
 
     Only "auto" raises where it does not converge; every other method returns
     what it reached, with its residual. f need not be unique, where contacts
@@ -76,6 +74,9 @@ def solve(
         >>> answer.force.round(4), bool(answer.converged)
         (array([0.6667, 0.6667]), True)
     """
+    # Here, so that whoever only needs the geometry of contacts does not load every solver.
+    from course.contact.engine.methods import METHODS, solved
+
     if not isinstance(system, ContactSystem):
         raise failure("system", "a ContactSystem", type(system).__name__)
     choice("method", method, METHODS)
@@ -85,9 +86,7 @@ def solve(
         if max_iterations is None
         else whole_number("max_iterations", max_iterations, minimum=1)
     )
-    relaxation = scalar("relaxation", relaxation)
-    if not 0 < relaxation < 2:
-        raise failure("relaxation", "a number above 0 and below 2", written(relaxation))
+    relaxation = relaxation_of(relaxation)
     begin = None if start is None else scalars("start", start)
     if begin is not None and begin.shape != system.b.shape:
         raise failure("start", f"shape {system.b.shape}", f"shape {begin.shape}")
@@ -95,9 +94,6 @@ def solve(
         raise failure(
             "system", "jacobian and inverse_mass for method 'gauss'", "A and b alone"
         )
-    # Here, so that whoever only needs the geometry of contacts does not load every solver.
-    from course.contact.engine.methods import solved
-
     run = partial(
         solved, method=method, tolerance=tolerance, limit=limit, relaxation=relaxation
     )

@@ -23,7 +23,7 @@ from course.dynamics.central_impulses import (
     separation_speed,
     velocity_after,
 )
-from course.dynamics.closed_forms import parabola, pendulum, symmetric_top
+from course.dynamics.closed_form_motions import parabola, pendulum, symmetric_top
 from course.dynamics.domes import Dome, DomeBias, DomePaths
 from course.dynamics.dropped_boxes import FallingBoxes, falling_boxes
 from course.dynamics.energy import (

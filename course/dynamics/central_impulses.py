@@ -126,8 +126,8 @@ def impulse_central(
     normal: ArrayLike,
     restitution: ArrayLike,
 ) -> Array:
-    """Impulse of two bodies whose centres lie on the line of impact, or that do not
-    turn.
+    """Impulse of a central impact: the centres lie on the line of impact, or the bodies
+    do not turn.
 
     p_hat = (1 + e) (v2.n - v1.n) / (1/m1 + 1/m2) while (v1 - v2).n < 0, else
     0 (syllabus row 17). The slide's formula is right for a central impact,

@@ -1,12 +1,11 @@
-"""What dynamics reads of contacts, and the check that their bodies exist."""
+"""What dynamics reads of contacts, which live in a room it does not import."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Protocol
 
-from course.arrays import Array, IntArray, indices
-from course.dynamics.bodies import Bodies
+from course.arrays import Array, IntArray
 
 
 class ContactPoints(Protocol):
@@ -23,14 +22,4 @@ class ContactPoints(Protocol):
     def normal(self) -> Array: ...
     @property
     def sides(self) -> Sequence[tuple[IntArray, Array, float]]: ...
-
-
-def require_body_indices(contacts: ContactPoints, bodies: Bodies) -> None:
-    """Refuse contacts with a body that is not among these.
-
-    Raises:
-        ValueError: names ``contacts.body_a`` or ``contacts.body_b``, the largest
-            index that exists, and the first entry beyond it.
-    """
-    indices("contacts.body_a", contacts.body_a, len(bodies))
-    indices("contacts.body_b", contacts.body_b, len(bodies))
+    def require_bodies(self, count: int) -> None: ...

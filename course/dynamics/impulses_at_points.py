@@ -13,7 +13,7 @@ import numpy as np
 from course import formulas
 from course.arrays import Array, ArrayLike, broadcast, in_range, scalars, vectors
 from course.dynamics.bodies import Bodies
-from course.dynamics.contact_points import ContactPoints, require_body_indices
+from course.dynamics.contact_points import ContactPoints
 
 
 def point_velocity(
@@ -44,7 +44,7 @@ def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
     Returns:
         u, (c,) [m/s].
     """
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     v, omega = bodies.velocity, bodies.angular_velocity
     # The difference comes first: a common velocity then adds no rounding.
     relative = v[contacts.body_a] - v[contacts.body_b]
@@ -54,7 +54,7 @@ def normal_velocity(bodies: Bodies, contacts: ContactPoints) -> Array:
 
 
 def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
-    """The mass that each contact's impulse feels along n.
+    """Effective mass: what each contact's impulse feels along n.
 
     1/mu = 1/m_A + 1/m_B + (r_A x n).I_A^-1 (r_A x n) + (r_B x n).I_B^-1 (r_B x n)
     (D. Baraff, "An introduction to physically based modeling: rigid body
@@ -64,7 +64,7 @@ def effective_mass(bodies: Bodies, contacts: ContactPoints) -> Array:
     Returns:
         mu, (c,) [kg]; infinity between two fixed bodies.
     """
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     inverse = np.zeros(contacts.body_a.size)
     for body, point, _ in contacts.sides:
         lever = np.cross(point - bodies.position[body], contacts.normal)
@@ -116,7 +116,7 @@ def apply_impulse(
     Args:
         impulse: p_hat of each contact, (c,) [N s].
     """
-    require_body_indices(contacts, bodies)
+    contacts.require_bodies(len(bodies))
     p_hat = scalars("impulse", impulse)
     broadcast(contacts=(contacts.normal, 1), impulse=(p_hat, 0))
     push = p_hat[..., None] * contacts.normal

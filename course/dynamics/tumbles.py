@@ -9,7 +9,7 @@ import numpy as np
 from course import rotations
 from course.arrays import Array, ArrayLike, failure, scalars, vectors
 from course.dynamics.bodies import Bodies
-from course.dynamics.closed_forms import parabola
+from course.dynamics.closed_form_motions import parabola
 from course.dynamics.mass_properties import principal_axes
 from course.dynamics.torque_free_top import torque_free_rotation
 

@@ -20,8 +20,11 @@ from typing import Any, Literal
 
 import numpy as np
 
+from course.exercises.expressions import evaluator
+from course.exercises.question import Question
 from course.exercises.source import is_blank
 
+#: "unattempted" is a ``...`` that was returned: ``answer_to`` makes a blank answer of it.
 OutcomeKind = Literal["value", "none", "raised", "unreadable", "unattempted", "wrote"]
 PRINTED_LIMIT = 400
 FLOOD_LIMIT = 1_000_000
@@ -42,6 +45,15 @@ class Outcome:
     text: str = ""
     printed: str = ""
     given: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came of an answer: an outcome for each case; or none, because it is ``blank`` or, in words, at ``fault``."""
+
+    outcomes: tuple[Outcome, ...] = ()
+    blank: bool = False
+    fault: str = ""
 
 
 class OutputFlood(BaseException):
@@ -68,6 +80,29 @@ class Printed(io.TextIOBase):
                 f"it printed more than {FLOOD_LIMIT:,} characters: a loop without end?"
             )
         return len(text)
+
+
+def answer_to(
+    question: Question,
+    value: Any,
+    cases: Iterable[Mapping[str, Any]] | None = None,
+) -> Answer:
+    """Call what a student wrote on the question's cases.
+
+    Whether an answer that was run is blank is decided here and nowhere after. ``cases`` are the
+    question's own, for a caller that wants to see which one is next.
+    """
+    if is_stub(value):
+        return Answer(blank=True)
+    try:
+        function = as_function(value, question.kind, question.name, question.arguments)
+    except Exception as error:  # an object of a student's may raise anything
+        return Answer(fault=str(error)[:TEXT_LIMIT])
+    asked = question.cases if cases is None else cases
+    outcomes = call_all(function, asked, question.results)
+    if any(outcome.kind == "unattempted" for outcome in outcomes):
+        return Answer(blank=True)
+    return Answer(tuple(outcomes))
 
 
 def call(
@@ -144,105 +179,6 @@ def as_function(
             f"expected the arguments in the order {name}({wanted}); yours takes ({taken})"
         )
     return answer
-
-
-def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
-    """A function of arrays, in the order of ``symbols``, that evaluates a SymPy
-    expression.
-
-    Raises ``TypeError`` or ``ValueError``, in words meant for the student, where the
-    answer is not an expression in these symbols.
-    """
-    import sympy
-
-    if isinstance(expression, (list, tuple, set, dict, sympy.FiniteSet)):
-        raise TypeError(
-            f"expected one expression; got a {type(expression).__name__} of {len(expression)}. "
-            "sympy.solve returns a list: take its entry, as in solve(...)[0]"
-        )
-    if isinstance(
-        expression,
-        (sympy.core.relational.Relational, sympy.logic.boolalg.BooleanAtom, bool),
-    ):
-        raise TypeError(
-            "expected an expression; got an equation. Give its right-hand side alone"
-        )
-    if callable(expression) and not isinstance(expression, sympy.Basic):
-        raise TypeError("expected an expression in SymPy's symbols; got a function")
-    came = _kind(expression)
-    try:
-        expression = (
-            None if isinstance(expression, np.ndarray) else sympy.sympify(expression)
-        )
-    except (sympy.SympifyError, TypeError, AttributeError):
-        expression = None
-    if not isinstance(expression, sympy.Expr) or expression.is_Matrix:
-        raise TypeError(f"expected a SymPy expression; got {came}")
-    _require_known(expression, symbols)
-    expression = expression.replace(sympy.Piecewise, _without_endless_branches)
-    by_name = {str(s): s for s in expression.free_symbols}
-    try:
-        points = [by_name.get(s, sympy.Symbol(s)) for s in symbols]
-        compiled = _compiled(points, expression)
-    except Exception:  # each of SymPy's printers has its own kind
-        words = "an integral, a derivative or a sum is still to be worked out, as .doit() does"
-        raise ValueError(
-            f"expected an expression that can be evaluated; perhaps {words}"
-        ) from None
-
-    def evaluate(*points: Any) -> np.ndarray:
-        shape = np.broadcast_shapes(*(np.shape(p) for p in points))
-        return np.broadcast_to(np.asarray(compiled(*points), dtype=float), shape).copy()
-
-    return evaluate
-
-
-def _compiled(points: Sequence[Any], expression: Any) -> Callable[..., Any]:
-    """``sympy.lambdify`` for NumPy, without what its own ``from numpy import *`` loads first: a tenth of a second of
-    packages that no formula uses.
-    """
-    import sympy
-    from sympy.printing.numpy import NumPyPrinter
-
-    settings = {"fully_qualified_modules": False, "inline": True}
-    printer = NumPyPrinter({**settings, "allow_unknown_functions": True})
-    names = {**vars(np.linalg), **vars(np), "numpy": np}
-    return sympy.lambdify(points, expression, [names], printer)
-
-
-def _without_endless_branches(*branches: Any) -> Any:
-    """A Piecewise with NaN for its branches that have no finite value or are an infinite sum still to be done.
-
-    SymPy gives a geometric series so: its sum where that converges, the sum itself as
-    it stands elsewhere. All branches are evaluated, and one of the latter has no end.
-    """
-    import sympy
-
-    kept = [(sympy.nan if v.has(sympy.oo, -sympy.oo) else v, c) for v, c in branches]
-    return sympy.Piecewise(*kept, evaluate=False)
-
-
-def _require_known(expression: Any, symbols: Sequence[str]) -> None:
-    """Refuse an expression with other symbols or undefined functions, or divided by
-    zero.
-    """
-    import sympy
-
-    others = expression.free_symbols | expression.atoms(
-        sympy.core.function.AppliedUndef
-    )
-    foreign = sorted({str(s) for s in others} - set(symbols))
-    if foreign:
-        raise ValueError(
-            f"expected an expression in {', '.join(symbols)}; yours also contains {', '.join(foreign)}"
-        )
-    endless = (sympy.oo, -sympy.oo)
-    if expression.has(sympy.nan, sympy.zoo) or expression.subs(
-        {p: 1 for p in expression.atoms(sympy.Piecewise)}
-    ).has(*endless):
-        raise ValueError(
-            f"expected a finite expression; got {expression}: is something divided by zero?"
-        )
 
 
 def is_stub(answer: Any, source: str | None = None) -> bool:
@@ -340,7 +276,12 @@ def _content(part: Any) -> str:
 
 
 def _described(value: Any) -> str:
-    """The kind of a value; of a SymPy expression also its symbols, by which the notebook's variable is found."""
+    """The kind of a value; of a SymPy expression also its symbols, by which the notebook's variable is found.
+
+    A cvxpy expression is told where its numbers are.
+    """
+    if type(value).__module__.startswith("cvxpy."):
+        return f"a cvxpy {_kind(value)}, whose numbers are in its .value"
     symbols = getattr(value, "free_symbols", None)
     if not isinstance(symbols, set) or not symbols:
         return _kind(value)

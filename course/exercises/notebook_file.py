@@ -96,14 +96,14 @@ class _Cell:
     defines: tuple[str, ...]
 
     @property
-    def told(self) -> Mapping[str, Any]:
+    def notes(self) -> Mapping[str, Any]:
         """The notes of this course; empty for cells that students added."""
-        told = self.metadata.get("course", {})
-        return told if isinstance(told, dict) else {}
+        notes = self.metadata.get("course", {})
+        return notes if isinstance(notes, dict) else {}
 
     @property
     def exercise(self) -> str:
-        return str(self.told.get("exercise", ""))
+        return str(self.notes.get("exercise", ""))
 
 
 def parse_notebook(
@@ -122,7 +122,7 @@ def parse_notebook(
         CodeCell(
             cell.source,
             cell.exercise if cell.exercise in names else "",
-            str(cell.told.get("role", "")),
+            str(cell.notes.get("role", "")),
             digest_of(cell.source) in lesson.handed_out,
         )
         for cell in cells
@@ -142,8 +142,8 @@ def _load(content: bytes) -> Mapping[str, Any]:
     except RecursionError:
         raise UnusableNotebook("not a notebook: nested too deeply") from None
     except ValueError as error:
-        told = str(error)[:120]
-        raise UnusableNotebook(f"not a notebook: not JSON ({told})") from None
+        why = str(error)[:120]
+        raise UnusableNotebook(f"not a notebook: not JSON ({why})") from None
     if not isinstance(notebook, dict) or not isinstance(notebook.get("nbformat"), int):
         raise UnusableNotebook(
             "not a notebook: JSON, but without a notebook's format number"
@@ -212,8 +212,8 @@ def _lesson_of(
     """The lesson that the notebook names, else its file name, else its exercises."""
     lessons = {lesson.number: lesson for lesson in known}
     metadata = notebook.get("metadata", {})
-    told = metadata.get("course", {}) if isinstance(metadata, dict) else {}
-    number = str(told.get("lesson", "")) if isinstance(told, dict) else ""
+    notes = metadata.get("course", {}) if isinstance(metadata, dict) else {}
+    number = str(notes.get("lesson", "")) if isinstance(notes, dict) else ""
     if number in lessons:
         return lessons[number]
     match = re.search(r"(?<!\d)(\d\d)-[a-z]", file_name)
@@ -273,7 +273,7 @@ def _holder(name: str, cells: Sequence[_Cell]) -> _Cell | None:
     """
     holders = [(i, cell) for i, cell in enumerate(cells) if name in cell.defines]
     theirs = [
-        (i, cell) for i, cell in holders if cell.exercise == name or not cell.told
+        (i, cell) for i, cell in holders if cell.exercise == name or not cell.notes
     ]
     ranked = [
         ((not is_blank(python_only(cell.source), name), cell.exercise == name, i), cell)
@@ -286,9 +286,9 @@ def _preamble(cells: Sequence[_Cell], names: Sequence[str]) -> tuple[str, ...]:
     """The import cell, then the definitions in cells that students added."""
     code = []
     for cell in cells:
-        if cell.told.get("role", "") == "imports":
+        if cell.notes.get("role", "") == "imports":
             code.append(cell.source)
-        elif not cell.told and not set(cell.defines) & set(names):
+        elif not cell.notes and not set(cell.defines) & set(names):
             helpers = definitions_only(cell.source)
             if helpers:
                 code.append(helpers)

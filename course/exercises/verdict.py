@@ -1,17 +1,19 @@
-"""From outcomes to a verdict: state, first counterexample, a likely cause."""
+"""From an answer to a verdict: state, first counterexample, a likely cause."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cache
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
-from course.exercises.answer import Outcome, call_all, evaluator
+from course.exercises.advice import asks_one_question, general_advice
+from course.exercises.answer import Answer, Outcome
 from course.exercises.comparison import Difference, compare, same
 from course.exercises.definition import Case, Exercise, Mistake
+from course.exercises.inputs import Inputs, observed
 
 State = Literal["passed", "wrong", "not attempted", "error", "needs a person"]
 
@@ -22,7 +24,8 @@ class Verdict:
 
     ``case`` is the counterexample (the first that is no batch, if any), ``outcome`` the
     answer's result there and ``difference`` how it is wrong; ``mistake`` is the planted
-    mistake it matches, ``reason`` anything else worth saying, one line each.
+    mistake it matches, ``reason`` anything else worth saying, ``violated`` the messages
+    of the properties that it lacks, one line each.
     """
 
     exercise: str
@@ -34,7 +37,10 @@ class Verdict:
     difference: Difference | None = None
     mistake: Mistake | None = None
     reason: tuple[str, ...] = ()
-    #: All that came back, of an answer that failed.
+    violated: tuple[str, ...] = ()
+    #: Whether the outcomes say themselves what is wrong.
+    plain: bool = False
+    #: All outcomes of an answer that failed.
     outcomes: tuple[Outcome, ...] = field(default=(), repr=False, compare=False)
 
     @property
@@ -42,208 +48,104 @@ class Verdict:
         """Whether the answer is right."""
         return self.state == "passed"
 
+    @property
+    def failed(self) -> bool:
+        """Whether there is an answer, and it is not right."""
+        return self.state in ("wrong", "error")
 
-def judge(
-    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome]
-) -> Verdict:
-    """Judge an answer's outcomes; only the reference and the mistakes are run here.
+    @property
+    def unexplained(self) -> bool:
+        """Whether a search for a repair may say more: no planted mistake matches, and the outcomes do not say
+        themselves what is wrong.
 
-    Raises ``ValueError`` where the two sequences differ in length: every case is
+        Those that do: inputs written to, an ``if`` on a batch. What makes these right is a copy or a rewriting; a
+        smaller change that happens to do so is not the cause.
+        """
+        return (
+            self.failed
+            and self.mistake is None
+            and bool(self.outcomes)
+            and not self.plain
+        )
+
+
+def judge_answer(inputs: Inputs, answer: Answer) -> Verdict:
+    """Judge what came of an answer; only the reference and the mistakes are run here.
+
+    Raises ``ValueError`` where there is not one outcome for each case: every case is
     judged.
     """
-    if len(cases) != len(outcomes) or not cases:
-        raise ValueError(
-            f"outcomes: expected one for each of {len(cases)} cases, at least one; got {len(outcomes)}"
-        )
-    outcomes = [_or_wrote(c.arguments, o) for c, o in zip(cases, outcomes, strict=True)]
-    if any(o.kind == "unattempted" for o in outcomes):
+    exercise, cases = inputs.exercise, inputs.cases
+    if answer.blank:
         return Verdict(exercise.name, "not attempted")
-    expected = answers_of(exercise.sample or exercise.reference, exercise, cases)
-    wrongs = [
-        _wrong(exercise, c, o, e)
-        for c, o, e in zip(cases, outcomes, expected, strict=True)
-    ]
+    if answer.fault:
+        return Verdict(exercise.name, "error", reason=(answer.fault,))
+    if len(cases) != len(answer.outcomes) or not cases:
+        raise ValueError(
+            f"outcomes: expected one for each of {len(cases)} cases, at least one; got {len(answer.outcomes)}"
+        )
+    pairs = zip(cases, answer.outcomes, strict=True)
+    outcomes = tuple(observed(case.arguments, outcome) for case, outcome in pairs)
+    triples = zip(cases, outcomes, inputs.expected, strict=True)
+    wrongs = [_wrong(exercise, c, o, e) for c, o, e in triples]
     failed = [i for i, w in enumerate(wrongs) if w is not None]
     if not failed:
         return Verdict(exercise.name, "passed", exercise.points, len(cases))
-    first = min(
-        failed, key=lambda i: cases[i].kind == "batch"
-    )  # one call is easier to follow than a batch of them
-    state: State = (
-        "error" if outcomes[first].kind in ("raised", "unreadable", "none") else "wrong"
-    )
-    mistake = diagnose(exercise, cases, outcomes)
-    reason = () if mistake else general_advice(exercise, cases, outcomes, wrongs)
-    reason += violated(exercise, cases[first], outcomes[first])
+    # One call is easier to follow than a batch of them.
+    first = min(failed, key=lambda i: cases[i].kind == "batch")
+    raised = outcomes[first].kind in ("raised", "unreadable", "none")
+    mistake = diagnose(inputs, outcomes)
+    difference = wrongs[first]
+    # Of an answer of another shape no property can be judged, and a known slip says more.
+    quiet = mistake or (difference and difference.fault.startswith("shape"))
+    advice = general_advice(exercise, cases, outcomes, wrongs, inputs.expected)
+    wrote = any(o.kind == "wrote" for o in outcomes)
     return Verdict(
         exercise.name,
-        state,
+        "error" if raised else "wrong",
         0,
         len(cases),
         cases[first],
         outcomes[first],
-        wrongs[first],
+        difference,
         mistake,
-        reason,
-        tuple(outcomes),
+        () if mistake else advice,
+        () if quiet else violated(exercise, cases[first], outcomes[first]),
+        wrote or asks_one_question(cases, outcomes),
+        outcomes,
     )
 
 
+def judge(
+    exercise: Exercise, cases: Sequence[Case], outcomes: Sequence[Outcome]
+) -> Verdict:
+    """The same for outcomes on cases that were drawn elsewhere."""
+    return judge_answer(Inputs(exercise, tuple(cases)), Answer(tuple(outcomes)))
+
+
 def passes(exercise: Exercise, case: Case, outcome: Outcome, expected: Outcome) -> bool:
-    """Whether what an answer gave in one case is right."""
-    outcome = _or_wrote(case.arguments, outcome)
+    """Whether what an answer gave in one case (``observed``) is right."""
     return _wrong(exercise, case, outcome, expected) is None
 
 
 def alike(
-    exercise: Exercise,
-    cases: Sequence[Case],
-    some: Sequence[Outcome],
-    others: Sequence[Outcome],
+    exercise: Exercise, some: Sequence[Outcome], others: Sequence[Outcome]
 ) -> bool:
     """Whether two runs of answers gave the same on every case: values within the tolerances, errors by their words."""
-    pairs = zip(cases, some, others, strict=True)
-    return all(
-        _alike(exercise, _or_wrote(c.arguments, a), _or_wrote(c.arguments, b))
-        for c, a, b in pairs
-    )
+    pairs = zip(some, others, strict=True)
+    return all(_alike(exercise, one, other) for one, other in pairs)
 
 
-def answers_of(
-    function: Any, exercise: Exercise, cases: Sequence[Case]
-) -> list[Outcome]:
-    """What a trusted function (reference or planted mistake) returns for the cases."""
-    if exercise.kind == "expression":
-        function = _evaluated(function, tuple(a.name for a in exercise.arguments))
-    arguments = [c.arguments for c in cases]
-    outcomes = call_all(function, arguments, len(exercise.results))
-    return [_or_wrote(a, o) for a, o in zip(arguments, outcomes, strict=True)]
-
-
-def _or_wrote(arguments: Mapping[str, Any], outcome: Outcome) -> Outcome:
-    """The outcome, or that the answer modified its inputs.
-
-    Determined here, not where the answer ran: it could have patched the comparison.
-    """
-    given = outcome.given
-    changed = [
-        n for n, v in arguments.items() if n in given and not _unchanged(v, given[n])
-    ]
-    if not changed:
-        return outcome
-    return Outcome("wrote", text=", ".join(changed), printed=outcome.printed)
-
-
-def _unchanged(before: Any, after: Any) -> bool:
-    if isinstance(before, tuple):
-        return (
-            isinstance(after, tuple)
-            and len(before) == len(after)
-            and all(map(_unchanged, before, after))
-        )
-    if not isinstance(before, np.ndarray):
-        return True
-    return (
-        isinstance(after, np.ndarray)
-        and before.shape == after.shape
-        and np.array_equal(before, after, equal_nan=before.dtype.kind == "f")
-    )
-
-
-@cache
-def _evaluated(
-    formula: Callable[..., Any], names: tuple[str, ...]
-) -> Callable[..., Any]:
-    """A formula of symbols as a function of arrays, made once."""
-    import sympy
-
-    return evaluator(formula(*map(sympy.Symbol, names)), names)
-
-
-def diagnose(
-    exercise: Exercise,
-    cases: Sequence[Case],
-    outcomes: Sequence[Outcome],
-) -> Mistake | None:
+def diagnose(inputs: Inputs, outcomes: Sequence[Outcome]) -> Mistake | None:
     """The planted mistake that gives the same as the answer on every case, passed and failed alike.
 
     One that agrees on a part of them names nothing: the answer may have another cause
     there, and what the mistake's message says would then be false.
     """
-    for mistake in exercise.mistakes:
-        theirs = answers_of(mistake.function, exercise, cases)
-        if all(_alike(exercise, o, t) for o, t in zip(outcomes, theirs, strict=True)):
+    for mistake in inputs.exercise.mistakes:
+        if alike(inputs.exercise, outcomes, inputs.with_mistake(mistake)):
             return mistake
     return None
-
-
-def general_advice(
-    exercise: Exercise,
-    cases: Sequence[Case],
-    outcomes: Sequence[Outcome],
-    wrongs: Sequence[Difference | None],
-) -> tuple[str, ...]:
-    """Slips that need no planting: only in batches, constant, only at edges."""
-    wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
-    advice = []
-    if (
-        all(o.kind == "value" for o in outcomes)
-        and len(outcomes) > 1
-        and _constant(outcomes)
-    ):
-        return ("It gives the same for every input: does it use its arguments?",)
-    if any(
-        _says(
-            o,
-            "float' object is not subscriptable",
-            "int' object is not subscriptable",
-            "invalid index to scalar",
-        )
-        for o in outcomes
-    ):
-        advice.append(
-            "A plain number has no axes to index: np.asarray(s)[..., None] serves numbers and arrays alike."
-        )
-    elif any(
-        _says(
-            o,
-            "operand type(s) for &",
-            "operand type(s) for |",
-            "'bitwise_and' not supported",
-            "'bitwise_or' not supported",
-        )
-        for o in outcomes
-    ):
-        advice.append(
-            "& and | were given numbers, not conditions. They bind more tightly than <, so each comparison needs "
-            "brackets: (a < 0) & (b < 0)."
-        )
-    elif any("truth value of an array" in o.text for o in outcomes):
-        advice.append(
-            "`if`, `and`, `or`, `not`, a < b < c, min() and max() ask one question, a batch has many answers: "
-            "np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for itself."
-        )
-    elif any(
-        "'...' ellipsis" in o.text for o in outcomes
-    ):  # einsum, of letters fewer than axes
-        advice.append(
-            'In np.einsum put ... before the letters, for the axes of the batch: "...ij,...j->...i" is matrix times '
-            "vector for one and for many."
-        )
-    elif wrong_kinds == {"batch"} and exercise.kind == "function":
-        advice.append(
-            "Right for one, wrong for many at once. A batch has its axes in front of the one's own: look for a line "
-            "that takes them for the vector's, or mixes the members."
-        )
-    elif wrong_kinds == {"edge"}:
-        advice.append(
-            "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
-        )
-    if any(v.dtype in (np.float16, np.float32) for o in outcomes for v in o.values):
-        advice.append(
-            "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
-        )
-    return tuple(advice)
 
 
 def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...]:
@@ -281,10 +183,6 @@ def violated(exercise: Exercise, case: Case, outcome: Outcome) -> tuple[str, ...
 def _wrong(
     exercise: Exercise, case: Case, outcome: Outcome, expected: Outcome
 ) -> Difference | None:
-    if expected.kind != "value":
-        raise RuntimeError(
-            f"the reference of {exercise.name} gives no value for {case.label!r}: {expected.text}"
-        )
     if outcome.kind != "value":
         return Difference(
             exercise.results[0].name, expected=expected.values[0], fault=outcome.kind
@@ -305,19 +203,9 @@ def _alike(exercise: Exercise, one: Outcome, other: Outcome) -> bool:
         return False
     if one.kind == "value":
         return same(exercise.results, other.values, one.values)
-    # The whole error, not its type alone: a TypeError may have any number of causes.
-    return one.kind != "raised" or one.text.split("\n")[0] == other.text.split("\n")[0]
+    return one.kind != "raised" or _error(one) == _error(other)
 
 
-def _says(outcome: Outcome, *words: str) -> bool:
-    """Whether the answer raised an error with one of these words in it."""
-    return outcome.kind == "raised" and any(w in outcome.text for w in words)
-
-
-def _constant(outcomes: Sequence[Outcome]) -> bool:
-    values = [o.values[0] for o in outcomes]
-    return (
-        all(v.size > 0 for v in values)
-        and len({v.dtype.kind for v in values}) == 1
-        and all(bool((v == values[0].flat[0]).all()) for v in values)
-    )
+def _error(outcome: Outcome) -> str:
+    """The whole error but its numbers, not its type alone: a TypeError may have any number of causes."""
+    return re.sub(r"\d+", "", outcome.text.split("\n  in the line:")[0])

@@ -1,28 +1,43 @@
 """Every formula of the lecture as a student writes it: plain arrays, no checks.
 
-One module a lesson, one function an exercise, with the exercise's own signature. What
-an exercise is judged by, what its hint shows at the end and what its solution cell
-holds are these lines; the library is measured by them.
+One module a lesson, named as the lesson is. An exercise's reference is the function of
+its name, with its own signature: what it is judged by, what its hint shows at the end
+and what its solution cell holds are these lines; the library is measured by them. Only
+``separation_acceleration`` is asked by no exercise.
 
-A docstring names the slide by its row in the syllabus, and a misprint by its number in
-the list there. ``(...)`` is a batch of any shape. A function that ends in "as an
-expression" takes and gives SymPy expressions.
+lesson_00_start_here (Start here)
+    speed_along
+lesson_09_energy_and_motion (Energy and motion)
+    sigma, linear_kinetic_energy, angular_kinetic_energy, world_inertia,
+    angular_acceleration, symplectic_euler_step, rotate, rk4_step
+lesson_10_impulse (Impulse)
+    p_hat, momentum_after, separation_speed, impulse_central, kinetic_energy_lost
+lesson_11_wall_bounce (The wall bounce)
+    rest_time, wall_bounce, bounce_times, bouncing_ball_step
+lesson_12_impulse_and_spin (Impulse and spin)
+    rod_impulse, point_velocity, effective_mass, impulse_at_point, apply_impulse,
+    simultaneous_impulses
+lesson_13_separation (Separation)
+    top_rate, separation, normal_rate, separation_rate, edge_normal_rate
+lesson_14_separation_acceleration (The acceleration of the separation)
+    top_acceleration, free_point_acceleration, contact_bias,
+    separation_acceleration, angular_acceleration_free
+lesson_15_contact_matrix (The contact matrix)
+    ladder_entry, point_response, contact_matrix_entry, contact_matrix
+lesson_16_contact_forces (Contact forces)
+    slope_1, complementarity_residual, solve_contact_qp, projected_gauss_seidel,
+    pivot
+
+"syllabus row 17" counts as lessons and misprints do, which is not the slide's number:
+``course syllabus`` gives the slide of each row. A misprint has its number in
+docs/misprints.md. ``(...)`` is a batch of any shape. A
+function that ends in "as an expression" takes and gives SymPy expressions.
 """
 
-from course.formulas.contact_forces import (
-    complementarity_residual,
-    pivot,
-    projected_gauss_seidel,
-    slope_1,
-    solve_contact_qp,
+from course.formulas.lesson_00_start_here import (
+    speed_along,
 )
-from course.formulas.contact_matrices import (
-    contact_matrix,
-    contact_matrix_entry,
-    ladder_entry,
-    point_response,
-)
-from course.formulas.energy_and_motion import (
+from course.formulas.lesson_09_energy_and_motion import (
     angular_acceleration,
     angular_kinetic_energy,
     linear_kinetic_energy,
@@ -32,14 +47,20 @@ from course.formulas.energy_and_motion import (
     symplectic_euler_step,
     world_inertia,
 )
-from course.formulas.impulse import (
+from course.formulas.lesson_10_impulse import (
     impulse_central,
     kinetic_energy_lost,
     momentum_after,
     p_hat,
     separation_speed,
 )
-from course.formulas.impulse_and_spin import (
+from course.formulas.lesson_11_wall_bounce import (
+    bounce_times,
+    bouncing_ball_step,
+    rest_time,
+    wall_bounce,
+)
+from course.formulas.lesson_12_impulse_and_spin import (
     apply_impulse,
     effective_mass,
     impulse_at_point,
@@ -47,27 +68,32 @@ from course.formulas.impulse_and_spin import (
     rod_impulse,
     simultaneous_impulses,
 )
-from course.formulas.separation_acceleration import (
-    angular_acceleration_free,
-    contact_bias,
-    free_point_acceleration,
-    top_acceleration,
-)
-from course.formulas.separations import (
+from course.formulas.lesson_13_separation import (
     edge_normal_rate,
     normal_rate,
     separation,
     separation_rate,
     top_rate,
 )
-from course.formulas.start_here import (
-    speed_along,
+from course.formulas.lesson_14_separation_acceleration import (
+    angular_acceleration_free,
+    contact_bias,
+    free_point_acceleration,
+    separation_acceleration,
+    top_acceleration,
 )
-from course.formulas.wall_bounces import (
-    bounce_times,
-    bouncing_ball_step,
-    rest_time,
-    wall_bounce,
+from course.formulas.lesson_15_contact_matrix import (
+    contact_matrix,
+    contact_matrix_entry,
+    ladder_entry,
+    point_response,
+)
+from course.formulas.lesson_16_contact_forces import (
+    complementarity_residual,
+    pivot,
+    projected_gauss_seidel,
+    slope_1,
+    solve_contact_qp,
 )
 
 __all__ = [
@@ -101,6 +127,7 @@ __all__ = [
     "rod_impulse",
     "rotate",
     "separation",
+    "separation_acceleration",
     "separation_rate",
     "separation_speed",
     "sigma",

@@ -21,7 +21,7 @@ from course.grading.stopping import Stopping
 from course.grading.submissions import Task, digest_of, read_content
 from course.grading.table import Table
 from course.grading.writing import CannotWrite
-from course.sandbox.running import Cancelled, SandboxFailure
+from course.sandbox.session import Cancelled, SandboxFailure
 
 #: Called with how many submissions are done, how many there are, and the file just
 #: finished ("" at the start).
@@ -99,8 +99,8 @@ class Batch:
         except CannotWrite as error:
             self.unwritten.append(str(error))
         except Exception as error:
-            told = f"{task.page} could not be made: {type(error).__name__}: {error}"
-            self.unwritten.append(told)
+            words = f"{task.page} could not be made: {type(error).__name__}: {error}"
+            self.unwritten.append(words)
         self.table.add(cells_of(submission, self.seed, self.isolation, task.page.name))
 
     def _judged(self, task: Task) -> Submission:
@@ -122,13 +122,13 @@ class Batch:
                 problem = str(error)
                 time.sleep(pause)
             except OSError as error:
-                told = f"cannot be read: {error.strerror or error}"
-                return _but(made, told, again=True)
+                words = f"cannot be read: {error.strerror or error}"
+                return _but(made, words, again=True)
             except Exception as error:
                 problem = f"{type(error).__name__}: {error}"
                 break
-        told = f"marking it failed, which is not its author's fault: {problem}"
-        return _but(made, told, again=True)
+        words = f"marking it failed, which is not its author's fault: {problem}"
+        return _but(made, words, again=True)
 
     def _with_rows(self, task: Task) -> Submission:
         content = read_content(task)

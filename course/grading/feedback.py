@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from course.exercises.message import SYMBOLS, WORDS, Part, verdict_message
+from course.exercises.message import SYMBOLS, WORDS, Part
 from course.grading.judge import Row
-from course.grading.report import TRUSTED, TRUSTED_MEANS, Submission, told_by
+from course.grading.report import TRUSTED, TRUSTED_MEANS, Submission, cell_text
 from course.grading.writing import write_whole
 
 #: The grader's page, beside the others.
@@ -48,9 +48,7 @@ def page(
             "word": WORDS[row.state],
             "symbol": SYMBOLS[row.state],
             "points": _points(row),
-            "message": Markup(
-                verdict_message(row.exercise, row.verdict, after=_after(row)).html()
-            ),
+            "message": Markup(row.message.followed_by(*_after(row)).html()),
         }
         for row in submission.rows
     ]
@@ -72,14 +70,15 @@ def write_overview(
 ) -> None:
     """Write a student's own page: each submission's points, from its table row."""
     rows = [
-        {"page": quote(row["page"]), "file": told_by(row["file"]), "lesson": row["lesson"] or told_by(row["reason"]),
+        {"page": quote(row["page"]), "file": cell_text(row["file"]),
+         "lesson": row["lesson"] or cell_text(row["reason"]),
          "state": row["state"], "points": f"{row['total']} of {row['out_of']}" if row["lesson"] else ""}
         for row in handed_in
     ]  # fmt: skip
     title = f"Handed in by {student}"
-    told = trusted([row["isolation"] for row in handed_in])
+    warning = trusted([row["isolation"] for row in handed_in])
     text = template(_OVERVIEW).render(
-        title=title, rows=rows, seed=seed, index=INDEX, trusted=told
+        title=title, rows=rows, seed=seed, index=INDEX, trusted=warning
     )
     write_whole(path, text)
 
@@ -95,7 +94,7 @@ def _points(row: Row) -> str:
 
 def _after(row: Row) -> tuple[Part, ...]:
     """The first hint, where an answer is wrong and nothing says yet how."""
-    if row.state in ("wrong", "error") and row.verdict.mistake is None:
+    if row.verdict.failed and row.verdict.mistake is None and row.repair is None:
         return (Part("hint", row.exercise.hints[0]),)
     return ()
 

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from course.exercises.definition import Lesson, all_lessons
-from course.exercises.message import SYMBOLS, WORDS, verdict_message
+from course.exercises.message import SYMBOLS, WORDS
 from course.grading.batch import Batch, Progress, standing
 from course.grading.feedback import INDEX, write_overview
 from course.grading.fingerprints import grader_version, key_of
@@ -36,7 +36,11 @@ from course.grading.table import Found, Table, read_table
 from course.grading.writing import CannotWrite
 from course.sandbox.box import Isolation
 from course.sandbox.limits import Limits
-from course.sandbox.running import Sandbox, SandboxFailure, find_isolation
+from course.sandbox.running import Sandbox, find_isolation
+from course.sandbox.session import SandboxFailure
+
+#: For the causes of a submission's wrong answers.
+REPAIR_SECONDS = 2.0
 
 
 @dataclass(frozen=True)
@@ -107,7 +111,7 @@ class Check:
             for r in self.rows
         ]
         found = [
-            str(verdict_message(r.exercise, r.verdict))
+            str(r.message)
             for r in self.rows
             if r.state not in ("passed", "not attempted")
         ]
@@ -143,6 +147,7 @@ def grade_folder(
     folder: Path, out: Path, *, seed: int | None = None, time_limit: float = 10.0, memory_mb: int = 2000,
     feedback: Path | None = None, on_progress: Progress | None = None, lessons: Sequence[Lesson] | None = None,
     workers: int | None = None, force: bool = False, require_sandbox: bool = False,
+    repair_seconds: float = REPAIR_SECONDS,
 ) -> Summary:  # fmt: skip
     """Mark every file in a folder and below: a table (CSV) and an HTML page each.
 
@@ -154,7 +159,9 @@ def grade_folder(
     ``memory_mb`` apply to each exercise; ``feedback`` is the folder of the pages
     (default: beside the table). Rows whose submission, seed, limits and grader are
     unchanged are kept, unless ``force``. With ``require_sandbox`` nothing is run where
-    submissions would have to be trusted.
+    submissions would have to be trusted. ``repair_seconds`` is for how long a
+    submission's wrong answers that no planted mistake explains are searched for their
+    cause, after their marks are decided; 0 for no search. Rows that are kept keep theirs.
 
     On Ctrl-C, SIGTERM and SIGHUP (``Stopped``, a ``KeyboardInterrupt``) finished rows
     are in the table, and the next call continues from there.
@@ -182,17 +189,19 @@ def grade_folder(
         done = {row["key"] for row in stand}
         todo = [task for key, task in keys.items() if key not in done]
         with stopping.put_off():  # its process has ended and its folder is gone
-            shut_in = find_isolation(limits) if todo or require_sandbox else None
+            isolation = find_isolation(limits) if todo or require_sandbox else None
         stopping.check()
-        if require_sandbox and shut_in and not shut_in.boxed:
+        if require_sandbox and isolation and not isolation.boxed:
             raise SandboxFailure(
-                f"no box for submissions ({shut_in.reason}), and --require-sandbox was given"
+                f"no box for submissions ({isolation.reason}), and --require-sandbox was given"
             )
         write_marker(feedback)
         table = Table(out, _exercises(known), stand, stale=stale, more=found.more)
-        boxed = shut_in is not None and shut_in.boxed
-        judge = Judge(seed, Sandbox(limits, boxed, threading.Event()), known)
-        batch = Batch(judge, seed, version, table, str(shut_in or ""))
+        boxed = isolation is not None and isolation.boxed
+        judge = Judge(
+            seed, Sandbox(limits, boxed, threading.Event()), known, repair_seconds
+        )
+        batch = Batch(judge, seed, version, table, str(isolation or ""))
         try:
             many = workers or os.cpu_count() or 1
             batch.mark(todo, len(tasks), many, on_progress or _quietly, stopping)
@@ -205,15 +214,18 @@ def grade_folder(
     return Summary(
         out, feedback, seed, len(tasks), len(tasks) - len(todo), states.count("marked"),
         states.count("needs a person"), states.count("unusable"), time.monotonic() - started,
-        _isolation(shut_in, rows),
+        _isolation(isolation, rows),
         sum(row["key"].startswith(AGAIN) for row in rows), (*batch.unwritten, *missing),
     )  # fmt: skip
 
 
-def _isolation(shut_in: Isolation | None, rows: Sequence[Mapping[str, str]]) -> str:
+def _isolation(isolation: Isolation | None, rows: Sequence[Mapping[str, str]]) -> str:
     """What shut submissions in: where some were trusted, in this call or before, theirs."""
-    told = [*([str(shut_in)] if shut_in else []), *(row["isolation"] for row in rows)]
-    return next((one for one in told if one.startswith(TRUSTED)), told[0])
+    isolations = [
+        *([str(isolation)] if isolation else []),
+        *(row["isolation"] for row in rows),
+    ]
+    return next((one for one in isolations if one.startswith(TRUSTED)), isolations[0])
 
 
 @contextlib.contextmanager

@@ -1,6 +1,6 @@
 """Whose a file is, from where a download put it.
 
-Students are told apart by the download's data (a name and a number in Moodle's), else
+Students are distinguished by the download's data (a name and a number in Moodle's), else
 by their folder's path; an equal name alone does not make two of them one person.
 """
 
@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from course.exercises.definition import Lesson
-from course.sandbox.reply import clean
+from course.exercises.untrusted_text import clean
 
 #: "Ann Lee_101_assignsubmission_file_" is a folder; in a download without folders the
 #: file's name follows it.
@@ -56,7 +56,7 @@ def student_of(file: PurePath, lessons: Sequence[Lesson]) -> Student:
     return _of_file(file, lessons)
 
 
-def told_apart(students: Sequence[Student]) -> list[str]:
+def distinct_names(students: Sequence[Student]) -> list[str]:
     """The names to show; students of the same name get a distinguishing suffix."""
     names = [student.name for student in students]
     for more in range(2):

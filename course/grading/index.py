@@ -11,12 +11,10 @@ from urllib.parse import quote
 from course.exercises.definition import Lesson
 from course.exercises.message import SYMBOLS
 from course.grading.feedback import template, trusted
-from course.grading.report import exercises_of, told_by
+from course.grading.reasons import causes_in
+from course.grading.report import cell_text, exercises_of
 from course.grading.writing import write_whole
 
-#: Parts of a reason that describe one run and not a mistake: those that begin like this
-#: are not counted.
-OF_ONE_RUN = ("case: ", "expected: ", "got: ")
 COMMONEST = 12
 WORDS_FOR_MANY = {"needs a person": "need a person"}
 
@@ -56,11 +54,10 @@ def commonest_mistakes(
     count: Counter[tuple[str, str]] = Counter()
     for row in rows:
         for name in exercises_of(row):
-            parts = row[f"{name}_reason"].split(" | ")
-            told = {part for part in parts if part and not part.startswith(OF_ONE_RUN)}
-            count.update((name, part) for part in told)
+            causes = causes_in(row[f"{name}_reason"])
+            count.update((name, cause) for cause in causes)
     ranked = sorted(count.items(), key=lambda one: (-one[1], one[0]))
-    return [(n, name, told) for (name, told), n in ranked if n > 1][:COMMONEST]
+    return [(n, name, cause) for (name, cause), n in ranked if n > 1][:COMMONEST]
 
 
 def _lesson(
@@ -80,9 +77,9 @@ def _lesson(
 
 
 def _line(row: Mapping[str, str], overviews: Mapping[str, str]) -> dict[str, Any]:
-    told = {name: told_by(cell) for name, cell in row.items()}
-    return told | {
-        "student": told["student"] or told["file"],
+    cells = {name: cell_text(cell) for name, cell in row.items()}
+    return cells | {
+        "student": cells["student"] or cells["file"],
         "page": quote(row["page"]),
         "overview": quote(overviews.get(row["page"], "")),
     }
@@ -97,7 +94,7 @@ def _broken(name: str) -> Any:
 
 def _cell(row: Mapping[str, str], name: str) -> dict[str, str]:
     state, points = row.get(f"{name}_state", ""), row.get(name, "")
-    return {"state": state, "told": f"{_SYMBOL.get(state, '')} {points}".strip()}
+    return {"state": state, "text": f"{_SYMBOL.get(state, '')} {points}".strip()}
 
 
 _SYMBOL: Mapping[str, str] = {str(state): symbol for state, symbol in SYMBOLS.items()}
@@ -119,7 +116,7 @@ _INDEX = """\
 {% for row in lesson.rows %}
 <tr><th scope="row"><a href="{{ row.page }}">{{ row.student }}</a>
 {%- if row.overview %} (<a href="{{ row.overview }}">all</a>){% endif %}<br><small>{{ row.file }}</small></th>
-{% for cell in row.cells %}<td title="{{ cell.state }}">{{ cell.told }}</td>{% endfor %}
+{% for cell in row.cells %}<td title="{{ cell.state }}">{{ cell.text }}</td>{% endfor %}
 <td class="whole">{{ row.total }} of {{ row.out_of }}</td><td>{{ row.state }}</td></tr>
 {% endfor %}
 </tbody>
@@ -130,8 +127,8 @@ _INDEX = """\
 <caption>Commonest mistakes</caption>
 <thead><tr><th scope="col">times</th><th scope="col">exercise</th><th scope="col">what was said</th></tr></thead>
 <tbody>
-{% for times, name, told in mistakes %}
-<tr><td>{{ times }}</td><th scope="row">{{ name }}</th><td>{{ told }}</td></tr>
+{% for times, name, cause in mistakes %}
+<tr><td>{{ times }}</td><th scope="row">{{ name }}</th><td>{{ cause }}</td></tr>
 {% endfor %}
 </tbody>
 </table>

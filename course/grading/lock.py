@@ -88,11 +88,11 @@ class Lock:
             return False
         if not self._is_there(number):
             return False
-        told = [FIRST_LINE, str(os.getpid()), socket.gethostname(), time.ctime()]
+        lines = [FIRST_LINE, str(os.getpid()), socket.gethostname(), time.ctime()]
         try:
             os.ftruncate(number, 0)
             os.lseek(number, 0, os.SEEK_SET)
-            os.write(number, "\n".join(told).encode() + b"\n")
+            os.write(number, "\n".join(lines).encode() + b"\n")
         except OSError:
             self.path.unlink(missing_ok=True)
             raise

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from course.exercises.definition import Lesson
+from course.exercises.untrusted_text import clean
 from course.grading.judge import Row
-from course.sandbox.reply import clean
 
 FIRST = (
     "file", "student", "lesson", "total", "out_of", "state", "reason", "refused"
@@ -123,7 +123,7 @@ def safe_cell(value: Any) -> str:
     return "'" + text if text.startswith(FORMULA) else text
 
 
-def told_by(cell: str) -> str:
+def cell_text(cell: str) -> str:
     """The text of a cell without the apostrophe that stops a spreadsheet from
     evaluating it.
     """

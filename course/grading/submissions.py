@@ -14,12 +14,12 @@ from pathlib import Path
 
 from course.exercises.definition import Lesson
 from course.exercises.notebook_file import MAXIMUM_BYTES, UnusableNotebook, too_large
-from course.grading.identity import Student, student_of, told_apart
+from course.exercises.untrusted_text import clean
+from course.grading.identity import Student, distinct_names, student_of
 from course.grading.lock import FIRST_LINE
 from course.grading.naming import page_names
 from course.grading.table import is_table
 from course.grading.writing import CannotWrite, write_whole
-from course.sandbox.reply import clean
 
 #: What operating systems leave behind, in lower case; nobody hands it in.
 LEFT_BEHIND = frozenset(
@@ -72,7 +72,7 @@ def find_tasks(
         )
     inside = [path.relative_to(folder) for path, _ in found]
     students = [student_of(file, lessons) for file in inside]
-    shown = told_apart(students)
+    shown = distinct_names(students)
     places = [os.fsencode(file.as_posix()) for file in inside]
     stems = [
         f"{student.name} {file.name.removesuffix('.ipynb')}"

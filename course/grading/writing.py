@@ -24,8 +24,8 @@ class CannotWrite(OSError):
 
     def __init__(self, path: Path, error: OSError, kept: str = "") -> None:
         cure = CURES.get(error.errno or 0, "see to that")
-        told = f"{path} cannot be written ({error.strerror or error}): {cure}, then give the same command again"
-        super().__init__(f"{told}; {kept}" if kept else told)
+        words = f"{path} cannot be written ({error.strerror or error}): {cure}, then give the same command again"
+        super().__init__(f"{words}; {kept}" if kept else words)
 
 
 def write_whole(path: Path, text: str, *, lasting: bool = False) -> None:

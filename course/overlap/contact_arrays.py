@@ -126,6 +126,16 @@ class Contacts:
         picked: list[Any] = [None if f is None else f[index] for f in self._arrays()]
         return Contacts(*picked)
 
+    def require_bodies(self, count: int) -> None:
+        """Refuse contacts with a body that is not among the ``count`` there are.
+
+        Raises:
+            ValueError: names ``contacts.body_a`` or ``contacts.body_b``, the largest
+                index that exists, and the first entry beyond it.
+        """
+        indices("contacts.body_a", self.body_a, count)
+        indices("contacts.body_b", self.body_b, count)
+
     @property
     def sides(self) -> tuple[Side, Side]:
         """Both sides of all contacts, A then B: what a sum over bodies loops over.

@@ -21,13 +21,27 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
 ROOT = PACKAGE.parent
-#: All of the course that the child imports, and all of it that the box contains.
+#: All of the course that the child imports, to run answers and to try repairs, and all of it that the box contains.
 CHILD_FILES = (
     "course/__init__.py",
     "course/exercises/__init__.py",
     "course/exercises/answer.py",
     "course/exercises/definition.py",
+    "course/exercises/expressions.py",
     "course/exercises/notebook_file.py",
+    "course/exercises/question.py",
+    "course/exercises/repair/__init__.py",
+    "course/exercises/repair/brackets.py",
+    "course/exercises/repair/changes.py",
+    "course/exercises/repair/edits.py",
+    "course/exercises/repair/missing.py",
+    "course/exercises/repair/names.py",
+    "course/exercises/repair/places.py",
+    "course/exercises/repair/recipe.py",
+    "course/exercises/repair/statements.py",
+    "course/exercises/repair/taken_for.py",
+    "course/exercises/repair/texts.py",
+    "course/exercises/repair/too_many.py",
     "course/exercises/source/__init__.py",
     "course/exercises/source/cells.py",
     "course/exercises/source/names.py",
@@ -48,7 +62,9 @@ CHILD_FILES = (
     "course/sandbox/plan.py",
     "course/sandbox/seccomp.py",
     "course/sandbox/serving.py",
+    "course/sandbox/serving_repairs.py",
     "course/sandbox/stand_ins.py",
+    "course/sandbox/trying.py",
     "course/sandbox/watching.py",
     "course/sandbox/wire.py",
 )
@@ -95,21 +111,21 @@ def start_in_box(memory_mb: int, file_mb: int) -> Start:
     program = bubblewrap()
     if program is None:
         raise FileNotFoundError("bubblewrap (bwrap) is not installed")
-    told = {"root": FILES_IN_BOX, "path": _packages(), "work": WORK_IN_BOX, "closed": [],
+    places = {"root": FILES_IN_BOX, "path": _packages(), "work": WORK_IN_BOX, "closed": [],
             "boxed": True}  # fmt: skip
     child = f"{FILES_IN_BOX}/course/sandbox/child.py"
-    command = (program, *_walls(file_mb), "--", *_python(child, told))
+    command = (program, *_walls(file_mb), "--", *_python(child, places))
     return Start(command, {"PATH": os.environ.get("PATH", "")}, "/")
 
 
 def start_plain(work: Path, file: str = "child.py") -> Start:
     """The start of a child without a box, with ``work`` as its folder; ``file`` is what it runs."""
-    told = {"root": str(ROOT), "path": _packages(), "work": str(work),
+    places = {"root": str(ROOT), "path": _packages(), "work": str(work),
             "closed": [str(PACKAGE), str(ROOT / "solutions")], "boxed": False}  # fmt: skip
     child = str(PACKAGE / "sandbox" / file)
     kept = {name: os.environ[name] for name in KEPT_ENVIRONMENT if name in os.environ}
     environment = {**kept, **_environment(str(work))}
-    return Start(_python(child, told), environment, str(work))
+    return Start(_python(child, places), environment, str(work))
 
 
 @cache
@@ -118,12 +134,12 @@ def bubblewrap() -> str | None:
     return shutil.which("bwrap") if sys.platform.startswith("linux") else None
 
 
-def _python(child: str, told: object) -> tuple[str, ...]:
+def _python(child: str, places: object) -> tuple[str, ...]:
     """Python without the user's settings: no site, no environment, no byte code
     written.
     """
     program = os.path.realpath(sys.executable)
-    return (program, "-I", "-S", "-B", "-X", "utf8", child, json.dumps(told))
+    return (program, "-I", "-S", "-B", "-X", "utf8", child, json.dumps(places))
 
 
 def _environment(work: str) -> dict[str, str]:

@@ -25,7 +25,7 @@ WITHOUT_REPLY = ("ended", "crashed", "killed", "unreadable")
 
 
 def end_of(code: int) -> tuple[End, str]:
-    """The end that an exit code (negative: a signal) tells of, and in words what happened."""
+    """The end that an exit code (negative: a signal) stands for, and what happened in words."""
     if code >= 0:
         return "ended", f"exit code {code}"
     number = -code

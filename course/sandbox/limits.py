@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+import subprocess
 import sys
 import time
 from collections.abc import Iterator
@@ -63,6 +64,13 @@ def memory_limited(limits: Limits) -> Iterator[None]:
             resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
 
 
+def resident_mb(process: int) -> float:
+    """Resident memory of a process by ps, for systems that set no limit on it; 0 where there is no such process."""
+    command = ["ps", "-o", "rss=", "-p", str(process)]
+    listed = subprocess.run(command, capture_output=True, text=True, check=False)
+    return int(listed.stdout) / 1000 if listed.stdout.strip().isdigit() else 0.0
+
+
 if sys.platform == "win32":
     # Written from the documentation of the job object API (learn.microsoft.com, "Job
     # Objects").
@@ -112,18 +120,18 @@ if sys.platform == "win32":
                 wintypes.HANDLE,
             ]
             job = kernel.CreateJobObjectW(None, None)
-            told = _Extended()
-            told.BasicLimitInformation.LimitFlags = (
+            wanted = _Extended()
+            wanted.BasicLimitInformation.LimitFlags = (
                 _TIME | _PROCESSES | _MEMORY | _KILL_ON_CLOSE
             )
-            told.BasicLimitInformation.PerProcessUserTimeLimit = int(
+            wanted.BasicLimitInformation.PerProcessUserTimeLimit = int(
                 (limits.seconds + 2) * 1e7
             )
-            told.BasicLimitInformation.ActiveProcessLimit = 1
-            told.ProcessMemoryLimit = limits.memory_mb * 1_000_000
-            size = ctypes.sizeof(told)
+            wanted.BasicLimitInformation.ActiveProcessLimit = 1
+            wanted.ProcessMemoryLimit = limits.memory_mb * 1_000_000
+            size = ctypes.sizeof(wanted)
             done = kernel.SetInformationJobObject(
-                job, _EXTENDED_LIMITS, ctypes.byref(told), size
+                job, _EXTENDED_LIMITS, ctypes.byref(wanted), size
             )
             if done and kernel.AssignProcessToJobObject(
                 job, kernel.GetCurrentProcess()
@@ -159,7 +167,7 @@ else:
             return False
         _, hardest = resource.getrlimit(kind)
         value = value if hardest == resource.RLIM_INFINITY else min(value, hardest)
-        # The soft processor limit tells why the process ends (SIGXCPU), the hard one
+        # The soft processor limit shows why the process ends (SIGXCPU), the hard one
         # just ends it.
         hard = (
             value + 2

@@ -1,6 +1,6 @@
 """How the processes of a submission talk: a letter, a length, and so many bytes, through a pipe.
 
-Both ends may be a stranger's: a reader takes nothing longer than it was told to expect.
+Both ends may be a stranger's: a reader takes nothing longer than it expects.
 """
 
 from __future__ import annotations
@@ -15,10 +15,19 @@ _HEAD = struct.Struct("<cI")
 #: Bytes; the longest message there is (a notebook on its way in, results on their way out).
 LONGEST = HEADER_LIMIT + BODY_LIMIT + 8
 
-READY, ASK, TOLD, UNUSABLE = b"A", b"Q", b"N", b"U"  # serving and the grader
+BEGUN = b"B"  # the child runs (child.py writes it before anything is imported)
+READY, ASK, READ, UNUSABLE = b"A", b"Q", b"N", b"U"  # serving and the grader
 STAGE, TRIED, REPLY, END = b"S", b"T", b"R", b"E"  # an exercise's run
 NOTE, DONE = b"O", b"D"  # what a cell raised; a fork of the notebook's ended
 FAULT = b"F"  # of ours, in its process
+
+
+#: Bytes of a reply about repairs but its arrays.
+REPAIR_HEADER = 2_000_000
+
+
+class NoReply(RuntimeError):
+    """The other end is gone, or says nothing in time."""
 
 
 class Garbled(ValueError):

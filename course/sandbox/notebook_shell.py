@@ -16,13 +16,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from course.exercises.answer import (
-    TEXT_LIMIT,
     Outcome,
-    as_function,
-    call_all,
+    answer_to,
     describe,
-    is_stub,
 )
+from course.exercises.question import Question
 from course.sandbox import forks, guard, limits, stand_ins, wire
 from course.sandbox.attempts import IN_THE_ANSWER, Attempts
 from course.sandbox.cells import MISSED, Cells
@@ -33,20 +31,6 @@ from course.sandbox.seccomp import Filter
 
 MISSING = object()
 MISSED_NAMES = tuple(kind.__name__ for kind in MISSED)
-
-
-@dataclass(frozen=True)
-class Task:
-    """An exercise to answer: its place in the lesson, the answer's name and kind, the declared arguments, how many
-    results, the inputs of each case, and how many numbers each may give."""
-
-    index: int
-    name: str
-    kind: str
-    arguments: tuple[str, ...]
-    results: int
-    cases: tuple[Mapping[str, Any], ...]
-    most: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -62,7 +46,7 @@ class Surroundings:
 
 def run(
     steps: Sequence[Step],
-    tasks: Sequence[Task],
+    tasks: Sequence[Question],
     around: Surroundings,
     pipe: int,
     way: socket.socket | None,
@@ -106,7 +90,7 @@ class _Answers:
     """Answers exercises, each in a fork: what its code does there is not in the notebook's way."""
 
     def __init__(
-        self, steps: Sequence[Step], tasks: Sequence[Task], around: Surroundings, pipe: int, held: list[str],
+        self, steps: Sequence[Step], tasks: Sequence[Question], around: Surroundings, pipe: int, held: list[str],
         attempts: Attempts,
     ) -> None:  # fmt: skip
         self._sources = {step.index: step.source for step in steps}
@@ -130,7 +114,7 @@ class _Answers:
             if task.name not in self._asked:
                 self._answer(task, namespace.get(task.name, MISSING))
 
-    def _answer(self, task: Task, value: Any) -> None:
+    def _answer(self, task: Question, value: Any) -> None:
         if not hasattr(os, "fork"):  # one question a process
             self._reply(task, value)
             os._exit(0)
@@ -147,7 +131,7 @@ class _Answers:
         code = os.waitstatus_to_exitcode(status)
         send(self._pipe, DONE, f"{task.index} {code}".encode())
 
-    def _in_fork(self, task: Task, value: Any) -> None:
+    def _in_fork(self, task: Question, value: Any) -> None:
         with self.guard.aside():
             limits.apply_limits(self._around.limits)
             if self._around.filter is not None:
@@ -155,7 +139,7 @@ class _Answers:
         self._reply(task, value)
         os._exit(0)
 
-    def _reply(self, task: Task, value: Any) -> None:
+    def _reply(self, task: Question, value: Any) -> None:
         told = _call(task, self._stage, value, self._attempts)
         told |= {"held": self._held, "checked": task.name in self._asked}
         told["unlike"] = leans_on(value, task.name, self._sources, self._attempts.unlike)  # fmt: skip
@@ -167,30 +151,25 @@ class _Answers:
 
 
 def _call(
-    task: Task, stage: Callable[[str, int], None], value: Any, attempts: Attempts
+    task: Question, stage: Callable[[str, int], None], value: Any, attempts: Attempts
 ) -> dict[str, Any]:
     """What the answer gave for each case, or why it was not called."""
     if value is MISSING:
         return {"missing": True}
-    if is_stub(value):
-        return {"blank": True}
     attempts.cell = IN_THE_ANSWER
     try:
-        function = as_function(value, task.kind, task.name, task.arguments)
-    except Exception as error:
-        return {"fault": str(error)[:TEXT_LIMIT]}
-    try:
-        outcomes = call_all(function, _told(stage, task.cases), task.results)
+        came = answer_to(task, value, _told(stage, task.cases))
     except (
         BaseException
     ) as error:  # KeyboardInterrupt goes through call_all: a student can raise it too
         return {"fault": "it stopped with " + describe(error)}
-    for outcome in outcomes:
+    if came.blank or came.fault:
+        return {"blank": True} if came.blank else {"fault": came.fault}
+    for outcome in came.outcomes:
         if outcome.kind == "raised" and outcome.text.startswith(MISSED_NAMES):
             attempts.miss(outcome.text.partition("\n")[0])
-    return {
-        "outcomes": [_plain(o, m) for o, m in zip(outcomes, task.most, strict=True)]
-    }
+    pairs = zip(came.outcomes, task.most, strict=True)
+    return {"outcomes": [_plain(outcome, most) for outcome, most in pairs]}
 
 
 def _told(

@@ -4,9 +4,9 @@ import json
 import sys
 
 
-def main(told: str) -> None:
+def main(places: str) -> None:
     """Find the course's files and the packages, and serve whoever started it."""
-    where = json.loads(told)
+    where = json.loads(places)
     sys.path[:] = [where["root"], *where["path"]]
     from course.sandbox.trying import serve
 

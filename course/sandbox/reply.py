@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from course.exercises.answer import PRINTED_LIMIT, TEXT_LIMIT, Outcome
+from course.exercises.answer import PRINTED_LIMIT, TEXT_LIMIT, Answer, Outcome
+from course.exercises.question import Question
+from course.exercises.untrusted_text import clean
 from course.sandbox import wire
 
 LIMIT_WORDS = (
@@ -19,57 +21,65 @@ LIMIT_WORDS = (
     "one process",
     "system calls",
 )
-KINDS = ("value", "none", "raised", "unreadable", "unattempted")
+KINDS = ("value", "none", "raised", "unreadable")
 
 
 @dataclass(frozen=True)
 class Reply:
-    """What came back, checked: the outcomes, or why there are none; ``checked`` where the notebook itself asked,
-    ``unlike`` what the answer may lean on that its author's kernel had and this process had not."""
+    """What came back, checked: the answer, or that there is no such name (``missing``).
 
-    outcomes: tuple[Outcome, ...] = ()
+    ``held`` are the limits that took effect; ``checked`` where the notebook itself asked; ``unlike`` what the answer
+    may lean on that its author's kernel had and this process had not.
+    """
+
+    answer: Answer = field(default_factory=Answer)
     missing: bool = False
-    blank: bool = False
-    fault: str = ""
     held: tuple[str, ...] = ()
     checked: bool = False
     unlike: str = ""
 
 
-def checked_reply(told: Any, most: Sequence[int], results: int) -> Reply:
+def checked_reply(sent: Any, question: Question) -> Reply:
     """The reply as a ``Reply``; raises ``Unreadable`` where a part is not what it should be."""
-    if not isinstance(told, dict):
+    if not isinstance(sent, dict):
         raise wire.Unreadable("no table of results")
-    held = tuple(word for word in LIMIT_WORDS if word in _list(told.get("held", [])))
-    more: dict[str, Any] = {"held": held, "checked": told.get("checked") is True,
-                            "unlike": clean(told.get("unlike", ""), 200)}  # fmt: skip
-    if told.get("missing") is True:
+    held = tuple(word for word in LIMIT_WORDS if word in _list(sent.get("held", [])))
+    more: dict[str, Any] = {"held": held, "checked": sent.get("checked") is True,
+                            "unlike": clean(sent.get("unlike", ""), 200)}  # fmt: skip
+    if sent.get("missing") is True:
         return Reply(missing=True, **more)
-    if told.get("blank") is True:
-        return Reply(blank=True, **more)
-    if "fault" in told:
-        fault = clean(told["fault"], TEXT_LIMIT * 3) or "it stopped"
-        return Reply(fault=fault, **more)
-    listed = _list(told.get("outcomes"))
-    if len(listed) != len(most):
-        raise wire.Unreadable(f"{len(listed)} results for {len(most)} cases")
-    outcomes = tuple(map(_outcome, listed, most, [results] * len(most)))
-    return Reply(outcomes, **more)
+    return Reply(_answer(sent, question), **more)
 
 
-def _outcome(told: Any, most: int, results: int) -> Outcome:
-    if not isinstance(told, dict) or told.get("kind") not in KINDS:
+def _answer(sent: dict[str, Any], question: Question) -> Answer:
+    if sent.get("blank") is True:
+        return Answer(blank=True)
+    if "fault" in sent:
+        return Answer(fault=clean(sent["fault"], TEXT_LIMIT * 3) or "it stopped")
+    listed = _list(sent.get("outcomes"))
+    if len(listed) != len(question.most):
+        raise wire.Unreadable(f"{len(listed)} results for {len(question.most)} cases")
+    pairs = zip(listed, question.most, strict=True)
+    return Answer(
+        tuple(checked_outcome(one, most, question.results) for one, most in pairs)
+    )
+
+
+def checked_outcome(sent: Any, most: int, results: int) -> Outcome:
+    """What an answer gave in one case: ``results`` arrays of at most so many numbers together, or why there are
+    none; raises ``Unreadable``."""
+    if not isinstance(sent, dict) or sent.get("kind") not in KINDS:
         raise wire.Unreadable("a result of unknown kind")
     text, printed = (
-        clean(told.get("text", ""), TEXT_LIMIT * 3),
-        clean(told.get("printed", ""), PRINTED_LIMIT),
+        clean(sent.get("text", ""), TEXT_LIMIT * 3),
+        clean(sent.get("printed", ""), PRINTED_LIMIT),
     )
-    given = told.get("given", {})
+    given = sent.get("given", {})
     if not isinstance(given, dict):
         raise wire.Unreadable("arguments that are no table")
-    if told["kind"] != "value":
-        return Outcome(told["kind"], text=text, printed=printed, given=given)
-    values = _list(told.get("values"))
+    if sent["kind"] != "value":
+        return Outcome(sent["kind"], text=text, printed=printed, given=given)
+    values = _list(sent.get("values"))
     if len(values) != results or not all(
         isinstance(value, np.ndarray) for value in values
     ):
@@ -83,14 +93,3 @@ def _list(value: Any) -> Sequence[Any]:
     if not isinstance(value, list):
         raise wire.Unreadable("no list where one belongs")
     return value
-
-
-def clean(text: Any, limit: int) -> str:
-    """A stranger's text, cut, and without characters that terminals, tables or encoders stumble over."""
-    if not isinstance(text, str):
-        return ""
-    plain = text[:limit].encode("utf-8", "replace").decode("utf-8")
-    return "".join(
-        c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}"
-        for c in plain
-    )

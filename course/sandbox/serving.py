@@ -1,4 +1,4 @@
-"""The process of a submission: reads the notebook, forks a process that runs it, and tells the grader what came of it.
+"""The process of a submission: reads the notebook, forks a process that runs it, and reports to the grader.
 
 It runs nothing that a student wrote. It talks through its standard input and output; when the first closes, the grader
 is gone, and it ends with all that it started.
@@ -23,11 +23,11 @@ from course.exercises.notebook_file import (
     UnusableNotebook,
     parse_notebook,
 )
+from course.exercises.question import Question
 from course.exercises.source import modules_used, python_only
 from course.sandbox import messages, notebook_shell, stand_ins, wire
 from course.sandbox.forks import take_over
 from course.sandbox.limits import Limits, memory_limited
-from course.sandbox.notebook_shell import Task
 from course.sandbox.plan import Planned, Step, plan_of, steps_of
 from course.sandbox.seccomp import filter_for_this_machine
 from course.sandbox.watching import Abandoned, Seen, Watch
@@ -42,10 +42,10 @@ MOST_RUNS, MOST_NOTES = 10, 20
 def serve(where: Mapping[str, Any]) -> NoReturn:
     """Serve one submission to its end. ``where``: the folder to write in, packages, closed folders, whether boxed."""
     gc.disable()  # nothing that is loaded here is garbage
-    asked, told = _own_pipes()
+    inlet, outlet = _own_pipes()
     try:
-        messages.send(told, messages.READY)
-        _Server(where, asked, told).submission()
+        messages.send(outlet, messages.READY)
+        _Server(where, inlet, outlet).submission()
     except (Abandoned, BrokenPipeError):
         pass
     finally:
@@ -58,12 +58,12 @@ def serve(where: Mapping[str, Any]) -> NoReturn:
 class _Server:
     """One submission: where it may write, and the pipes from and to the grader."""
 
-    def __init__(self, where: Mapping[str, Any], asked: int, told: int) -> None:
-        self._where, self._asked, self._told = where, asked, told
+    def __init__(self, where: Mapping[str, Any], inlet: int, outlet: int) -> None:
+        self._where, self._inlet, self._outlet = where, inlet, outlet
 
     def submission(self) -> None:
         """Read the notebook, then run it for what is asked."""
-        request = _asked(self._asked)
+        request = self._next()
         limits = Limits(*request["limits"])
         try:
             with memory_limited(limits):
@@ -74,9 +74,9 @@ class _Server:
         except (MemoryError, RecursionError) as error:
             words = f"cannot be read within its limits ({type(error).__name__})"
             return self._unusable(words)
-        messages.send(self._told, messages.TOLD, wire.pack(_found(notebook, plan)))
-        tasks = [_task(q) for q in _asked(self._asked)["questions"]]
-        _load_packages(steps, tasks)
+        messages.send(self._outlet, messages.READ, wire.pack(_found(notebook, plan)))
+        questions = [Question(**q) for q in self._next()["questions"]]
+        _load_packages(steps, questions)
         around = notebook_shell.Surroundings(
             self._where["work"],
             tuple(self._where["closed"]),
@@ -85,26 +85,49 @@ class _Server:
             filter_for_this_machine() if self._where["boxed"] else None,
         )
         if not hasattr(os, "fork"):  # one question a process, and the grader watches
-            notebook_shell.run(steps, tasks, around, self._told, None)
-        seen = self._run(steps, tasks, around)
-        for task in tasks:
-            told = _ended(seen, task, plan[task.index])
-            messages.send(self._told, messages.END, wire.pack(told))
+            notebook_shell.run(steps, questions, around, self._outlet, None)
+        seen = self._run(steps, questions, around)
+        for question in questions:
+            report = _ended(seen, question, plan[question.index])
+            messages.send(self._outlet, messages.END, wire.pack(report))
+        self._serve_repairs(notebook, around)
+
+    def _serve_repairs(
+        self, notebook: NotebookFile, around: notebook_shell.Surroundings
+    ) -> NoReturn:
+        """To the end: most submissions ask for none, and load nothing for it."""
+        request = self._next()["repair"]
+        from course.sandbox.serving_repairs import Repairs
+
+        repairs = Repairs(notebook, around, self._inlet, self._outlet)
+        try:
+            while True:
+                repairs.answer(request)
+                request = self._next()["repair"]
+        finally:
+            repairs.close()
+
+    def _next(self) -> Any:
+        """The grader's next request; raises ``Abandoned`` where there is none."""
+        message = messages.receive(lambda count: os.read(self._inlet, count))
+        if message is None or message[0] != messages.ASK:
+            raise Abandoned
+        return wire.unpack(message[1])
 
     def _unusable(self, words: str) -> None:
-        messages.send(self._told, messages.UNUSABLE, words.encode("utf-8", "replace"))
+        messages.send(self._outlet, messages.UNUSABLE, words.encode("utf-8", "replace"))
 
     def _run(
         self,
         steps: Sequence[Step],
-        tasks: Sequence[Task],
+        questions: Sequence[Question],
         around: notebook_shell.Surroundings,
     ) -> Seen:
         """Run the notebook; where a cell takes the process with it, once more without that cell."""
         whole = Seen()
         for _ in range(RESTARTS):
             steps = [s for s in steps if s.index not in whole.stopped]
-            left = [t for t in tasks if t.index not in whole.answers]
+            left = [t for t in questions if t.index not in whole.answers]
             seen = self._once(steps, left, around)
             whole.answers |= seen.answers
             whole.notes |= seen.notes
@@ -119,7 +142,7 @@ class _Server:
     def _once(
         self,
         steps: Sequence[Step],
-        tasks: Sequence[Task],
+        questions: Sequence[Question],
         around: notebook_shell.Surroundings,
     ) -> Seen:
         _clear(around.work)
@@ -127,19 +150,19 @@ class _Server:
         here, there = socket.socketpair() if around.filter else (None, None)
         process = os.fork()
         if process == 0:
-            others = [outlet, self._asked, self._told]
-            _become_notebook(steps, tasks, around, inlet, others, here, there)
+            others = [outlet, self._inlet, self._outlet]
+            _become_notebook(steps, questions, around, inlet, others, here, there)
         os.close(inlet)
         forks = None
         if here is not None and there is not None:
             there.close()
-            forks = take_over(here, _checks(tasks))
+            forks = take_over(here, _checks(questions))
             here.close()
-        seconds = around.limits.seconds * (len(tasks) + 2)
+        seconds = around.limits.seconds * (len(questions) + 2)
         boxed = self._where["boxed"]
         try:
             return Watch(
-                process, outlet, self._asked, forks, around.work, around.limits,
+                process, outlet, self._inlet, forks, around.work, around.limits,
                 boxed=boxed, seconds=seconds,
             ).follow()  # fmt: skip
         finally:
@@ -156,8 +179,8 @@ def _read(request: Mapping[str, Any]) -> tuple[NotebookFile, tuple[Planned, ...]
 
 
 def _found(notebook: NotebookFile, plan: Sequence[Planned]) -> dict[str, Any]:
-    """What the grader is told of a notebook: the lesson, and of each exercise what its source tells."""
-    told = [
+    """The report on a notebook that is only read: the lesson, and of each exercise what its source shows."""
+    exercises = [
         {
             "state": p.state,
             "fault": p.cell.fault,
@@ -166,21 +189,16 @@ def _found(notebook: NotebookFile, plan: Sequence[Planned]) -> dict[str, Any]:
         }
         for p in plan
     ]
-    return {"lesson": notebook.lesson, "exercises": told}
+    return {"lesson": notebook.lesson, "exercises": exercises}
 
 
-def _task(question: Mapping[str, Any]) -> Task:
-    lists = {k: tuple(v) for k, v in question.items() if isinstance(v, list)}
-    return Task(**{**question, **lists})
-
-
-def _checks(tasks: Sequence[Task]) -> int:
+def _checks(questions: Sequence[Question]) -> int:
     """How many processes a notebook may make: a student checks an exercise more than once."""
-    return 8 + 4 * len(tasks)
+    return 8 + 4 * len(questions)
 
 
-def _ended(seen: Seen, task: Task, planned: Planned) -> dict[str, Any]:
-    """What the grader is told of an exercise."""
+def _ended(seen: Seen, question: Question, planned: Planned) -> dict[str, Any]:
+    """The report on an exercise."""
     runs = [
         {
             "end": one.end,
@@ -189,7 +207,7 @@ def _ended(seen: Seen, task: Task, planned: Planned) -> dict[str, Any]:
             "reply": np.frombuffer(one.reply, np.uint8),
             "seconds": one.seconds,
         }
-        for one in seen.answers.get(task.index, [])
+        for one in seen.answers.get(question.index, [])
     ]
     if not runs and not seen.whole:
         lost = {"end": seen.lost[0], "detail": seen.lost[1], "stage": ""}
@@ -197,7 +215,7 @@ def _ended(seen: Seen, task: Task, planned: Planned) -> dict[str, Any]:
     stopped = [seen.stopped[i] for i in planned.own if i in seen.stopped]
     notes = [[int(i in planned.own), _text(n)] for i, n in sorted(seen.notes.items())]
     return {
-        "index": task.index,
+        "index": question.index,
         "runs": runs[-MOST_RUNS:],
         "own": list(stopped[0]) if stopped else [],
         "others": [list(s) for i, s in seen.stopped.items() if i not in planned.own],
@@ -210,16 +228,16 @@ def _ended(seen: Seen, task: Task, planned: Planned) -> dict[str, Any]:
 def _text(note: bytes) -> str:
     """What a cell said that it raised."""
     try:
-        told = wire.unpack(note)
+        sent = wire.unpack(note)
     except wire.Unreadable:
         return ""
-    whole = isinstance(told, list) and len(told) == 2 and isinstance(told[1], str)
-    return told[1][:3000] if whole else ""
+    whole = isinstance(sent, list) and len(sent) == 2 and isinstance(sent[1], str)
+    return sent[1][:3000] if whole else ""
 
 
 def _become_notebook(
     steps: Sequence[Step],
-    tasks: Sequence[Task],
+    questions: Sequence[Question],
     around: notebook_shell.Surroundings,
     inlet: int,
     others: Sequence[int],
@@ -232,20 +250,20 @@ def _become_notebook(
             os.close(pipe)
         if here is not None:
             here.close()
-        notebook_shell.run(steps, tasks, around, inlet, there)
+        notebook_shell.run(steps, questions, around, inlet, there)
     except Exception as error:
-        told = f"{type(error).__name__}: {error}"
-        messages.send(inlet, messages.FAULT, told.encode("utf-8", "replace"))
+        words = f"{type(error).__name__}: {error}"
+        messages.send(inlet, messages.FAULT, words.encode("utf-8", "replace"))
     finally:
         os._exit(70)
 
 
-def _load_packages(steps: Sequence[Step], tasks: Sequence[Task]) -> None:
+def _load_packages(steps: Sequence[Step], questions: Sequence[Question]) -> None:
     """IPython, and what takes seconds to load: they are not the student's, and are spent once for all exercises."""
     preamble = [python_only(s.source) for s in steps if s.tolerant]
     answers = [python_only(s.source) for s in steps if not s.tolerant]
     wanted = {"IPython.core.interactiveshell", *modules_used(preamble, answers, SLOW)}
-    if any(task.kind == "expression" for task in tasks):
+    if any(question.kind == "expression" for question in questions):
         wanted.add("sympy")
     for name in sorted(wanted):
         with contextlib.suppress(Exception):  # the run will find out for itself
@@ -263,20 +281,12 @@ def _clear(folder: str) -> None:
                 os.unlink(place)
 
 
-def _asked(pipe: int) -> Any:
-    """The grader's next request; raises ``Abandoned`` where there is none."""
-    message = messages.receive(lambda count: os.read(pipe, count))
-    if message is None or message[0] != messages.ASK:
-        raise Abandoned
-    return wire.unpack(message[1])
-
-
 def _own_pipes() -> tuple[int, int]:
     """Standard input and output under other numbers, which no run inherits; in their place is nothing."""
-    asked, told = os.dup(0), os.dup(1)
+    inlet, outlet = os.dup(0), os.dup(1)
     nowhere = os.open(os.devnull, os.O_RDWR)
     os.dup2(nowhere, 0)
     os.dup2(nowhere, 1)
     os.close(nowhere)
     sys.stdin = open(os.devnull)
-    return asked, told
+    return inlet, outlet

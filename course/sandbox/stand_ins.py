@@ -26,10 +26,21 @@ LATER_NAME = "__import_later__"
 SLOW = frozenset({"cvxpy", "numba"})
 
 
+#: What a value is used by: numbers, arrays, sequences.
+USES = (
+    "array float int complex index len iter getitem add radd sub rsub mul rmul truediv rtruediv pow rpow matmul "
+    "rmatmul neg abs lt le gt ge"
+).split()
+
+
+class CourseNotHere(RuntimeError):
+    """The answer uses something of the course itself, which is not there while an answer is marked."""
+
+
 class StandInForCourse:
     """Anything of the course: calls and attributes return it again.
 
-    It is not a number.
+    It is no value: an answer that uses it as one is stopped with the reason.
     """
 
     def __call__(self, *_: Any, **__: Any) -> Any:
@@ -45,6 +56,16 @@ class StandInForCourse:
 
     def __exit__(self, *_: Any) -> None:
         return None
+
+
+def _not_here(*_: Any, **__: Any) -> Any:
+    raise CourseNotHere(
+        "It calls the course itself, which is not there while an answer is marked."
+    )
+
+
+for _use in USES:
+    setattr(StandInForCourse, f"__{_use}__", _not_here)
 
 
 class _Module(ModuleType):

@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 import select
 import signal
-import subprocess
 import sys
 import time
 from dataclasses import dataclass, field
 
 from course.sandbox.ending import End, end_of
 from course.sandbox.forks import Forks
-from course.sandbox.limits import Limits
+from course.sandbox.limits import Limits, resident_mb
 from course.sandbox.messages import (
     DONE,
     FAULT,
@@ -250,10 +249,7 @@ class Watch:
             self._looked = now
             if self._too_much_written():
                 return "files"
-            if (
-                watches_memory()
-                and _resident_mb(self._process) > self._limits.memory_mb
-            ):
+            if watches_memory() and resident_mb(self._process) > self._limits.memory_mb:
                 return "memory"
             if self._boxed and self._too_many_threads():
                 return "threads"
@@ -310,13 +306,6 @@ class Watch:
 def watches_memory() -> bool:
     """Whether memory is watched, for want of a limit on it (macOS)."""
     return sys.platform == "darwin"
-
-
-def _resident_mb(process: int) -> float:
-    """Memory of a process as ps tells it; 0 where it tells nothing."""
-    command = ["ps", "-o", "rss=", "-p", str(process)]
-    told = subprocess.run(command, capture_output=True, text=True, check=False)
-    return int(told.stdout) / 1000 if told.stdout.strip().isdigit() else 0.0
 
 
 def _code_of(process: int, *, patience: float | None) -> int | None:

@@ -24,7 +24,7 @@ _DTYPE = re.compile(
 
 
 class Unreadable(ValueError):
-    """A message that does not say what it should; the text tells what is wrong with it."""
+    """A message that does not say what it should; the text says what is wrong with it."""
 
 
 def pack(value: Any) -> bytes:

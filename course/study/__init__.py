@@ -15,10 +15,10 @@ from course.study.bouncing_ball import (
     PUBLISHED_BOUNCING,
     BouncingErrors,
     PublishedBouncing,
-    bouncing_ball_step,
     bouncing_errors,
     bouncing_loop,
     energy_error,
+    engine_ball_step,
     event_driven_error,
 )
 from course.study.contact_matrices import (
@@ -139,7 +139,7 @@ __all__ = [
     "WallReflection",
     "WorkPrecision",
     "billiard_break",
-    "bouncing_ball_step",
+    "engine_ball_step",
     "bouncing_errors",
     "bouncing_loop",
     "box_landings",

@@ -111,7 +111,7 @@ PUBLISHED_BOUNCING = PublishedBouncing(
 )
 
 
-def bouncing_ball_step(
+def engine_ball_step(
     position: ArrayLike,
     velocity: ArrayLike,
     step: float,
@@ -121,7 +121,9 @@ def bouncing_ball_step(
     radius: float = RADIUS,
     gravity: float = GRAVITY,
 ) -> tuple[Array, Array]:
-    """One fixed step of a ball above the ground z = 0; what is checked first makes the difference.
+    """One fixed step of a bouncing ball as engines take it; what is checked first makes the difference.
+
+    ``course.formulas.bouncing_ball_step``, for the lowest point, is the "ode" order.
 
     "ode": if z < r and v < 0: v = -e v, else v = v - g h. "bullet":
     v = v - g h, then if z < r and v < 0: v = -e v. Then z = z + h v in both.

@@ -45,7 +45,7 @@ def impulses_in_turn(
         restitution: e, from 0 to 1.
         passes: how many at most.
     """
-    from course.contact.sequential_impulses import Passes
+    from course.contact.sequential_collisions import Passes
 
     a, u, e = _impact(matrix, normal_velocity, restitution)
     impulse, limit = np.zeros(u.size), -APPROACHING * max(-float(u.min()), 0.0)

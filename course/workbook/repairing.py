@@ -1,4 +1,4 @@
-"""After a verdict that names no cause: look for the one change that makes the answer right, and tell where it is."""
+"""After a verdict that names no cause: look for the one change that makes the answer right, and say where it is."""
 
 from __future__ import annotations
 
@@ -15,58 +15,44 @@ from typing import Any
 import numpy as np
 
 from course.exercises.definition import Exercise
+from course.exercises.inputs import Inputs
 from course.exercises.message import Message, Part
+from course.exercises.repair.explanation import repair_parts
 from course.exercises.repair.recipe import Recipe, expression_recipe
 from course.exercises.repair.search import Repair
 from course.exercises.verdict import Verdict
 
 #: What was found, by exercise: ``hint`` shows the change.
 found: dict[str, Repair] = {}
-ORDINALS = ("first", "second")
 
 
-def look_for_repair(
-    exercise: Exercise, answer: Any, verdict: Verdict
-) -> Message | None:
+def look_for_repair(inputs: Inputs, answer: Any, verdict: Verdict) -> Message | None:
     """The message of a repair, if one is found within some seconds; an interrupt ends the search and no more."""
     from course.sandbox.repairing import (
-        memory_capped,
-        repair_of,
-    )  # a hundredth of a second, and seldom needed
+        repair_of,  # a hundredth of a second, and seldom needed  # fmt: skip
+    )
 
+    exercise = inputs.exercise
     found.pop(exercise.name, None)
-    if verdict.passed or verdict.mistake is not None or not verdict.outcomes:
+    if not verdict.unexplained:
         return None
     try:
         recipe = recipe_of(exercise, answer)
-        repair = recipe and repair_of(exercise, recipe, verdict.outcomes)
+        repair = recipe and repair_of(inputs, recipe, verdict.outcomes)
     except KeyboardInterrupt:
         return None
     if not repair:
         return None
     found[exercise.name] = repair
-    return repair_message(exercise.name, repair, capped=memory_capped())
+    return repair_message(exercise.name, repair)
 
 
-def repair_message(name: str, repair: Repair, *, capped: bool = True) -> Message:
+def repair_message(name: str, repair: Repair) -> Message:
     """Kind and line of what makes an answer right; the change itself is left to ``hint``."""
-    parts: list[Part] = []
-    for which, step in zip(ORDINALS, repair.steps, strict=False):
-        label = "look at" if len(repair.steps) == 1 else which
-        parts += [Part(label, step.kind), Part("in the line", step.line, "code")]
-    parts += [Part("or in", line, "code") for line in repair.elsewhere]
-    both = (
-        "With this one change" if len(repair.steps) == 1 else "With these two changes"
-    )
-    parts.append(
-        Part("tried", f"{both} it passes every case, and those of two other draws.")
-    )
-    if not capped:
-        half = "half its time: memory cannot be limited on this system"
-        parts.append(Part("note", f"The search had {half}."))
-    parts.append(Part("stuck?", f"hint({name!r}) also shows the change"))
     few = "One change makes" if len(repair.steps) == 1 else "Two changes make"
-    return Message("wrong", f"{few} {name} right", tuple(parts))
+    stuck = Part("stuck?", f"hint({name!r}) also shows the change")
+    parts = (*repair_parts(repair), stuck)
+    return Message("wrong", f"{few} {name} right", parts)
 
 
 def change_parts(name: str) -> list[Part]:
@@ -77,7 +63,7 @@ def change_parts(name: str) -> list[Part]:
 
 
 def recipe_of(exercise: Exercise, answer: Any) -> Recipe | None:
-    """The answer as source that can be run elsewhere; None where it cannot be told."""
+    """The answer as source that can be run elsewhere; None where there is no such source."""
     arguments = [a.name for a in exercise.arguments]
     if exercise.kind == "expression":
         cells = (expression_recipe(c, exercise.name, arguments) for c in _cells())

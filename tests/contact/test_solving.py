@@ -13,8 +13,8 @@ from course.contact import (
     contact_system,
     solve,
 )
+from course.contact.engine.methods import METHODS
 from course.contact.solvers import complementarity_residual
-from course.contact.solving import METHODS
 from course.scenes import (
     GRAVITY,
     about_to_part,

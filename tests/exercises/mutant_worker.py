@@ -13,7 +13,8 @@ from collections.abc import Callable, Sequence
 
 from course.exercises.answer import call_all
 from course.exercises.definition import Case, Exercise, Mistake, find_exercise
-from course.exercises.verdict import answers_of, judge
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge
 from course.sandbox.limits import Limits, apply_limits
 
 SECONDS = 0.5  # of the processor, for the cases of one seed

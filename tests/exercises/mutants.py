@@ -84,7 +84,12 @@ class _Place:
 
 def mutants_of(formula: Callable[..., object]) -> list[Mutant]:
     """All mutants of a formula that differ from it and from each other as text."""
-    tree = ast.parse(source_of(formula))
+    return mutants_in(source_of(formula))
+
+
+def mutants_in(source: str) -> list[Mutant]:
+    """All mutants of a function's source."""
+    tree = ast.parse(source)
     function = tree.body[0]
     assert isinstance(function, ast.FunctionDef)
     if ast.get_docstring(function) is not None:

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from course.exercises.answer import as_function, call, evaluator
+from course.exercises.answer import as_function, call
+from course.exercises.expressions import evaluator
 from course.exercises.source import is_blank
 from course.workbook.building import blank
 

@@ -79,7 +79,7 @@ def answer_for(name: str, forces: Callable) -> Callable:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("order", ORDERS)
 def test_trying_sets_with_one_condition_fails_and_with_both_passes(name, order):
-    for seed in SEEDS[:6]:
+    for seed in SEEDS[:4]:
         only_w = answer_for(name, tried(order, w=True, f=False))
         assert not right(name, only_w, seed)
         only_f = answer_for(name, tried(order, w=False, f=True))
@@ -90,7 +90,7 @@ def test_trying_sets_with_one_condition_fails_and_with_both_passes(name, order):
 
 def test_the_two_cases_made_for_them_convict_every_order():
     for name in NAMES:
-        for order, seed in product(ORDERS, SEEDS):
+        for order, seed in product(ORDERS, SEEDS[:5]):
             function = answer_for(name, tried(order, w=True, f=False))
             pulled = [t for t in trial(name, seed) if "pulling" in t[1].label]
             assert len(pulled) == 2 and not passes(function, pulled)
@@ -170,9 +170,14 @@ def test_pivoting_holds_where_two_stops_coincide():
         assert f.min() >= 0 and w.min() > -1e-12 and np.abs(f * w).max() < 1e-12
 
 
-def test_no_contact_needs_more_than_the_four_stops_the_lesson_promises():
+@pytest.mark.parametrize(
+    "seeds",
+    [(None, *range(20)), pytest.param(tuple(range(20, 100)), marks=pytest.mark.slow)],
+    ids=["some", "many"],
+)
+def test_no_contact_needs_more_than_the_four_stops_the_lesson_promises(seeds):
     four = slip(formulas.pivot, "range(100)", "range(5)")
-    for seed in (None, *range(100)):
+    for seed in seeds:
         assert right("pivot", four, seed)
 
 

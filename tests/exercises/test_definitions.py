@@ -1,6 +1,8 @@
 """Every exercise of every lesson: the reference passes, each planted mistake fails with its own message."""
 
 import dataclasses
+import keyword
+import re
 
 import numpy as np
 import pytest
@@ -14,8 +16,10 @@ from course.exercises.definition import (
     Value,
     all_lessons,
 )
-from course.exercises.message import verdict_message
-from course.exercises.verdict import answers_of, judge, violated
+from course.exercises.explanation import verdict_message
+from course.exercises.formula_source import source_of
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge, violated
 
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
 SEEDS = (
@@ -116,6 +120,15 @@ def test_declared_names_and_messages(exercise):
     assert all(len(m) > 30 for m in messages)
     assert exercise.points > 0 and exercise.minutes > 0 and exercise.rows
     assert "____" in exercise.hints[2], "the third hint is a line with a hole in it"
+
+
+@by_name
+def test_the_third_hint_has_the_names_of_the_formula(exercise):
+    """Who fills in the holes and then sees the formula reads the same lines twice."""
+    code = re.sub(r"\"[^\"]*\"|#.*", "", exercise.hints[2])
+    names = set(re.findall(r"\b[A-Za-z]\w*", code)) - set(keyword.kwlist)
+    known = set(re.findall(r"\w+", source_of(exercise.reference))) | {exercise.name}
+    assert not names - known, f"not in the formula: {sorted(names - known)}"
 
 
 @pytest.mark.parametrize("lesson", all_lessons(), ids=lambda le: le.number)

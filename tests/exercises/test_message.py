@@ -7,8 +7,11 @@ import pytest
 
 from course.exercises.comparison import compare_one
 from course.exercises.definition import Case, Exercise, Mistake, Value, all_lessons
-from course.exercises.message import Message, code, pasteable, short, verdict_message
-from course.exercises.verdict import answers_of, judge
+from course.exercises.explanation import pasteable, verdict_message
+from course.exercises.inputs import answers_of
+from course.exercises.message import Message
+from course.exercises.numbers_as_text import code, short
+from course.exercises.verdict import judge
 
 EXERCISES = [
     e for lesson in all_lessons() for e in lesson.exercises if e.kind == "function"

@@ -7,39 +7,43 @@ import pytest
 
 from course.exercises.answer import call_all
 from course.exercises.definition import find_exercise
+from course.exercises.inputs import inputs_of
+from course.exercises.repair.changes import ChangedSource
 from course.exercises.repair.edits import Code, edits_of
 from course.exercises.repair.recipe import expression_recipe
-from course.exercises.repair.search import Search, drawn_cases
+from course.exercises.repair.search import Search
 
 HEAD = "def speed_along(velocity, normal):\n    return "
 AXES = {"velocity": 1, "normal": 1}
 
 
-def here(exercise, cases):
-    """Runs sources in this process: for sources that end."""
+class Here(ChangedSource):
+    """Runs changed sources in this process: for sources that end."""
 
-    def attempt(sources, indices, left=False):
-        runs = []
-        for source in sources:
-            space = {"np": np}
-            exec(source, space)
-            arguments = [cases[i].arguments for i in indices]
-            runs.append(
-                call_all(space[exercise.name], arguments, len(exercise.results))
-            )
-        return runs
+    def __init__(self, inputs, source, axes, hidden=""):
+        super().__init__(Code(source, axes), hidden)
+        self._inputs, self._source = inputs, source
+        drawn = (inputs, *inputs.others)
+        self.cases = [case.arguments for one in drawn for case in one.cases]
 
-    return attempt
+    def ran(self, source, cases):
+        space = {"np": np}
+        exec(source, space)
+        question = self._inputs.question
+        arguments = [self.cases[i] for i in cases]
+        return call_all(space[question.name], arguments, question.results)
+
+    def unchanged(self):
+        return self.ran(self._source, range(len(self._inputs.cases)))
+
+    def outcomes(self, numbers, cases, *, after=-1, left=False):
+        return [self.ran(self.source(n, after), cases) for n in numbers]
 
 
-def repair_of_source(name, source, axes, seconds=20.0):
-    exercise = find_exercise(name)[1]
-    cases, own = drawn_cases(exercise)
-    attempt = here(exercise, cases)
-    (outcomes,) = attempt([source], range(own))
-    return Search(exercise, cases, own, attempt, seconds).find(
-        Code(source, axes), outcomes
-    )
+def repair_of_source(name, source, axes, seconds=20.0, answer=Here, **more):
+    inputs = inputs_of(find_exercise(name)[1])
+    answer = answer(inputs, source, axes, **more)
+    return Search(inputs, answer, seconds).find(answer.unchanged())
 
 
 @pytest.mark.parametrize(
@@ -54,7 +58,14 @@ def repair_of_source(name, source, axes, seconds=20.0):
         ("np.max(velocity * normal, axis=-1)", "max() where sum() belongs"),
         ("np.sum(velocity * velocity, axis=-1)", "another name"),
         ("-np.sum(velocity * normal, axis=-1)", "a sign"),
+        ("-np.sum((velocity - 0) * normal, axis=-1)", "a sign"),
         ("velocity * normal", "* where a dot product belongs"),
+        ("np.sum(velocity * normal / 2 - 1, axis=-1)", "brackets"),
+        ("np.sum(velocity * normal, axis=-1).astype(int)", "astype() too many"),
+        (
+            "np.sum(velocity * normal, axis=-1, keepdims=True) * normal",
+            "a factor too many",
+        ),
     ],
 )
 def test_the_kind_of_a_slip_is_found(wrong, kind):
@@ -98,23 +109,21 @@ def test_nothing_is_found_after_the_time_is_over():
 
 def test_a_change_that_only_the_notebooks_cases_allow_is_not_told():
     """The change passes the notebook's cases and is made to fail the first of another seed."""
-    exercise = find_exercise("speed_along")[1]
-    cases, own = drawn_cases(exercise)
-    assert len(cases) > own
+
+    class WrongElsewhere(Here):
+        def ran(self, source, cases):
+            own = len(self._inputs.cases)
+            assert len(self.cases) > own
+            came = super().ran(source, cases)
+            spoilt = call_all(lambda v, n: np.float64(np.nan), [self.cases[own]], 1)[0]
+            return [spoilt if i >= own else o for i, o in zip(cases, came, strict=True)]
+
     source = HEAD + "2 * np.sum(velocity * normal, axis=-1)\n"
-    inner = here(exercise, cases)
-
-    def wrong_elsewhere(sources, indices, left=False):
-        runs = inner(sources, indices)
-        spoilt = call_all(lambda v, n: np.float64(np.nan), [cases[own].arguments], 1)[0]
-        return [
-            [spoilt if i >= own else o for i, o in zip(indices, run, strict=True)]
-            for run in runs
-        ]
-
-    (outcomes,) = inner([source], range(own))
-    search = Search(exercise, cases, own, wrong_elsewhere, 5.0)
-    assert search.find(Code(source, AXES), outcomes) is None
+    assert repair_of_source("speed_along", source, AXES, 5.0) is not None
+    assert (
+        repair_of_source("speed_along", source, AXES, 5.0, answer=WrongElsewhere)
+        is None
+    )
 
 
 @pytest.mark.parametrize(
@@ -142,3 +151,109 @@ def test_an_expression_becomes_a_function_of_numbers():
     exec(recipe.prelude + recipe.source, space)
     assert space["rest_time"](2.0, 0.5, 1.0) == 3.0
     assert expression_recipe("rest_time = ", "rest_time", ["h"]) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "kind", "new"),
+    [
+        # a count is a number, not a name that happens to hold one
+        (
+            "speed_along",
+            "total = 0\n    for i in range(1, 3):\n"
+            "        total += velocity[..., i] * normal[..., i]\n    return total",
+            "a number",
+            "0",
+        ),
+        # the dot product is there; what follows it is too many
+        (
+            "speed_along",
+            "dot = np.sum(velocity * normal, axis=-1)\n    return dot[..., None] * normal",
+            "a factor too many",
+            "dot",
+        ),
+        (
+            "speed_along",
+            "a = velocity * normal\n    b = a\n    b[..., 0] = 0.0\n    return np.sum(a, axis=-1)",
+            "a second name where a copy belongs",
+            "np.array(a)",
+        ),
+        # mirrored, with e as a factor
+        (
+            "wall_bounce",
+            "u = np.sum(velocity * normal, axis=-1)[..., None]\n"
+            "    e = np.asarray(restitution)[..., None]\n"
+            "    return np.where(u < 0, velocity - 2 * e * u * normal, velocity)",
+            "a number times it where 1 + it belongs",
+            "1 + e",
+        ),
+        # both cross products have the same order: brackets are the likelier cause
+        (
+            "separation_rate",
+            "x_a, v_a, w_a = body_a\n    x_b, v_b, w_b = body_b\n"
+            "    rate = v_a + np.cross(w_a, p_a - x_a) - v_b + np.cross(w_b, p_b - x_b)\n"
+            "    return np.sum(rate * n + (p_a - p_b) * n_dot, axis=-1)",
+            "brackets",
+            "v_a + np.cross(w_a, p_a - x_a) - (v_b + np.cross(w_b, p_b - x_b))",
+        ),
+    ],
+)
+def test_of_several_changes_the_likeliest_is_told(name, body, kind, new):
+    exercise = find_exercise(name)[1]
+    head = f"def {exercise.signature}:\n    "
+    (step,) = repair_of_source(name, head + body + "\n", {}).steps
+    assert (step.kind, step.new) == (kind, new)
+
+
+def test_the_same_slip_in_two_twin_lines_is_one_change_in_both():
+    source = (
+        "def separation_rate(p_a, p_b, body_a, body_b, n, n_dot):\n"
+        "    x_a, v_a, w_a_now = body_a\n    x_b, v_b, w_b_now = body_b\n"
+        "    p_a_dot = v_a + np.cross(p_a - x_a, w_a_now)\n"
+        "    p_b_dot = v_b + np.cross(p_b - x_b, w_b_now)\n"
+        "    return np.sum((p_a_dot - p_b_dot) * n + (p_a - p_b) * n_dot, axis=-1)\n"
+    )
+    (step,) = repair_of_source("separation_rate", source, {}).steps
+    assert step.kind == "the order of the arguments of cross()"
+    lines = source.splitlines()
+    assert step.line.splitlines() == [lines[3].strip(), lines[4].strip()]
+
+
+def test_a_slip_and_a_sign_are_found_together():
+    source = HEAD + "-3 * np.sum(velocity * normal, axis=-1)\n"
+    repair = repair_of_source("speed_along", source, AXES)
+    kinds = {step.kind for step in repair.steps}
+    assert len(repair.steps) <= 2 and kinds <= {"a factor too many", "a sign"}
+
+
+def test_the_second_line_is_told_as_the_student_wrote_it():
+    """The changed line would show the first change, which only a hint may."""
+    line = "return momentum_1 + 3 * push, np.abs(momentum_2 - push)"
+    source = (
+        "def momentum_after(momentum_1, momentum_2, impulse, normal):\n"
+        f"    push = np.asarray(impulse)[..., None] * normal\n    {line}\n"
+    )
+    repair = repair_of_source("momentum_after", source, {})
+    assert [step.line for step in repair.steps] == [line, line]
+
+
+def test_no_line_is_told_that_only_the_search_wrote():
+    cell = 'a, b = sp.symbols("a b")\np_hat = (1 + e) * (v_2 - v_1) * m_1 * m_2\n'
+    names = ["m_1", "m_2", "v_1", "v_2", "e"]
+    recipe = expression_recipe(cell, "p_hat", names)
+    assert "    p_hat = (1 + e) * (v_2 - v_1) * m_1 * m_2\n" in recipe.source
+    repair = repair_of_source("p_hat", recipe.source, {}, hidden="return p_hat")
+    told = [*(s.line for s in repair.steps), *repair.elsewhere]
+    assert all(line in cell for line in told)
+
+
+def test_rates_multiplied_are_told_as_the_product_rule():
+    source = (
+        "def edge_normal_rate(e_a, e_b, omega_a, omega_b, n):\n"
+        "    q = np.cross(e_a, e_b)\n"
+        "    q_dot = np.cross(np.cross(omega_a, e_a), np.cross(omega_b, e_b))\n"
+        "    s = np.sign(np.sum(q * n, axis=-1, keepdims=True))\n"
+        "    rate = s * q_dot / np.linalg.norm(q, axis=-1, keepdims=True)\n"
+        "    return rate - np.sum(rate * n, axis=-1, keepdims=True) * n\n"
+    )
+    (step,) = repair_of_source("edge_normal_rate", source, {}).steps
+    assert step.kind == "a product of two rates where the product rule belongs"

@@ -11,8 +11,9 @@ import pytest
 from course import formulas
 from course.exercises.definition import find_exercise
 from course.exercises.formula_source import body, expression
+from course.exercises.inputs import answers_of
 from course.exercises.slips import slip
-from course.exercises.verdict import answers_of, judge
+from course.exercises.verdict import judge
 
 
 def test_a_slip_is_the_formula_with_one_edit():
@@ -46,7 +47,7 @@ def test_helpers_of_the_formula_s_module_are_found():
         (("1 + f", "1"), "occurs once in p_hat; got '1 \\+ f', which occurs 0 times"),
         (("v_", "w_"), "occurs 2 times"),
         (("p_hat", "q_hat"), "occurs 0 times"),
-        (("slide row", "x"), "occurs 0 times"),
+        (("syllabus row", "x"), "occurs 0 times"),
         (("1 + e", "1 + e"), "expected another text than old"),
         (("1 + e",), "expected pairs of old and new; got 1 texts"),
         ((), "expected pairs of old and new; got 0 texts"),

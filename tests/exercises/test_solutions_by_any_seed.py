@@ -7,7 +7,7 @@ import pytest
 
 from course.exercises.answer import as_function, call_all
 from course.exercises.definition import all_lessons, find_exercise
-from course.exercises.message import verdict_message
+from course.exercises.explanation import verdict_message
 from course.exercises.notebook_file import Outline, parse_notebook
 from course.exercises.verdict import judge
 

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from course.exercises.definition import find_exercise
-from course.exercises.verdict import answers_of, judge
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge
 
 
 def verdict_of(name, function, seed=None):
@@ -228,3 +229,105 @@ def test_a_comparison_without_its_brackets_is_told(asked):
 def test_what_is_no_number_is_not_said_to_be_one():
     verdict = verdict_of("speed_along", lambda v, n: np.sum[v])
     assert not any("plain number" in r for r in verdict.reason)
+
+
+# Sentences that were said once where they were not so.
+
+
+def reasons(name, function) -> str:
+    verdict = verdict_of(name, function)
+    return " ".join((*verdict.reason, *verdict.violated))
+
+
+def test_a_batch_is_blamed_only_where_it_is_a_batch_that_stops():
+    def in_a_single_case(n, omega_a, omega_b, face):
+        return np.cross(omega_b if n == "face_b" else omega_a, n)
+
+    said = reasons("normal_rate", in_a_single_case)
+    assert "batch has many" not in said and "a vector stand there" in said
+
+    def with_an_if(velocity, normal, restitution):
+        along = np.sum(velocity * normal, axis=-1, keepdims=True)
+        bounced = velocity - (1 + restitution) * along * normal
+        return bounced if along < 0 else velocity
+
+    assert "batch has many answers" in reasons("wall_bounce", with_an_if)
+    swapped = reasons("wall_bounce", lambda v, n, e: -with_an_if(v, n, e))
+    assert swapped.startswith("Besides, it stops at batches")
+
+
+def test_an_index_into_a_number_is_not_told_to_be_a_missing_axis_only():
+    said = reasons("speed_along", lambda v, n: len(v)[0])
+    assert "is a plain number" in said and "Where an axis is wanted" in said
+
+
+def test_no_property_is_told_of_an_answer_of_another_shape():
+    def outer(p_1, p_2, impulse, normal):
+        change = p_1[..., None] * normal
+        return p_1 - change, p_2 - change
+
+    assert not reasons("momentum_after", outer)
+    lowest = reasons("solve_contact_qp", lambda a, b: -1.0)
+    assert not any(w in lowest for w in ("pulls", "sink", "part"))
+
+
+def test_results_in_the_wrong_order_are_told_so():
+    def turned(height, velocity, step, restitution, gravity):
+        hits = height < 0 and velocity < 0
+        after = -restitution * velocity if hits else velocity - gravity * step
+        return after, height + step * after
+
+    said = reasons("bouncing_ball_step", turned)
+    assert "right, but for their order: return height, velocity." in said
+    wrong = reasons("bouncing_ball_step", lambda h, v, *g: (v, h))
+    assert "order" not in wrong
+
+
+def test_of_a_recognised_slip_no_property_is_told_besides():
+    """1/mu is no mass: that it would be too heavy a one is beside the point."""
+    formula = find_exercise("effective_mass")[1].reference
+    verdict = verdict_of("effective_mass", lambda *given: 1 / formula(*given))
+    assert verdict.mistake is not None and verdict.reason == ()
+
+
+def test_a_contact_that_pulls_apart_too_slowly_is_not_told_to_part_too_fast():
+    def five_rounds(matrix, u, e):
+        p = np.zeros(len(u))
+        for _ in range(5):
+            for i in range(len(p)):
+                p[i] = max(0, p[i] - (matrix[i] @ p + (1 + e) * u[i]) / matrix[i, i])
+        return p
+
+    said = reasons("simultaneous_impulses", five_rounds)
+    assert "is below 0" in said and "pushed although" not in said
+
+
+def test_an_error_of_another_cause_is_not_taken_for_a_planted_one():
+    """Both are refused by cvxpy's rules; only one is not a quad_form."""
+
+    def highest(a, b):
+        x = cp.Variable(len(b))
+        q = 0.5 * cp.quad_form(x, cp.psd_wrap(a)) + b @ x
+        cp.Problem(cp.Maximize(q), [x >= 0]).solve(solver=cp.CLARABEL)
+        return x.value
+
+    def written_out(a, b):
+        x = cp.Variable(len(b))
+        cp.Problem(cp.Minimize(0.5 * x.T @ a @ x + b @ x), [x >= 0]).solve()
+        return x.value
+
+    assert verdict_of("solve_contact_qp", highest).mistake is None
+    assert verdict_of("solve_contact_qp", written_out).mistake is not None
+
+
+def test_an_array_of_whole_numbers_is_told_where_decimals_are_lost():
+    def cut(a, b, start, sweeps):
+        f = np.array(start, dtype=int)
+        for _ in range(sweeps):
+            for i in range(len(b)):
+                f[i] = max(0, f[i] - (a[i] @ f + b[i]) / a[i, i])
+        return f
+
+    assert "whole" in reasons("projected_gauss_seidel", cut)
+    zeros = reasons("projected_gauss_seidel", lambda a, b, s, n: 0 * s)
+    assert "whole" not in zeros

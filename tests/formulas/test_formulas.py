@@ -1,25 +1,32 @@
 """What every formula keeps to: one an exercise, short, with its source, and the same
-lines in the solution's cell."""
+lines in the solution's cell. What the house says of them: table, names, slides."""
 
 import ast
 import inspect
 import json
+import re
+import textwrap
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from course import formulas
-from course.exercises.answer import call_all, evaluator
+from course.exercises.answer import call_all
 from course.exercises.comparison import same
 from course.exercises.definition import all_lessons
+from course.exercises.expressions import evaluator
 from course.exercises.formula_source import own_statements, source_of
-from course.exercises.verdict import answers_of
+from course.exercises.inputs import answers_of
+from course.workbook.syllabus import read_syllabus
 
 ROOT = Path(__file__).resolve().parents[2]
 EXERCISES = [(le, e) for le in all_lessons() for e in le.exercises]
 each = pytest.mark.parametrize("lesson, exercise", EXERCISES, ids=lambda x: x.name)
 MODULES = sorted((ROOT / "course" / "formulas").glob("[a-z]*.py"))
+#: Formulas of the lecture that no exercise asks for.
+BESIDE = {"separation_acceleration"}
+every = pytest.mark.parametrize("name", formulas.__all__)
 
 
 def solution_cell(lesson, exercise):
@@ -53,7 +60,8 @@ def function_in(source, name):
 
 
 def test_formulas_are_those_of_the_exercises():
-    assert sorted(formulas.__all__) == sorted(e.name for _, e in EXERCISES)
+    assert set(formulas.__all__) == {e.name for _, e in EXERCISES} | BESIDE
+    assert len(formulas.__all__) == len(EXERCISES) + len(BESIDE)
     for _, exercise in EXERCISES:
         assert exercise.reference is getattr(formulas, exercise.name)
 
@@ -94,38 +102,86 @@ def cell_without_check(cell):
     return "\n".join(x for x in cell.splitlines() if not x.startswith("check("))
 
 
-@each
-def test_is_short(lesson, exercise):
+@every
+def test_is_short(name):
     """Lines of the function as it is written, the docstring counted as one and the
     imports in it not at all."""
-    function = function_in(source_of(exercise.reference), exercise.name)
+    function = function_in(source_of(getattr(formulas, name)), name)
     assert ast.get_docstring(function)
     text = function.body[0]
     lines = function.end_lineno - (text.end_lineno - text.lineno)
     for node in function.body:
         if isinstance(node, (ast.Import, ast.ImportFrom)):
             lines -= 2  # and the empty line after it
-    assert 3 <= lines <= (30 if exercise.level == "stretch" else 25), lines
+    stretch = name in {e.name for _, e in EXERCISES if e.level == "stretch"}
+    assert 3 <= lines <= (30 if stretch else 25), lines
 
 
-@each
-def test_says_equation_slide_and_source(lesson, exercise):
-    text = inspect.getdoc(exercise.reference)
-    assert "slide row" in text and "\nSource: " in text and "returns" in text
+@every
+def test_says_equation_slide_and_source(name):
+    text = inspect.getdoc(getattr(formulas, name))
+    assert "\nSource: " in text and "returns" in text
     assert "[" in text, "units"
+    rows = {row for _, e in EXERCISES if e.name == name for row in e.rows}
+    assert "syllabus row" in text and (set(rows_of(text)) & rows or name in BESIDE)
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda p: p.stem)
-def test_module_is_no_function_s_name(path):
-    """``from course.formulas import wall_bounce`` must never be ambiguous."""
+def test_module_has_the_name_and_the_title_of_its_lesson(path):
+    """``from course.formulas import separation`` must never be ambiguous."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    held = [n.name for n in tree.body if isinstance(n, ast.FunctionDef)]
-    assert held and path.stem not in formulas.__all__
-    assert set(held) <= set(formulas.__all__)
-    lesson = next(
-        le for le in all_lessons() if held[0] in [e.name for e in le.exercises]
-    )
-    assert sorted(held) == sorted(e.name for e in lesson.exercises)
+    held = {n.name for n in tree.body if isinstance(n, ast.FunctionDef)}
+    lesson = next(le for le in all_lessons() if le.number == path.stem[7:9])
+    assert held - BESIDE == {e.name for e in lesson.exercises}
+    assert held <= set(formulas.__all__) and path.stem not in formulas.__all__
+    definitions = ROOT / "course" / "exercises" / "definitions"
+    assert [p for p in definitions.glob(f"{path.stem}*") if p.stem == path.stem]
+    first = ast.get_docstring(tree).splitlines()[0]
+    assert first.startswith(f"Lesson {lesson.number}, {lesson.title}: ")
+
+
+def test_the_table_of_the_formulas_is_that_of_the_modules():
+    said = inspect.getdoc(formulas)
+    for path in MODULES:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        held = [n.name for n in tree.body if isinstance(n, ast.FunctionDef)]
+        lesson = next(le for le in all_lessons() if le.number == path.stem[7:9])
+        names = textwrap.fill(", ".join(held), 82, initial_indent="    ", subsequent_indent="    ")  # fmt: skip
+        assert f"\n{path.stem} ({lesson.title})\n{names}\n" in said
+
+
+def rows_of(text):
+    """The rows of the syllabus that a text names, "15-17, 21 and 22" one by one."""
+    found = []
+    for some in re.findall(r"\brows?\s+(\d[\d\s,and-]*)", text):
+        for first, last in re.findall(r"(\d+)(?:-(\d+))?", some):
+            found += range(int(first), int(last or first) + 1)
+    return found
+
+
+SLIDE_OF = {row.number: row.slide for row in read_syllabus()}
+
+
+def row_faults(text):
+    """Where a text takes a row of the syllabus for a slide (from row 10 on it is the
+    slide before), or names a row that is none."""
+    said = re.findall(r"\bslides?\s+rows?\b|\brows?\s+of\s+the\s+slides?\b", text)
+    for rows, slides in re.findall(r"\brows?\s+([\d-]+),\s+slides?\s+([\d-]+)", text):
+        ends = zip(rows.split("-"), slides.split("-"), strict=True)
+        said += [
+            f"row {r} is not slide {s}" for r, s in ends if SLIDE_OF[int(r)] != int(s)
+        ]
+    return said
+
+
+def test_no_docstring_takes_a_row_for_a_slide():
+    for path in sorted((ROOT / "course").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            kinds = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
+            text = (isinstance(node, kinds) and ast.get_docstring(node)) or ""
+            assert row_faults(text) == [], path
+            if "yllabus row" in text:
+                assert set(rows_of(text)) <= set(SLIDE_OF), path
 
 
 @pytest.mark.parametrize(
@@ -152,3 +208,23 @@ def test_trees_are_compared_without_what_does_not_count():
     assert one == other
     for wrong in (plain.replace("+", "-"), plain.replace("x, y)", "y, x)")):
         assert bare(function_in(wrong, "f")) != one
+
+
+@pytest.mark.parametrize(
+    "text, count",
+    [
+        ("syllabus row 17, misprint 3", 0),
+        ("row 17, slide 16", 0),
+        ("rows 15-17, slides 14-16", 0),
+        ("row 17, slide 17", 1),
+        ("rows 15-17,\n  slides 14-17", 1),
+        ("slide row 17", 1),
+        ("slide\n  rows 17 and 18", 1),
+    ],
+)
+def test_a_row_taken_for_a_slide_is_found(text, count):
+    assert len(row_faults(text)) == count
+
+
+def test_rows_are_counted_one_by_one():
+    assert rows_of("rows 15-17, 21 and 22, misprint 3; row 9") == [*range(15, 18), 21, 22, 9]  # fmt: skip

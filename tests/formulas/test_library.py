@@ -187,6 +187,25 @@ def test_rates_and_bias_of_faces(kind, seed):
 
 
 @SEEDS
+@pytest.mark.parametrize("gap", [0.0, 0.2, -0.05])
+@pytest.mark.parametrize("kind", ["face_b", "face_a"])
+def test_second_rates_of_faces(kind, gap, seed):
+    """The library has -d |N_dot|^2 for the first term and never forms N_ddot."""
+    scene = moving_contact(kind, seed=seed, gap=gap)
+    contacts, n = scene.contacts, scene.contacts.normal
+    a, b = motion(scene, contacts.body_a), motion(scene, contacts.body_b)
+    omega, omega_dot = (b if kind == "face_b" else a)[2::2]
+    n_dot = np.cross(omega, n)
+    n_ddot = np.cross(omega_dot, n) + np.cross(omega, n_dot)
+    points = contacts.point_a, contacts.point_b
+    mine = formulas.separation_acceleration(*points, a, b, n, n_dot, n_ddot)
+    theirs = contact.separation_acceleration(
+        scene.bodies, contacts, scene.force, scene.torque
+    )
+    np.testing.assert_allclose(mine, theirs, rtol=1e-12, atol=1e-12)
+
+
+@SEEDS
 def test_rate_of_the_normal_of_edges(seed):
     scene = moving_contact("edges", seed=seed, gap=0.2)
     contacts, omega = scene.contacts, scene.bodies.angular_velocity

@@ -37,7 +37,7 @@ ENDING = """
 import builtins
 if not set(builtins.verdicts_kept) - {{"not attempted"}}:
     from course.exercises.definition import find_exercise
-    from course.workbook.checking import judge_here
+    from course.workbook.judging import judge_here
     builtins.verdicts_kept.append(judge_here(find_exercise("thrice")[1], thrice).state)
 with open({place!r}, "w") as told:
     told.write(builtins.verdicts_kept[-1])

@@ -18,7 +18,7 @@ from course.grading import batch as batching
 from course.grading import fingerprints as printing
 from course.grading.fingerprints import fingerprint, grader_version, source_digest
 from course.grading.grade import grade_folder
-from course.sandbox.running import SandboxFailure
+from course.sandbox.session import SandboxFailure
 
 
 def times(factor):

@@ -33,7 +33,7 @@ from course.grading.identity import Student
 from course.grading.submissions import Task
 from course.sandbox import running
 from course.sandbox.box import Isolation, Start
-from course.sandbox.running import SandboxFailure
+from course.sandbox.session import SandboxFailure
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 

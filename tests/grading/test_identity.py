@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 import pytest
 from grading.toy_lessons import LESSONS
 
-from course.grading.identity import student_of, told_apart
+from course.grading.identity import distinct_names, student_of
 
 ANN = "Ann Lee_1234_assignsubmission_file_"
 
@@ -77,7 +77,7 @@ def test_two_of_one_name_are_shown_with_what_tells_them_apart():
         "group 1/Cy/90-toy.ipynb", "group 2/Cy/90-toy.ipynb",
         "lesson 90/Di_5_assignsubmission_file_/a.ipynb", "lesson 91/Di_5_assignsubmission_file_/a.ipynb",
     ]  # fmt: skip
-    assert told_apart([whose(file) for file in files]) == [
+    assert distinct_names([whose(file) for file in files]) == [
         "Ana (101)", "Ana (202)", "Ana (202)", "Bo", "Cy (group 1/Cy)", "Cy (group 2/Cy)",
         "Di (5) (lesson 90)", "Di (5) (lesson 91)",
     ]  # fmt: skip

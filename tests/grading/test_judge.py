@@ -20,17 +20,13 @@ from grading.toy_lessons import (
 )
 from sandbox.runs import NO_BOX
 
-from course.grading import judge as judging
+from course.grading import marking
 from course.grading.judge import Judge
-from course.sandbox import running
+from course.sandbox import session as sessions
+from course.sandbox.findings import Answers, Run
 from course.sandbox.limits import Limits
-from course.sandbox.running import (
-    Answers,
-    Cancelled,
-    Run,
-    Sandbox,
-    SandboxFailure,
-)
+from course.sandbox.running import Sandbox
+from course.sandbox.session import Cancelled, SandboxFailure
 
 
 def judged(content, *, seed=None, seconds=20.0, cancel=None):
@@ -67,7 +63,7 @@ def test_right_answers_get_all_points_in_the_order_of_the_lesson(rows_of):
 
 
 def test_blanks_are_not_attempted_and_not_run(rows_of, monkeypatch):
-    monkeypatch.setattr(running.Session, "_seen", None)
+    monkeypatch.setattr(sessions.Session, "_report", None)
     rows = rows_of(blank())
     assert {(r.points, r.state, r.reason) for r in rows.values()} == {
         (0, "not attempted", "")
@@ -406,7 +402,7 @@ def test_a_judge_that_fails_leaves_it_to_a_person(one, monkeypatch):
     def fails(*_):
         raise ZeroDivisionError("in a property")
 
-    monkeypatch.setattr(judging, "judge", fails)
+    monkeypatch.setattr(marking, "judge_answer", fails)
     row = one(RIGHT["thrice"])
     assert (row.state, row.points) == ("needs a person", None)
     assert "the judge stopped: ZeroDivisionError: in a property" in row.reason
@@ -416,7 +412,7 @@ def test_a_machine_at_fault_is_no_fault_of_the_submission(one, monkeypatch):
     def fails(*_, **__):
         raise OSError("no space left")
 
-    monkeypatch.setattr(running.subprocess, "Popen", fails)
+    monkeypatch.setattr(sessions.subprocess, "Popen", fails)
     with pytest.raises(SandboxFailure, match="no space left"):
         one(RIGHT["thrice"])
 
@@ -424,20 +420,20 @@ def test_a_machine_at_fault_is_no_fault_of_the_submission(one, monkeypatch):
 @pytest.mark.slow
 def test_a_run_that_was_killed_from_outside_is_run_again_alone(rows_of, monkeypatch):
     """Out of memory, the system ends what it likes: a right answer loses no mark by it."""
-    sessions, seen = [], running.Session._seen
+    asked, report = [], sessions.Session._report
 
-    def dies_once(session, question, patience):
-        sessions.append(session)
-        if len(sessions) == 1:
+    def dies_once(session, patience):
+        asked.append(session)
+        if len(asked) == 1:
             session._process.kill()
             session._process.wait()
-        return seen(session, question, patience)
+        return report(session, patience)
 
-    monkeypatch.setattr(running.Session, "_seen", dies_once)
+    monkeypatch.setattr(sessions.Session, "_report", dies_once)
     rows = rows_of(notebook())
     assert {r.state for r in rows.values()} == {"passed"}
-    assert len(set(sessions)) == 4  # the lesson's, then each alone
-    monkeypatch.setattr(running.Session, "_seen", lambda *_: None)
+    assert len(set(asked)) == 4  # the lesson's, then each alone
+    monkeypatch.setattr(sessions.Session, "_report", lambda *_: None)
     rows = rows_of(notebook())
     assert {(r.state, r.points) for r in rows.values()} == {("needs a person", None)}
     assert "ended from outside" in rows["twice"].reason
@@ -468,7 +464,7 @@ def test_what_was_tried_and_refused_is_told(one):
     ],
 )
 def test_every_end_has_its_words(one, monkeypatch, end, words):
-    monkeypatch.setattr(running, "_answers", lambda *_: end)
+    monkeypatch.setattr(sessions, "checked_answers", lambda *_: end)
     assert words in one(RIGHT["thrice"]).reason
 
 
@@ -481,13 +477,13 @@ def test_a_batch_that_is_stopped_stops_judging(rows_of):
 
 def test_inputs_and_names_are_all_that_is_sent(monkeypatch, rows_of):
     """References, seeds and expected values stay at home."""
-    sent, send = [], running.Session._send
+    sent, send = [], sessions.Session._send
 
     def spy(session, request):
         sent.append(request)
         send(session, request)
 
-    monkeypatch.setattr(running.Session, "_send", spy)
+    monkeypatch.setattr(sessions.Session, "_send", spy)
     rows_of(notebook(OTHER), seed=3)
     read, asked = sent
     assert set(read) == {"notebook", "file", "lessons", "limits"}

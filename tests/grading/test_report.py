@@ -10,7 +10,7 @@ from grading.toy_lessons import TOY, TWICE, submission
 
 from course.exercises.verdict import Verdict
 from course.grading.feedback import page
-from course.grading.judge import Row
+from course.grading.judge import row_of
 from course.grading.report import Submission, cells_of, columns, safe_cell
 
 KEY = "0" * 64
@@ -117,7 +117,7 @@ def test_a_page_stands_alone_and_can_be_read_aloud():
 
 def test_what_a_student_wrote_is_escaped():
     nasty = "<script>alert(1)</script>"
-    row = Row(TWICE, 0, "wrong", nasty, Verdict("twice", "wrong", reason=(nasty,)))
+    row = row_of(TWICE, Verdict("twice", "wrong", reason=(nasty,)))
     for one in (
         Submission(nasty + ".ipynb", nasty, KEY, TOY, (row,)),
         Submission(nasty, nasty, KEY, reason=nasty),

@@ -8,7 +8,7 @@ import numpy as np
 
 from course.exercises.definition import Case, Exercise, Lesson, Mistake, Value
 from course.exercises.verdict import Verdict
-from course.grading.judge import Row
+from course.grading.judge import row_of
 from course.grading.report import Submission
 
 X = Value("x", "(..., 3)", "m")
@@ -129,8 +129,7 @@ def write(path: Path, content) -> Path:
 def submission(*states, file="ann.ipynb", student="ann", key="0" * 64, lesson=TOY):
     """A marked submission with an exercise in each of these states."""
     rows = tuple(
-        Row(e, {"passed": e.points, "needs a person": None}.get(state, 0), state, f"because {state}",
-            Verdict(e.name, state, reason=(f"because {state}",)))
+        row_of(e, Verdict(e.name, state, e.points if state == "passed" else 0, reason=(f"because {state}",)))
         for e, state in zip(lesson.exercises, states, strict=True)
     )  # fmt: skip
     return Submission(file, student, key, lesson, rows)

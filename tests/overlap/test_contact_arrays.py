@@ -165,3 +165,16 @@ def test_data_of_features_nobody_reads_is_not_checked():
 def test_no_contact_is_a_valid_answer():
     empty = some(0)
     assert len(empty) == 0 and len(Contacts.concatenate([empty, some()])) == 3
+
+
+def test_bodies_that_are_not_there_are_refused():
+    one = Contacts(
+        np.array([0, 4]), np.array([1, 2]), np.zeros((2, 3)), np.eye(3)[[2, 2]], np.zeros(2)
+    )  # fmt: skip
+    one.require_bodies(5)
+    with pytest.raises(
+        ValueError, match="contacts.body_a: .* 0 to 3; got 4 in entry 1"
+    ):
+        one.require_bodies(4)
+    with pytest.raises(ValueError, match="contacts.body_a: .* none exists"):
+        one.require_bodies(0)

@@ -8,17 +8,13 @@ from dataclasses import dataclass
 import pytest
 
 from course.exercises.notebook_file import Outline
+from course.exercises.question import Question
 from course.sandbox.box import bubblewrap
+from course.sandbox.findings import Answers, Run
 from course.sandbox.limits import Limits
 from course.sandbox.reply import Reply
-from course.sandbox.running import (
-    Answers,
-    Question,
-    Run,
-    Sandbox,
-    SandboxFailure,
-    find_isolation,
-)
+from course.sandbox.running import Sandbox, find_isolation
+from course.sandbox.session import SandboxFailure
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="POSIX processes")
 LINUX = pytest.mark.skipif(
@@ -99,7 +95,7 @@ def answers_of(
 ):  # fmt: skip
     """What a notebook of these cells gives for the function f(x), which one of them defines."""
     cases = ({"x": 1.0} if case is None else case,)
-    question = Question(0, name, "function", tuple(cases[0]), results, cases, (most,))
+    question = Question(name, "function", tuple(cases[0]), results, cases, (most,))
     sandbox = Sandbox(Limits(seconds, memory_mb, file_mb), boxed, cancel)
     with sandbox.submission(
         notebook_of(*sources), "f.ipynb", [Outline("90", (name,))]
@@ -118,7 +114,7 @@ def run(*sources, **options):
 def outcome(source, **options):
     result = run(source, **options)
     assert result.end == "replied", result
-    return result.reply.outcomes[0]
+    return result.reply.answer.outcomes[0]
 
 
 def value(source, **options):

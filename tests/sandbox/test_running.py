@@ -8,6 +8,7 @@ import sys
 import tempfile
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,20 +27,14 @@ from sandbox.runs import (
 )
 
 from course.exercises.notebook_file import UnusableNotebook
+from course.exercises.question import Question
 from course.sandbox import box, running, watching, wire
-from course.sandbox.box import Start
+from course.sandbox.box import Start, start_in_box, start_plain
 from course.sandbox.ending import end_of
-from course.sandbox.limits import Limits
-from course.sandbox.running import (
-    MOST_WAITING,
-    Cancelled,
-    Question,
-    Sandbox,
-    SandboxFailure,
-    Session,
-    _run,
-    find_isolation,
-)
+from course.sandbox.findings import checked_run
+from course.sandbox.limits import Limits, resident_mb
+from course.sandbox.running import Sandbox, find_isolation
+from course.sandbox.session import MOST_WAITING, Cancelled, SandboxFailure, Session
 
 
 @pytest.fixture(autouse=True)
@@ -122,8 +117,8 @@ check(f); hint(f); predict("a", 3); progress(); show(f, 3)
         boxed=boxed,
     )
     assert (told.kind, told.text) == (
-        "unreadable",
-        "expected numbers; got StandInForCourse",
+        "raised",
+        "CourseNotHere: It calls the course itself, which is not there while an answer is marked.",
     )
     folder = box.PACKAGE / "exercises" / "definitions"
     place = str(folder / "__init__.py")
@@ -207,7 +202,7 @@ def f(x):
     return refused
 """
     ended = run(source, boxed=boxed)
-    (told,) = ended.reply.outcomes
+    (told,) = ended.reply.answer.outcomes
     done = dict(zip(lines, told.values[0].tolist(), strict=True))
     assert [line for line, refused in done.items() if not refused] == []
     assert place.read_text() == "mine"
@@ -282,10 +277,12 @@ def test_files_are_limited_in_size_and_number(boxed):
     large = "def f(x):\n    open('big', 'wb').write(b'0' * 8_000_000)\n    return x"
     ended = run(large, seconds=30.0, file_mb=5, boxed=boxed)
     words = ("File too large", "No space left")
-    assert ended.end == "files" or any(w in ended.reply.outcomes[0].text for w in words)
+    assert ended.end == "files" or any(
+        w in ended.reply.answer.outcomes[0].text for w in words
+    )
     several = "def f(x):\n    for i in range(9): open(str(i), 'wb').write(b'0' * 10**6)\n    while True: pass"
     ended = run(several, seconds=30.0, file_mb=5, boxed=boxed)
-    assert ended.end == "files" or words[1] in ended.reply.outcomes[0].text
+    assert ended.end == "files" or words[1] in ended.reply.answer.outcomes[0].text
     many = "def f(x):\n    for i in range(3000): open(str(i), 'w').close()\n    while True: pass"
     assert run(many, seconds=30.0, boxed=boxed).end == "files"
 
@@ -317,7 +314,10 @@ def test_recursion_without_end(boxed):
     # Without Python's own limit it ends by memory, by the clock or by a crash, as the version of Python has it.
     source = "import sys\nsys.setrecursionlimit(10**9)\ndef f(x):\n    return f(x)"
     deep = run(source, seconds=1.0, memory_mb=300, boxed=boxed)
-    assert deep.end in ("crashed", "time") or deep.reply.outcomes[0].kind == "raised"
+    assert (
+        deep.end in ("crashed", "time")
+        or deep.reply.answer.outcomes[0].kind == "raised"
+    )
 
 
 @POSIX
@@ -408,8 +408,8 @@ print(run('def f(x):\\n    while True: pass', seconds=600.0, boxed={boxed}))
 @POSIX
 def test_memory_is_watched_where_it_cannot_be_limited(monkeypatch, tmp_path):
     """As on macOS: the memory that ps tells of is looked at while the answer runs."""
-    assert 10 < watching._resident_mb(os.getpid()) < 100_000
-    assert watching._resident_mb(2**22 + 1) == 0.0
+    assert 10 < resident_mb(os.getpid()) < 100_000
+    assert resident_mb(2**22 + 1) == 0.0
     limits, place = Limits(seconds=99.0), str(tmp_path)
     seen = watching.Watch(
         os.getpid(), 0, 0, None, place, limits, boxed=False, seconds=99.0
@@ -417,7 +417,7 @@ def test_memory_is_watched_where_it_cannot_be_limited(monkeypatch, tmp_path):
     seen._looked -= 1.0
     assert seen._passed() is None
     monkeypatch.setattr(watching, "watches_memory", lambda: True)
-    monkeypatch.setattr(watching, "_resident_mb", lambda pid: 2001.0)
+    monkeypatch.setattr(watching, "resident_mb", lambda pid: 2001.0)
     seen._looked -= 1.0
     assert seen._passed() == "memory"
 
@@ -490,7 +490,7 @@ def test_the_box_holds_what_the_child_imports_and_no_more():
     """The files are bound one by one: nothing else of the course is there."""
     code = (
         "import sys, json; sys.path.insert(0, sys.argv[1]); "
-        "import course.sandbox.serving, course.sandbox.child; print(json.dumps(sorted("
+        "import course.sandbox.serving_repairs, course.sandbox.child, course.sandbox.serving; print(json.dumps(sorted("
         "m.__file__ for n, m in sys.modules.items() if n.split('.')[0] == 'course')))"
     )
     command = [sys.executable, "-c", code, str(box.ROOT)]
@@ -522,6 +522,47 @@ def f(x):
     assert run(source, boxed=True).end == "replied"
 
 
+SILENT = "import os, time; os.write(1, b'B' + bytes(4)); time.sleep(60)"
+
+
+@POSIX
+@EITHER_WAY
+def test_a_child_that_began_and_never_is_ready_is_ended_at_once(boxed, tmp_path):
+    start = start_in_box(2000, 100) if boxed else start_plain(tmp_path)
+    places = start.command.index("-X")
+    silent = replace(start, command=(*start.command[: places + 2], "-c", SILENT))
+    session = Session(silent, Limits(), boxed=boxed)
+    assert session._begun.wait(30)
+    started = [session._process.pid, *descendants(session._process.pid)]
+    assert len(started) >= 1 + boxed
+    before = time.monotonic()
+    session.close()
+    assert time.monotonic() - before < 2
+    time.sleep(0.1)
+    assert not any(map(is_running, started))
+
+
+@POSIX
+@pytest.mark.parametrize("boxed", [False, True])
+def test_a_box_that_is_half_built_ends_by_itself(boxed):
+    """bubblewrap that is killed while it starts leaves a process behind; a plain process does not."""
+    slow = (sys.executable, "-c", "import time; time.sleep(0.5); raise SystemExit(7)")
+    session = Session(Start(slow, dict(os.environ), "/"), Limits(), boxed=boxed)
+    session.close()
+    assert session._process.returncode == (7 if boxed else -signal.SIGKILL)
+
+
+@BOXED
+@pytest.mark.parametrize("moment", [0.0, 0.01, 0.03])
+def test_nothing_is_left_of_a_box_that_is_not_wanted_while_it_starts(moment):
+    session = Session(start_in_box(2000, 100), Limits(), boxed=True)
+    time.sleep(moment)
+    started = [session._process.pid, *descendants(session._process.pid)]
+    session.close()
+    time.sleep(0.1)
+    assert not any(map(is_running, started))
+
+
 class Compromised(Sandbox):
     """A process that is a stranger's from its start."""
 
@@ -542,11 +583,10 @@ send(b'A', b'')
 """
 
 
-@pytest.mark.slow
 @POSIX
 def test_a_process_that_never_stops_sending_fills_no_memory():
     sandbox = compromised("while True: send(b'N', bytes(50_000))")
-    session = Session(sandbox, sandbox._start(None))
+    session = Session(sandbox._start(None), sandbox.limits)
     time.sleep(0.5)
     assert session._inbox.qsize() <= MOST_WAITING + 1
     session.close()
@@ -555,7 +595,7 @@ def test_a_process_that_never_stops_sending_fills_no_memory():
 
 @POSIX
 def test_a_process_that_takes_nothing_is_not_waited_for(monkeypatch):
-    monkeypatch.setattr("course.sandbox.running.SEND_SECONDS", 0.5)
+    monkeypatch.setattr("course.sandbox.session.SEND_SECONDS", 0.5)
     large = notebook_of("#" * 1_000_000)
     with pytest.raises((UnusableNotebook, SandboxFailure)):
         with compromised("time.sleep(30)").submission(large, "f.ipynb", []):
@@ -571,7 +611,7 @@ def test_a_reader_that_somebody_ends_is_no_fault_of_the_notebook():
 
 
 def test_a_reply_of_a_million_nothings_is_not_taken_apart():
-    question = Question(0, "f", "function", ("x",), 1, ({"x": 1.0},), (1,))
+    question = Question("f", "function", ("x",), 1, ({"x": 1.0},), (1,))
     reply = np.frombuffer(wire.pack([[]] * 1_000_000), np.uint8)
-    ended = _run({"end": "replied", "reply": reply}, question)
+    ended = checked_run({"end": "replied", "reply": reply}, question)
     assert (ended.end, ended.detail) == ("unreadable", "lengths out of bounds")

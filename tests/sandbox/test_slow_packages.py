@@ -44,7 +44,7 @@ def test_what_an_answer_uses_is_loaded_before_its_clock_starts(word, boxed):
     told = run(IMPORTS, answer, case=case, seconds=8.0, boxed=boxed)
     assert told.end == "replied", told
     used = 1.0 if word == "cp" else 0.0
-    assert told.reply.outcomes[0].values[0].tolist() == [used, -1.0]
+    assert told.reply.answer.outcomes[0].values[0].tolist() == [used, -1.0]
 
 
 @pytest.mark.slow
@@ -58,5 +58,9 @@ def test_a_programme_is_solved_within_the_limits(boxed):
     case = {"b": np.array([-1.0, 2.0])}
     told = run(IMPORTS, answer, case=case, seconds=10.0, boxed=boxed)
     assert told.end == "replied", told
-    assert told.reply.outcomes[0].kind == "value", told.reply.outcomes[0].text
-    np.testing.assert_allclose(told.reply.outcomes[0].values[0], [1.0, 0.0], atol=1e-6)
+    assert told.reply.answer.outcomes[0].kind == "value", told.reply.answer.outcomes[
+        0
+    ].text
+    np.testing.assert_allclose(
+        told.reply.answer.outcomes[0].values[0], [1.0, 0.0], atol=1e-6
+    )

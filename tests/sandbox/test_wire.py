@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 from course.exercises.answer import Outcome
+from course.exercises.question import Question
+from course.exercises.untrusted_text import clean
 from course.sandbox import wire
-from course.sandbox.reply import checked_reply, clean
+from course.sandbox.reply import checked_reply
 
 
 def message(header, body=b""):
@@ -94,6 +96,7 @@ def test_damaged_messages_raise_unreadable_and_nothing_else(seed):
     assert refused > 500
 
 
+QUESTION = Question("f", "function", ("x",), 1, ({"x": 1.0},), (9,))
 GOOD = {
     "outcomes": [
         {"kind": "value", "text": "", "printed": "", "values": [np.array(1.0)]}
@@ -103,10 +106,10 @@ GOOD = {
 
 
 def test_a_good_reply_is_read():
-    reply = checked_reply(GOOD, most=[9], results=1)
-    assert reply.outcomes == (Outcome("value", (np.array(1.0),)),) and reply.held == (
-        "memory",
-    )
+    reply = checked_reply(GOOD, QUESTION)
+    assert reply.answer.outcomes == (
+        Outcome("value", (np.array(1.0),)),
+    ) and reply.held == ("memory",)
 
 
 @pytest.mark.parametrize(
@@ -121,7 +124,7 @@ def test_a_good_reply_is_read():
 )  # fmt: skip
 def test_a_reply_that_is_none_is_refused(change):
     with pytest.raises(wire.Unreadable):
-        checked_reply(GOOD | change, most=[9], results=1)
+        checked_reply(GOOD | change, QUESTION)
 
 
 def test_text_of_a_stranger_is_made_plain():

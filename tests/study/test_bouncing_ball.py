@@ -9,10 +9,10 @@ from course.dynamics import (
 )
 from course.study import (
     PUBLISHED_BOUNCING,
-    bouncing_ball_step,
     bouncing_errors,
     bouncing_loop,
     energy_error,
+    engine_ball_step,
     event_driven_error,
 )
 
@@ -69,19 +69,19 @@ def test_one_step_at_a_time_is_the_loop(order):
     z, v = 5.0, 0.0
     for k in range(motion.time.size):
         assert (z, v) == (motion.height[k], motion.velocity[k])
-        z, v = bouncing_ball_step(z, v, 0.01, order=order)
+        z, v = engine_ball_step(z, v, 0.01, order=order)
 
 
 def test_step_by_hand_and_batched():
     # z = .05 < r and v = -2: reflect first, and gravity waits a step; or pull first, and reflect the pull too.
-    assert bouncing_ball_step(0.05, -2.0, 0.1) == pytest.approx((0.25, 2.0))
-    assert bouncing_ball_step(0.05, -2.0, 0.1, order="bullet") == pytest.approx(
+    assert engine_ball_step(0.05, -2.0, 0.1) == pytest.approx((0.25, 2.0))
+    assert engine_ball_step(0.05, -2.0, 0.1, order="bullet") == pytest.approx(
         (0.05 + 0.2981, 2.981)
     )
-    assert bouncing_ball_step(0.05, -2.0, 0.1, restitution=0.5) == pytest.approx(
+    assert engine_ball_step(0.05, -2.0, 0.1, restitution=0.5) == pytest.approx(
         (0.15, 1.0)
     )
-    z, v = bouncing_ball_step([1.0, 0.05, 0.05], [-2.0, -2.0, 2.0], 0.1)
+    z, v = engine_ball_step([1.0, 0.05, 0.05], [-2.0, -2.0, 2.0], 0.1)
     assert np.allclose(v, [-2.981, 2.0, 1.019]) and np.allclose(
         z, [1 - 0.2981, 0.25, 0.1519]
     )
@@ -105,7 +105,7 @@ def test_event_driven_error_counts_events():
         (lambda: ball_events(1.0, 1.2, 1.0), "restitution: expected numbers from 0 to 1"),
         (lambda: ball_events([1.0], 1.0, 1.0), r"height: expected one real number; got shape \(1,\)"),
         (lambda: ball_events(1.0, 1.0, 1.0, max_events=0), "max_events: expected a whole number of at least 1"),
-        (lambda: bouncing_ball_step(1.0, np.nan, 0.1), "velocity: expected finite real numbers"),
+        (lambda: engine_ball_step(1.0, np.nan, 0.1), "velocity: expected finite real numbers"),
     ],
 )  # fmt: skip
 def test_refuses(call, message):

@@ -13,7 +13,8 @@ import sympy as sp
 from course.dynamics import impulse_central as of_the_course
 from course.exercises.definition import all_lessons, find_exercise, find_lesson
 from course.workbook import check, hint, predict, progress, use
-from course.workbook.checking import judge_here, whats_next
+from course.workbook.checking import whats_next
+from course.workbook.judging import judge_here
 
 NAME = "impulse_central"
 
@@ -64,7 +65,7 @@ def test_right_answer_names_the_next_exercise_and_the_minutes_left(capsys):
 
 def test_an_answer_that_runs_on_is_told_of_while_it_runs(monkeypatch):
     """In a notebook, where a cell that stays busy would say nothing; a quick answer is told of nothing."""
-    module, shown, told = sys.modules["course.workbook.checking"], threading.Event(), []
+    module, shown, told = sys.modules["course.workbook.judging"], threading.Event(), []
 
     def display(message):
         told.append(str(message))
@@ -117,7 +118,7 @@ def test_wrong_answer_gives_a_counterexample_that_can_be_pasted(capsys):
         (lambda *a: "four", "where numbers are expected"),
         (lambda *a: 1 / 0, "ZeroDivisionError"),
         (lambda *a: [[1.0], [1.0, 2.0]], "ragged"),
-        (lambda *a: 1.0, "the same for every input"),
+        (lambda *a: 1.0, "the same in every case"),
         (lambda *a: exit(), "SystemExit"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Whether what a method found is to be believed, and what is said where there is nothing to find."""
+"""Whether what a method found is to be believed: contacts that stray, forces in doubt, the solution judged."""
 
 from __future__ import annotations
 
@@ -6,25 +6,56 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, failure
-from course.contact.engine.block_pivots import EXACT
-from course.contact.engine.regularization import regularized
-from course.contact.solution import ContactSolution, NoContactForce, NotConverged
+from course.arrays import Array, BoolArray
+from course.contact.solution import ContactSolution
+from course.contact.solvers.residual import products, residual_of, violation_of
+from course.contact.systems import ContactSystem
 
+#: See ``strays``: parts of max |b|, of |A| |f|, and of max |b| again.
+SUSPICIOUS, EXCUSED, SURE = 1e-8, 2e-15, 1e-6
+#: |A| |f| above this times max |b| cannot be sure of SURE: eps |A| |f| is as much.
+HUGE = 1e9
 #: |A| |f| above this times the largest |b|: rounding of A f moves the forces by more than 1e-11 of their size.
 LARGE = 1e4
-#: Eigenvalues below minus this are no rounding, in units of A's diagonal.
-INDEFINITE = 1e-9
-#: Sparse matrices beyond this many contacts are factored sparse.
-DENSE_UP_TO = 128
-#: Up to how many contacts A's eigenvalues are computed.
-CHECKED_UP_TO = 2000
+#: The residual of forces that are right to rounding, a contact: no more is rounding of A f.
+RESIDUAL_ROUNDING = 4 * np.finfo(float).eps
+#: Where the forces are right to rounding, rounding them once changes A f by eps |A| |f|; contacts that stray are
+#: excused while that is at most this times the largest |b|.
+EXCUSED_TO_ROUNDING = 1e-3
+
+
+def strays(
+    violation: Array,
+    size: Array,
+    bias: Array,
+    *,
+    largest: Array | None = None,
+    tolerance: float = 0.0,
+) -> BoolArray:
+    """Which contacts are not where they should be, whatever the residual says.
+
+    The residual is relative to the forces. Where they are large it may be as
+    small as one likes while contacts approach, or part although they push, at
+    the size of b itself; the forces are then as wrong. So the violation is
+    held against b alone: above SUSPICIOUS max |b| (or 100 times the tolerance
+    asked for, where that is more), and above what rounding of large forces
+    excuses (EXCUSED |A| |f|, but never more than SURE max |b|),
+    it strays. So does all beyond HUGE, where rounding hides SURE.
+
+    From ``violation_of``, |A| |f| and b, each (..., c), and max |b| if it is
+    not that of these b; nothing is checked.
+    """
+    if largest is None:
+        largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
+    seen = max(SUSPICIOUS, 100 * tolerance)
+    excused = seen * largest + np.minimum(EXCUSED * size, SURE * largest)
+    return (violation > excused) | (size > HUGE * largest)
 
 
 def doubtful(residual: Any, size: Array, bias: Array) -> Any:
     """Systems whose forces are not surely right to rounding, (...).
 
-    A residual of EXACT c is no more than the rounding of A f as it is
+    A residual of RESIDUAL_ROUNDING c is no more than the rounding of A f as it is
     computed: f then solves a system within rounding of the stored one, each
     entry of A changed by a few units in its last place and b by as many of max
     |b|. Where forces are LARGE beside b that is not enough, as f itself is far
@@ -33,101 +64,39 @@ def doubtful(residual: Any, size: Array, bias: Array) -> Any:
     From ``complementarity_residual``, (...), |A| |f| and b, (..., c).
     """
     largest = np.abs(bias).max(axis=-1, initial=0)
-    rounding = EXACT * bias.shape[-1]
+    rounding = RESIDUAL_ROUNDING * bias.shape[-1]
     return ~(residual <= rounding) | (size.max(axis=-1, initial=0) > LARGE * largest)
 
 
-def require_solution(proof: Array, bias: Array) -> None:
-    """NoContactForce where there is a proof y; both (..., c), 0 for systems of a batch that have a solution."""
-    if not np.any(proof):
-        return
-    which, y, b = "", proof, bias
-    if proof.ndim > 1:
-        rows = proof.reshape(-1, proof.shape[-1])
-        k = int(np.argmax(rows.any(axis=1)))
-        which, y, b = (
-            f" of system {k} of the batch",
-            rows[k],
-            bias.reshape(rows.shape)[k],
-        )
-    raise NoContactForce(
-        f"no contact forces keep these contacts{which} from approaching: forces y on contacts "
-        f"{np.flatnonzero(y)[:8].tolist()} move no body (A y = 0), yet b.y = {b @ y:.3g} m/s^2 is below 0 "
-        "(y is in .certificate). Something is squeezed or pried apart by its own motion; let the bodies "
-        "collide instead, or take contacts away",
-        proof,
-    )
+def contact_solution(
+    system: ContactSystem,
+    force: Array,
+    iterations: Any,
+    method: str,
+    tolerance: float,
+    *,
+    known: tuple[Array, Array] | None = None,
+    to_rounding: BoolArray | None = None,
+) -> ContactSolution:
+    """The solution of this force: its accelerations, its residual, and whether it solves the system.
 
-
-def require_semidefinite(matrix: Any, *, least: float = INDEFINITE) -> None:
-    """ValueError for A with an eigenvalue below -least, in units of its diagonal.
-
-    Cholesky factors of A + least are much cheaper than eigenvalues, which are
-    computed only to be named. A may be one matrix, sparse or dense, or a batch.
+    known: A f and |A| |f| (``products``), if they are at hand. to_rounding: (..., c),
+    the contacts whose forces are right to rounding, however large they are.
     """
-    if matrix.ndim > 2:
-        for one in matrix.reshape(-1, *matrix.shape[-2:]):
-            require_semidefinite(one, least=least)
-        return
-    root = np.sqrt(matrix.diagonal())
-    if not root.size:
-        return
-    scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
-    bare = np.flatnonzero(root == 0)
-    if bare.size and abs(matrix[bare]).max() > 0:
-        raise _indefinite("entries beside a 0 on its diagonal")
-    if matrix.shape[0] > DENSE_UP_TO and hasattr(matrix, "tocsr"):
-        good = _has_sparse_factor(matrix, scale, least)
-    else:
-        a = matrix.toarray() if hasattr(matrix, "toarray") else matrix
-        from scipy.linalg.lapack import dpotrf
-
-        unit = (a * scale[:, None]) * scale
-        unit.flat[:: root.size + 1] += np.where(root > 0, least, 1.0)
-        good = not dpotrf(unit.T, lower=1, overwrite_a=1, clean=0)[1]
-    if good:
-        return
-    got = f"an eigenvalue below {-least:.0e} in units of its diagonal"
-    if matrix.shape[0] <= CHECKED_UP_TO:
-        a = matrix.toarray() if hasattr(matrix, "toarray") else matrix
-        value = float(np.linalg.eigvalsh((a * scale[:, None]) * scale)[0])
-        if value >= -least:
-            return
-        got = f"eigenvalue {value:.3g} in units of its diagonal"
-    raise _indefinite(got)
-
-
-def _indefinite(got: str) -> ValueError:
-    return failure("A", "a positive semidefinite matrix", got)
-
-
-def _has_sparse_factor(matrix: Any, scale: Array, least: float) -> bool:
-    from scipy.sparse import csr_array, diags_array
-
-    unit = diags_array(scale)
-    try:
-        regularized(csr_array(unit @ matrix @ unit)).factor(
-            np.where(scale > 0, 1 / least, 0.0)
+    product, size = products(system.A, force) if known is None else known
+    residual = residual_of(system.diagonal, product, size, force, system.b)
+    violation = violation_of(system.diagonal, product, force, system.b)
+    missed = strays(violation, size, system.b, tolerance=tolerance)
+    if to_rounding is not None and np.any(to_rounding & missed):
+        largest = np.abs(system.b).max(axis=-1, keepdims=True, initial=0.0)
+        missed &= ~to_rounding | (
+            np.finfo(float).eps * size > EXCUSED_TO_ROUNDING * largest
         )
-    except np.linalg.LinAlgError:
-        return False
-    return True
-
-
-def require_convergence(solution: ContactSolution, tolerance: float) -> None:
-    """NotConverged where the tolerance was missed, or where forces are so large that it does not say enough."""
-    if np.all(solution.converged):
-        return
-    kept = "(what was reached is in .solution)"
-    worst = float(np.max(solution.residual))
-    if worst > tolerance:
-        raise NotConverged(
-            f"no method reached the tolerance {tolerance:g}: the best residual is {worst:.3g} {kept}",
-            solution,
-        )
-    raise NotConverged(
-        "contacts approach, or part although they push, under forces so large that the residual, "
-        f"{worst:.3g}, does not see it; A is too nearly singular to tell in double precision whether "
-        f"forces exist {kept}",
-        solution,
+    return ContactSolution(
+        force,
+        product + system.b,
+        residual,
+        iterations,
+        method,
+        (residual <= tolerance) & ~missed.any(axis=-1),
     )

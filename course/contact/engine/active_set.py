@@ -1,4 +1,4 @@
-"""From a guess of which contacts push to their forces, to rounding.
+"""Active sets: from a guess of who pushes to the forces, right to rounding, correcting the guess on the way.
 
 Where the set S of pushing contacts is known, A_SS f_S = -b_S. A_SS may be
 singular, so the proximal point method is used (R. T. Rockafellar, SIAM Journal
@@ -20,11 +20,11 @@ from course.contact.engine.scaling import ScaledSystem
 #: Added to a diagonal of ones; the second where refinement is too slow with the first, A_SS being nearly singular.
 SHIFTS = (1e-8, 1e-13)
 #: A set is refined when A f + b on it is below these parts of the largest b and f, on a diagonal of ones.
-REFINED = (1e-9, 1e-14)
+SET_REFINED = (1e-9, 1e-14)
 #: How many sets are tried, and how many refinements each gets.
-SETS, REFINEMENTS = 6, 10
+SETS, REFINEMENTS_OF_A_SET = 6, 10
 #: A guess with a larger share of wrong contacts than this is given up at once.
-FEW = 0.03
+FEW_WRONG = 0.03
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ def settle(
         sets: how many sets may be tried.
     """
     best = Settled(np.zeros(len(system)), np.inf, 0)
-    wrong_before: float = FEW * len(system) + 10
+    wrong_before: float = FEW_WRONG * len(system) + 10
     for count in range(1, sets + 1):
         force = np.where(pushing, force, 0.0)
         on_set = _on_set(system, force, pushing)
@@ -89,7 +89,7 @@ def _on_set(system: ScaledSystem, force: Array, pushing: BoolArray) -> Array | N
         force, missing = _refined(system, force, pushing)
         found = force
         largest = [float(np.abs(x).max(initial=0.0)) for x in (system.unit_bias, force)]
-        if missing <= REFINED[0] * largest[0] + REFINED[1] * largest[1]:
+        if missing <= SET_REFINED[0] * largest[0] + SET_REFINED[1] * largest[1]:
             break
     return found
 
@@ -99,7 +99,7 @@ def _refined(
 ) -> tuple[Array, float]:
     """The force of the refinement that leaves least of A f + b on the set, and how much that is."""
     best, least = force, np.inf
-    for _ in range(REFINEMENTS):
+    for _ in range(REFINEMENTS_OF_A_SET):
         w = np.where(pushing, system.operator.times(force) + system.unit_bias, 0.0)
         size = float(np.max(np.abs(w), initial=0.0))
         slow = not size < 0.3 * least

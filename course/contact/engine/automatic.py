@@ -1,4 +1,4 @@
-"""Method "auto": a small system whole, a batch at once; by parts, with other methods, where that does not settle it."""
+"""Method "auto": a small system whole, a batch at once; by islands, with fallbacks, where that does not settle it."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ from math import prod
 import numpy as np
 
 from course.arrays import Array, BoolArray, IntArray
-from course.contact.assembly import ContactSystem
-from course.contact.engine.acceptance import (
-    doubtful,
-    require_convergence,
-    require_semidefinite,
-    require_solution,
-)
+from course.contact.engine.acceptance import contact_solution, doubtful
 from course.contact.engine.block_pivots import (
     Pivoted,
     block_pivot,
     block_pivot_one,
 )
-from course.contact.engine.fallbacks import dense
-from course.contact.engine.parts import SMALL, Parts
-from course.contact.solution import ContactSolution, contact_solution
+from course.contact.engine.islands import SMALL, Islands
+from course.contact.engine.refusals import (
+    require_convergence,
+    require_semidefinite,
+    require_solution,
+)
+from course.contact.solution import ContactSolution
+from course.contact.solvers.arguments import dense
 from course.contact.solvers.residual import products
+from course.contact.systems import ContactSystem
 
 #: Rounds of a system solved whole, before it is looked at more closely; of 20 it ever solves, 19 are solved by then.
 ROUNDS = 20
@@ -47,7 +47,7 @@ def solve_auto(
     if system.b.ndim > 1:
         return _batch(system, tolerance, max_iterations)
     found = _whole(system, tolerance, max_iterations) if len(system) <= SMALL else None
-    return _in_parts(system, tolerance, max_iterations) if found is None else found
+    return _by_islands(system, tolerance, max_iterations) if found is None else found
 
 
 def _whole(
@@ -75,22 +75,22 @@ def _pivoted(found: Pivoted, b: Array, tolerance: float) -> ContactSolution:
     )
 
 
-def _in_parts(
+def _by_islands(
     system: ContactSystem, tolerance: float, limit: int | None
 ) -> ContactSolution:
     """A system island by island, and by other methods where the first fails."""
-    parts = Parts(system, tolerance, limit)
-    parts.solve()
-    require_solution(parts.proof, system.b)
-    known = products(parts.matrix, parts.force)
+    islands = Islands(system, tolerance, limit)
+    islands.solve()
+    require_solution(islands.proof, system.b)
+    known = products(islands.matrix, islands.force)
     solution = contact_solution(
         system,
-        parts.force,
-        parts.iterations,
-        parts.method,
+        islands.force,
+        islands.iterations,
+        islands.method,
         tolerance,
         known=known,
-        exact=parts.exact,
+        to_rounding=islands.to_rounding,
     )
     require_convergence(solution, tolerance)
     return solution
@@ -141,16 +141,20 @@ def _one_by_one(
     tolerance: float,
     limit: int | None,
 ) -> ContactSolution:
-    """The systems that are in doubt, each in parts; of the others the force is known and kept."""
+    """The systems that are in doubt, each by islands; of the others the force is known and kept."""
     shape = system.b.shape
-    proof, exact = np.zeros(b.shape), np.zeros(b.shape, dtype=bool)
+    proof, to_rounding = np.zeros(b.shape), np.zeros(b.shape, dtype=bool)
     used = {"block_pivot"} if len(system) <= SMALL else set[str]()
     for k in np.flatnonzero(bad):
-        parts = Parts(ContactSystem(a[k], b[k]), tolerance, limit)
-        parts.solve()
-        force[k], proof[k], iterations[k] = parts.force, parts.proof, parts.iterations
-        exact[k] = parts.exact
-        used.add(parts.method.removeprefix("auto: "))
+        islands = Islands(ContactSystem(a[k], b[k]), tolerance, limit)
+        islands.solve()
+        force[k], proof[k], iterations[k] = (
+            islands.force,
+            islands.proof,
+            islands.iterations,
+        )
+        to_rounding[k] = islands.to_rounding
+        used.add(islands.method.removeprefix("auto: "))
     require_solution(proof.reshape(shape), system.b)
     solution = contact_solution(
         system,
@@ -158,7 +162,7 @@ def _one_by_one(
         iterations.reshape(shape[:-1]),
         "auto: " + ", ".join(sorted(used)),
         tolerance,
-        exact=exact.reshape(shape),
+        to_rounding=to_rounding.reshape(shape),
     )
     require_convergence(solution, tolerance)
     return solution

@@ -15,7 +15,7 @@ import numpy as np
 from course.arrays import Array, IntArray
 
 #: About how long a multiplication takes [s]; narrow bands run at a fraction of that speed, as if wider by so much.
-A_PRODUCT, WIDER = 4e-11, 30.0
+BAND_PRODUCT, WIDER = 4e-11, 30.0
 
 
 class BandedCholesky:
@@ -34,7 +34,7 @@ class BandedCholesky:
         ]
         self.width = min(widths)
         self.order, self.rank = ranked[widths.index(self.width)]
-        self.seconds = A_PRODUCT * self.order.size * (self.width + WIDER) ** 2
+        self.seconds = BAND_PRODUCT * self.order.size * (self.width + WIDER) ** 2
         self._storage: Array | None = None
 
     @property

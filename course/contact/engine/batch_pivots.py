@@ -1,4 +1,4 @@
-"""Block principal pivots of many small systems: the loop, one system after the other.
+"""Block principal pivoting of many small systems: the compiled loop over them.
 
 A kernel module (``course.jit``): import it where it is called. ``block_pivots`` has
 the method and its source.
@@ -23,9 +23,9 @@ def eliminate(upper: Array, size: int) -> bool:
         if not upper[k, k] > 0.0:
             return False
         for i in range(k + 1, size):
-            factor = upper[k, i] / upper[k, k]
+            share = upper[k, i] / upper[k, k]
             for j in range(i, size):
-                upper[i, j] -= factor * upper[k, j]
+                upper[i, j] -= share * upper[k, j]
     return True
 
 

@@ -1,4 +1,4 @@
-"""Small contact systems, one or many at once: exchange all wrong contacts of each, until none is wrong.
+"""Block principal pivoting of small contact systems, one or many: exchange all wrong contacts until none is.
 
 Block principal pivoting (J. J. Judice and F. M. Pires, Computers and
 Operations Research 21(5), 1994, after M. M. Kostreva): guess the set S of
@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, BoolArray
+from course.contact.engine.acceptance import RESIDUAL_ROUNDING
 from course.contact.solvers.residual import products, residual_of
 
 #: Added to a diagonal of ones. Below minus this an eigenvalue is no rounding: A is indefinite.
@@ -32,15 +33,13 @@ LITTLE = 1e-13
 REFINEMENTS = 3
 #: A single system is refined until A_SS f_S + b_S is below these parts of the forces and of b, on a diagonal of ones:
 #: the first is rounding, the second keeps it small beside b where forces are enormous.
-REFINED = (1e-15, 1e-11)
-#: Residual, a contact, above which a system of a batch is solved once more on its own: no more is rounding.
-EXACT = 4 * np.finfo(float).eps
+FULLY_REFINED = (1e-15, 1e-11)
 #: Where more than this part of the forces is left, the shift is too large.
 SLOW = 1e-13
 #: A contact is wrong if it pulls or approaches by more than this, relative to the forces on a diagonal of ones.
 WRONG = 1e-13
 #: Rounds in which the number of wrong contacts need not fall.
-PATIENCE = 3
+ROUNDS_WITHOUT_FALL = 3
 
 
 @dataclass(frozen=True)
@@ -75,14 +74,15 @@ def block_pivot(
     a, b = np.ascontiguousarray(matrix), np.ascontiguousarray(bias)
     force, pushing = np.zeros((systems, count)), np.zeros((systems, count), dtype=bool)
     rounds = np.zeros(systems, dtype=np.intp)
-    pivot_all(a, b, limit, (SHIFT, WRONG, PATIENCE), force, pushing, rounds)
+    pivot_all(a, b, limit, (SHIFT, WRONG, ROUNDS_WITHOUT_FALL), force, pushing, rounds)
     # With the batch as the fastest axis, in which sums over few contacts are quicker.
     force, b = np.asfortranarray(force), np.asfortranarray(bias)
     product, size = (np.asfortranarray(each) for each in products(a, force))
     diagonal = np.asfortranarray(np.einsum("sii->si", a))
     residual = residual_of(diagonal, product, size, force, b)
     found = Pivoted(force, product, size, residual, np.abs(rounds), rounds < 0)
-    for k in np.flatnonzero(~(residual <= EXACT * count)):
+    # Those that are not right to rounding, once more on their own.
+    for k in np.flatnonzero(~(residual <= RESIDUAL_ROUNDING * count)):
         one = block_pivot_one(a[k], b[k], pushing=pushing[k], max_iterations=limit)
         force[k], product[k], size[k] = one.force, one.product, one.size
         residual[k] = one.residual
@@ -117,7 +117,7 @@ def block_pivot_one(
     bound = float(np.abs(b).max(initial=0.0)) or 1.0
     b /= bound
     pushing = moves if pushing is None else pushing.copy()
-    fewest, patience, rounds, on = b.size + 1, PATIENCE, 0, _OnSet(b)
+    fewest, patience, rounds, on = b.size + 1, ROUNDS_WITHOUT_FALL, 0, _OnSet(b)
     while rounds < limit:
         rounds += 1
         on = _on_set(a, b, pushing)
@@ -131,7 +131,7 @@ def block_pivot_one(
         if not number:
             break
         fewest, patience = (
-            (number, PATIENCE) if number < fewest else (fewest, patience - 1)
+            (number, ROUNDS_WITHOUT_FALL) if number < fewest else (fewest, patience - 1)
         )
         if patience < 0:
             wrong[: wrong.nonzero()[0][-1]] = False
@@ -175,7 +175,7 @@ def _on_set(a: Array, b: Array, pushing: BoolArray, *, shift: float = SHIFT) -> 
         found.motion, found.total = columns @ on + b, float(np.abs(on).sum())
         missing = found.motion[s]
         off = float(np.abs(missing).max())
-        if off <= min(REFINED[0] * (found.total + 1.0), REFINED[1]):
+        if off <= min(FULLY_REFINED[0] * (found.total + 1.0), FULLY_REFINED[1]):
             break
     found.refined = off <= SLOW * (found.total + 1.0)
     found.force[s] = on

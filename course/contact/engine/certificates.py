@@ -1,4 +1,4 @@
-"""The proof that a contact system has no solution."""
+"""Certificates: Farkas' proof that a contact system has no solution."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, BoolArray
+from course.contact.solvers.arguments import dense, proof_by_the_unmoved
 
 #: |R y| may be this times |R| y, R = J M^-1/2 or A, as it is computed: rounding of a sum that is 0.
 ZERO = 1e-13
@@ -18,13 +19,13 @@ OWN_COMPUTED = 8 * OWN
 #: Up to how many contacts A y is formed without rounding.
 UNROUNDED = 150
 #: Singular values below this times the largest are rounding, or too near to it to tell.
-SEEN = 1e-12
+NULL = 1e-12
 #: b.y must be below this times -|b|.y to be below 0 for certain.
 BELOW = 1e-10
 #: Supports up to this size are projected by dense linear algebra.
-DENSE = 300
-#: Up to how many contacts HiGHS may look through an A without a factor, or with one: it can take minutes beyond.
-SEARCHED, SEARCHED_WITH_FACTOR = 500, 3000
+SVD_UP_TO = 300
+#: Up to how many contacts HiGHS may look through A alone, or J M^-1/2: it can take minutes beyond.
+SEARCHED, SEARCHED_WITH_ROWS = 500, 3000
 #: How often a y with entries below 0 is projected once more without them.
 DROPS = 4
 
@@ -35,7 +36,7 @@ def certificate(
     guess: Array | None = None,
     *,
     search: bool = True,
-    factor: Any = None,
+    rows: Any = None,
 ) -> Array | None:
     """y >= 0 with A y = 0 and b.y < 0, if there is one: then no f >= 0 has A f + b >= 0.
 
@@ -53,39 +54,41 @@ def certificate(
         bias: b, (c,).
         guess: f >= 0, (c,), of a solver that did not converge.
         search: whether HiGHS may look where the guess proves nothing.
-        factor: None, or sparse (c, m) with A = factor factor', such as J
-            M^-1/2. Its null space is that of A, and is told apart from directions that
-            are only nearly null twice as sharply; HiGHS is many times faster.
+        rows: None, or G', sparse (c, m) with A = G'G, such as J M^-1/2. It has the null
+            space of A, but its singular values are the roots of A's: what is small
+            yet not null stands out where it drowns in A's rounding; and HiGHS is many
+            times faster.
     Returns:
         y, (c,), its largest entry 1, or None.
     """
     from scipy.sparse import csr_array
 
     diagonal = matrix.diagonal()
-    if np.any(bare := (diagonal == 0) & (bias < 0)):
-        return np.where(bare, 1.0, 0.0)
+    unmoved = proof_by_the_unmoved(diagonal, bias)
+    if unmoved is not None:
+        return unmoved
     root = np.sqrt(diagonal)
     scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
-    if factor is not None:
-        rows = csr_array(_scaled(csr_array(factor), scale).T)
-        rows = rows[np.flatnonzero(np.diff(rows.indptr))]
+    if rows is not None:
+        r = csr_array(_scaled(csr_array(rows), scale).T)
+        r = r[np.flatnonzero(np.diff(r.indptr))]
     else:
-        rows = _scaled(csr_array(matrix), scale)
-        rows.data *= scale[rows.indices]
+        r = _scaled(csr_array(matrix), scale)
+        r.data *= scale[r.indices]
     b = scale * bias
     if guess is not None and np.any(guess > 0):
         unit = np.asarray(guess) * root
         for least in (1e-9, 1e-4, 1e-2):
-            found = _projected(rows, b, unit, unit > least * unit.max())
-            if found is not None and factor is None:
+            found = _projected(r, b, unit, unit > least * unit.max())
+            if found is not None and rows is None:
                 found = _of_stored(matrix, found * scale)
             if found is not None:
-                return _largest_one(found * (scale if factor is not None else 1.0))
-    most = SEARCHED if factor is None else SEARCHED_WITH_FACTOR
-    found = _vertex(rows, b) if search and b.size <= most else None
+                return _largest_one(found * (scale if rows is not None else 1.0))
+    most = SEARCHED if rows is None else SEARCHED_WITH_ROWS
+    found = _vertex(r, b) if search and b.size <= most else None
     if found is not None:
         found = found * scale
-        found = found if factor is not None else _of_stored(matrix, found)
+        found = found if rows is not None else _of_stored(matrix, found)
     return None if found is None else _largest_one(found)
 
 
@@ -120,7 +123,7 @@ def _null_part(rows: Any, y: Array) -> Array:
     from scipy.linalg import svd
     from scipy.sparse.linalg import lsmr
 
-    if y.size > DENSE:
+    if y.size > SVD_UP_TO:
         for _ in range(2):
             change = lsmr(
                 rows, rows @ y, atol=1e-15, btol=1e-15, conlim=0, maxiter=4000
@@ -130,7 +133,7 @@ def _null_part(rows: Any, y: Array) -> Array:
     if not rows.nnz:
         return y
     _, values, axes = svd(rows.toarray())
-    null = axes[np.count_nonzero(values > SEEN * values[0]) :]
+    null = axes[np.count_nonzero(values > NULL * values[0]) :]
     return null.T @ (null @ y)
 
 
@@ -153,8 +156,7 @@ def _of_stored(matrix: Any, y: Array) -> Array | None:
     # Powers of two that bring the diagonal near 1 change no rounding.
     power = np.frexp(matrix.diagonal())[1] // 2
     a = matrix[:, index]
-    a = a.toarray() if hasattr(a, "toarray") else a
-    a = np.ldexp(a, -power[:, None] - power[index])
+    a = np.ldexp(dense(a), -power[:, None] - power[index])
     unit = np.ldexp(y, power)[index]
     if y.size > UNROUNDED:
         product, size = a @ unit, abs(a) @ unit
@@ -163,7 +165,7 @@ def _of_stored(matrix: Any, y: Array) -> Array | None:
     columns = [[Fraction(x) for x in row] for row in a.tolist()]
     nearest = [Fraction(x) for x in unit.tolist()]
     left, values, right = np.linalg.svd(a, full_matrices=False)
-    seen = values > SEEN * values[0]
+    seen = values > NULL * values[0]
     missing = np.array([float(one) for one in _times(columns, nearest)])
     step = right[seen].T @ ((left[:, seen].T @ missing) / values[seen])
     nearest = [x - Fraction(d) for x, d in zip(nearest, step.tolist(), strict=True)]

@@ -1,4 +1,4 @@
-"""One island of contacts that the first method did not surely solve: the exact answer, a proof, or other methods."""
+"""Fallbacks: another guess for a small system; for an island in doubt the exact answer, a proof, other methods."""
 
 from __future__ import annotations
 
@@ -10,26 +10,24 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, BoolArray
-from course.contact.engine.acceptance import require_semidefinite
+from course.contact.engine.acceptance import SUSPICIOUS, strays
 from course.contact.engine.active_set import settle
+from course.contact.engine.block_pivots import block_pivot_one
 from course.contact.engine.certificates import certificate
 from course.contact.engine.exact import solve_exact
 from course.contact.engine.interior_point import solve_gauss
 from course.contact.engine.least_distance import solve_nnls
+from course.contact.engine.refusals import require_semidefinite
 from course.contact.engine.scaling import ScaledSystem
+from course.contact.solvers.arguments import dense
 from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.qp import solve_qp
-from course.contact.solvers.residual import (
-    SUSPICIOUS,
-    products,
-    strays,
-    violation_of,
-)
+from course.contact.solvers.residual import products, violation_of
 
 #: Up to how many contacts the exact answer is sought (a tenth of a second), and the dense methods are tried.
 EXACT_UP_TO, PIVOT_UP_TO, NNLS_UP_TO = 40, 400, 1000
 #: Eigenvalues below minus this are no rounding where methods fail, in units of A's diagonal.
-INDEFINITE = 1e-12
+INDEFINITE_IN_DOUBT = 1e-12
 #: Eigenvalues below this a contact are rounding, in units of A's diagonal.
 SINGULAR = 16 * np.finfo(float).eps
 #: Forces this large beside b are only believed where no proof holds within rounding of A that there are none.
@@ -43,8 +41,15 @@ class Found:
     force: Array
     iterations: int
     method: str
-    exact: bool = False
+    to_rounding: bool = False
     proof: Array | None = None
+
+
+def by_another_guess(matrix: Array, bias: Array, limit: int | None) -> Found:
+    """A small system by block pivots once more, those pushing at first whose b is not above 0."""
+    pushing = (bias <= 0) & (matrix.diagonal() > 0)
+    found = block_pivot_one(matrix, bias, pushing=pushing, max_iterations=limit)
+    return Found(found.force, found.iterations, "block_pivot")
 
 
 class Island:
@@ -75,18 +80,18 @@ class Island:
         return ScaledSystem(self.a, self.b, self._rows)
 
     @cached_property
-    def _factor(self) -> Any:
+    def _known_rows(self) -> Any:
         return None if self._rows is None else self._rows()
 
     def best_there_is(self, guess: Array) -> Found:
         """The best there is: exact forces, forces that hold, or the proof that there are none."""
-        require_semidefinite(self.a, least=INDEFINITE)
+        require_semidefinite(self.a, least=INDEFINITE_IN_DOUBT)
         answer = self._exactly(guess)
         if answer is not None:
             return answer
         best, quality = Found(guess, 0, ""), self._quality(guess)
         if quality[0]:
-            proof = certificate(self.a, self.b, guess, factor=self._factor)
+            proof = certificate(self.a, self.b, guess, rows=self._known_rows)
             if proof is not None:
                 return replace(best, proof=proof)
         for attempt in (self.by_gauss, self._by_pivot, self._by_nnls, self._by_qp):
@@ -97,8 +102,8 @@ class Island:
                 best, quality = found, after
         if np.any(self._violation(best.force) > SUSPICIOUS * np.abs(self.b).max()):
             # Excused by large forces, if at all: these may point to a proof that was missed.
-            f, factor = best.force, self._factor
-            proof = certificate(self.a, self.b, f, search=False, factor=factor)
+            f, rows = best.force, self._known_rows
+            proof = certificate(self.a, self.b, f, search=False, rows=rows)
             best = replace(best, proof=proof)
         return best
 
@@ -122,10 +127,10 @@ class Island:
             return Found(guess, 0, "")
         size = np.abs(a) @ found.force
         if np.any(size > ENORMOUS * np.abs(self.b).max()):
-            proof = certificate(a, self.b, found.force, factor=self._factor)
+            proof = certificate(a, self.b, found.force, rows=self._known_rows)
             if proof is not None:
                 return Found(guess, 0, "", proof=proof)
-        return Found(found.force, 1, "exact", exact=True)
+        return Found(found.force, 1, "exact", to_rounding=True)
 
     def _quality(self, force: Array) -> tuple[bool, float]:
         """Whether it does not hold; the residual by the scale of the whole system, or how far contacts stray."""
@@ -193,7 +198,3 @@ def _singular(a: Array, pushing: BoolArray) -> bool:
     scale = 1 / np.sqrt(a.diagonal()[index])
     unit = (a[np.ix_(index, index)] * scale[:, None]) * scale
     return bool(np.linalg.eigvalsh(unit)[0] <= SINGULAR * index.size)
-
-
-def dense(a: Any) -> Array:
-    return a.toarray() if hasattr(a, "toarray") else a

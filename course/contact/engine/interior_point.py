@@ -1,6 +1,6 @@
-"""The interior point method of ``solvers.gauss`` until it is done, finished by the set of pushing contacts.
+"""Interior point for any A and b: Newton steps on Gauss' principle until it is clear who pushes, and the finish.
 
-Each Newton system is solved by whichever elimination of ``regularization`` is
+The steps are those of ``solvers.gauss``. Each Newton system is solved by whichever elimination of ``regularization`` is
 cheapest. Once it is clear which contacts push, ``active_set`` finishes to rounding.
 """
 
@@ -19,7 +19,7 @@ from course.contact.solvers.gauss import Iterate, newton_steps
 #: Share of contacts that may be undecided when ``active_set`` is tried.
 UNDECIDED = 0.1
 #: Newton steps after which it is tried anyway; and those a contact that still strays is given.
-PATIENCE = 6
+STEPS_WITHOUT_FALL = 6
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ def solve_gauss(
     """Contact forces of a system whose A has a positive diagonal.
 
     Args:
-        system: A and b, and the factor of A for elimination by accelerations.
+        system: A and b, and J M^-1/2 for elimination by accelerations.
         tolerance: residual at which it stops.
         max_iterations: how many Newton systems may be factored.
         largest: a force above which it stops, in the unit system: where no
@@ -82,7 +82,11 @@ class _Best:
 
     def __init__(self, tolerance: float) -> None:
         self.trial: Trial | None = None
-        self._tolerance, self._stray, self._patience = tolerance, np.inf, PATIENCE
+        self._tolerance, self._stray, self._patience = (
+            tolerance,
+            np.inf,
+            STEPS_WITHOUT_FALL,
+        )
 
     def offer(self, trial: Trial) -> None:
         """Keep it if it is better."""
@@ -103,7 +107,7 @@ class _Best:
         )
 
     def stalls(self) -> bool:
-        """Whether the residual is small and the contacts stray less no more; asked once an iterate.
+        """Whether the residual is small and the contacts no longer stray less; asked once an iterate.
 
         Large forces make the residual small before w is: go on while that falls.
         """
@@ -111,7 +115,7 @@ class _Best:
             return False
         before, self._stray = self._stray, self.trial.stray(self._tolerance)
         falls = self._stray <= 0.5 * before
-        self._patience = PATIENCE if falls else self._patience - 1
+        self._patience = STEPS_WITHOUT_FALL if falls else self._patience - 1
         return self._stray == 0 or self._patience < 0
 
 
@@ -119,14 +123,14 @@ class _Finish:
     """When it is time to settle who pushes: few are undecided, and fewer than last time, or steps have gone by."""
 
     def __init__(self, contacts: int) -> None:
-        self._contacts, self._tried = contacts, PATIENCE
+        self._contacts, self._tried = contacts, STEPS_WITHOUT_FALL
         self._undecided = contacts + 1.0
 
     def is_due(self, at: Iterate, count: int) -> bool:
         """Asked once an iterate, with the Newton systems factored so far."""
         now = _undecided(at)
         clear = now <= UNDECIDED * self._contacts and now <= 0.5 * self._undecided
-        if not clear and count - self._tried < PATIENCE:
+        if not clear and count - self._tried < STEPS_WITHOUT_FALL:
             return False
         self._undecided, self._tried = min(now, self._undecided), count
         return True

@@ -1,4 +1,4 @@
-"""Contact forces by least squares for any A and b: the least distance where a plain target fails, or the proof.
+"""Contact forces by least squares for any A and b: non-negative, or of least distance, or the proof of none.
 
 With A = G'G, and b = -G't for some t, non-negative least squares (``solvers.nnls``)
 gives the forces. For any other b they come from Lawson and Hanson's least distance
@@ -8,16 +8,19 @@ problem, which also shows where no force exists.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, scalars, shaped, written
+from course.arrays import Array, ArrayLike, failure, scalars, written
+from course.contact.engine.acceptance import strays
 from course.contact.engine.certificates import certificate
+from course.contact.engine.refusals import INDEFINITE
+from course.contact.solvers.arguments import dense, proof_by_the_unmoved, square_system
 from course.contact.solvers.nnls import ACCEPTED, nonnegative_least_squares
 from course.contact.solvers.residual import (
     complementarity_residual,
     products,
-    strays,
     violation_of,
 )
 
@@ -39,7 +42,7 @@ class NonNegativeSolution:
 
 
 def solve_nnls(
-    matrix: ArrayLike, bias: ArrayLike, *, factor: ArrayLike | None = None
+    matrix: Any, bias: ArrayLike, *, columns: ArrayLike | None = None
 ) -> NonNegativeSolution:
     """A force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
 
@@ -51,32 +54,29 @@ def solve_nnls(
     b.u < 0. f need not be unique; A f is.
 
     Args:
-        matrix: A, (c, c), symmetric positive semidefinite.
+        matrix: A, (c, c), sparse or dense, symmetric positive semidefinite.
         bias: b, (c,).
-        factor: G with G'G = A, (m, c), such as M^-1/2 J'; more accurate than
+        columns: G with G'G = A, (m, c), such as M^-1/2 J'; more accurate than
             the one found from A.
     Returns:
         Force, residual, and the certificate where no force exists.
     Raises:
         ValueError: shapes that do not belong together, A not symmetric or not positive semidefinite.
     """
-    a, b = scalars("matrix", matrix), scalars("bias", bias)
-    if a.ndim != 2 or a.shape[0] != a.shape[1]:
-        raise failure("matrix", "shape (c, c)", f"shape {a.shape}")
-    shaped("bias", b, a.shape[:1])
+    a, b = square_system(dense(matrix), bias)
     if not b.size or np.all(b >= 0):
         return NonNegativeSolution(np.zeros(b.shape), 0.0)
-    g = _factor(a) if factor is None else scalars("factor", factor)
-    if factor is not None and (g.ndim != 2 or g.shape[1] != b.size):
-        raise failure("factor", f"shape (m, {b.size})", f"shape {g.shape}")
+    g = _columns(a) if columns is None else scalars("columns", columns)
+    if columns is not None and (g.ndim != 2 or g.shape[1] != b.size):
+        raise failure("columns", f"shape (m, {b.size})", f"shape {g.shape}")
     target = np.linalg.lstsq(g.T, -b, rcond=None)[0]
     force = _polished(a, b, nonnegative_least_squares(g, target))
     if not _holds(a, b, force):  # there is no t, or A is too nearly singular for it
-        other, certificate = _least_distance(a, b, g, exact=factor is not None)
-        if certificate is not None:
+        other, proof = _least_distance(a, b, g, given=columns is not None)
+        if proof is not None:
             zero = np.zeros(b.shape)
             return NonNegativeSolution(
-                zero, float(complementarity_residual(a, zero, b)), certificate
+                zero, float(complementarity_residual(a, zero, b)), proof
             )
         other = _polished(a, b, other)
         if _better(a, b, other, force):
@@ -104,7 +104,7 @@ def _better(a: Array, b: Array, one: Array, other: Array) -> bool:
     )
 
 
-def _factor(a: Array) -> Array:
+def _columns(a: Array) -> Array:
     """G with G'G = A, from the eigenvectors; rounding noise below the rank is left out."""
     if np.max(np.abs(a - a.T)) > 1e-9 * np.max(np.abs(a)):
         raise failure(
@@ -118,28 +118,28 @@ def _factor(a: Array) -> Array:
     unit = np.divide(
         a, size[:, None] * size, out=np.zeros(a.shape), where=(size[:, None] * size) > 0
     )
-    values, columns = np.linalg.eigh(unit)
+    values, axes = np.linalg.eigh(unit)
     off_diagonal = np.abs(a[size == 0]).max(initial=0.0)
-    if values[0] < -1e-9 or off_diagonal > 0:
+    if values[0] < -INDEFINITE or off_diagonal > 0:
         raise failure(
             "matrix",
             "a positive semidefinite matrix",
             f"least eigenvalue {written(np.linalg.eigvalsh(a)[0])}",
         )
     kept = values > a.shape[0] * np.finfo(float).eps * max(values[-1], 0.0)
-    return np.sqrt(values[kept])[:, None] * columns[:, kept].T * size
+    return np.sqrt(values[kept])[:, None] * axes[:, kept].T * size
 
 
 def _least_distance(
-    a: Array, b: Array, g: Array, *, exact: bool
+    a: Array, b: Array, g: Array, *, given: bool
 ) -> tuple[Array, Array | None]:
-    """Force and None, or zeros and the certificate that none exists; exact: whether G is more so than A."""
+    """Force and None, or zeros and the certificate that none exists; given: whether G is, not found from A."""
     from scipy.sparse import csr_array
 
     length = np.sqrt(np.sum(g * g, axis=0))
-    bare = (length == 0) & (b < 0)
-    if np.any(bare):  # nothing can push there: a contact between two fixed bodies
-        return np.zeros(b.shape), np.where(bare, 1.0, 0.0)
+    unmoved = proof_by_the_unmoved(length, b)
+    if unmoved is not None:
+        return np.zeros(b.shape), unmoved
     scale = 1.0 / np.max(np.abs(b) / np.where(length > 0, length, np.inf))
     end = np.zeros(g.shape[0] + 1)
     end[-1] = 1.0
@@ -148,8 +148,8 @@ def _least_distance(
         s, moved = 1.0 + scale * float(b @ u), g @ u
         if s < 0.5:
             if np.sqrt(np.sum(moved**2)) <= 1e-10 * np.sum(length * u):
-                rows = csr_array(g.T) if exact else None
-                proof = certificate(a, b, u, search=False, factor=rows)
+                rows = csr_array(g.T) if given else None
+                proof = certificate(a, b, u, search=False, rows=rows)
                 if proof is not None:
                     return np.zeros(b.shape), proof / np.sum(proof)
             # The same s without the cancellation: |G u|^2 + s^2 = s at the minimum.

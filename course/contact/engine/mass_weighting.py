@@ -1,4 +1,4 @@
-"""J M^-1/2, whose rows are the contacts' directions measured by mass: A = G'G with G' = J M^-1/2."""
+"""Mass weighting: from J and M^-1 to J M^-1/2, the rows whose products are the entries of A."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import numpy as np
 from course.arrays import failure
 
 #: Entries below this times the largest of their row are rounding.
-ROUNDING = 1e-15
+NEGLIGIBLE = 1e-15
 
 
 def mass_weighted_jacobian(system: Any) -> Any:
-    """Sparse (c, 6n) F with A = F F', from the system's jacobian and inverse mass; None where it has none.
+    """J M^-1/2, sparse (c, 6n), G' with A = G'G, from the system's jacobian and inverse mass; None where it has none.
 
     Args:
         system: a ``ContactSystem``; its inverse mass consists of 6 x 6
@@ -54,12 +54,12 @@ def mass_weighted_jacobian(system: Any) -> Any:
     return _without_rounding(csr_array(csr_array(system.jacobian) @ sparse_root))
 
 
-def _without_rounding(factor: Any) -> Any:
+def _without_rounding(rows: Any) -> Any:
     """A sparse matrix without the entries that are rounding beside the largest of their row."""
-    if factor.nnz:
-        sizes = np.append(np.abs(factor.data), 0.0)
-        largest = np.maximum.reduceat(sizes, factor.indptr[:-1])
-        row_by_row = np.repeat(largest, np.diff(factor.indptr))
-        factor.data[np.abs(factor.data) <= ROUNDING * row_by_row] = 0.0
-        factor.eliminate_zeros()
-    return factor
+    if rows.nnz:
+        sizes = np.append(np.abs(rows.data), 0.0)
+        largest = np.maximum.reduceat(sizes, rows.indptr[:-1])
+        row_by_row = np.repeat(largest, np.diff(rows.indptr))
+        rows.data[np.abs(rows.data) <= NEGLIGIBLE * row_by_row] = 0.0
+        rows.eliminate_zeros()
+    return rows

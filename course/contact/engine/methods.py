@@ -8,16 +8,18 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.contact.assembly import ContactSystem
-from course.contact.engine.acceptance import require_semidefinite
+from course.contact.engine.acceptance import contact_solution
 from course.contact.engine.automatic import solve_auto
-from course.contact.engine.fallbacks import dense, settled_qp
+from course.contact.engine.fallbacks import settled_qp
 from course.contact.engine.interior_point import solve_gauss
 from course.contact.engine.least_distance import solve_nnls
 from course.contact.engine.mass_weighting import mass_weighted_jacobian
+from course.contact.engine.refusals import require_semidefinite
 from course.contact.engine.scaling import ScaledSystem
-from course.contact.solution import ContactSolution, contact_solution
+from course.contact.solution import ContactSolution
+from course.contact.solvers.arguments import dense
 from course.contact.solvers.pivot import solve_pivot
+from course.contact.systems import ContactSystem
 
 
 def solved(
@@ -36,7 +38,7 @@ def solved(
         )
     if system.jacobian is None:
         require_semidefinite(system.A)
-    one = _ONE[method]
+    one = _ONE_SYSTEM[method]
     count = len(system)
     force = np.zeros(system.b.shape)
     iterations = np.zeros(system.b.shape[:-1], dtype=np.intp)
@@ -75,10 +77,10 @@ class _Options:
         self.start = None if start is None else start[pushing]
 
     @property
-    def factor(self) -> Any:
+    def rows(self) -> Any:
         """J M^-1/2 of those contacts, or None."""
-        factor = mass_weighted_jacobian(self.system)
-        return None if factor is None else factor[self.pushing]
+        rows = mass_weighted_jacobian(self.system)
+        return None if rows is None else rows[self.pushing]
 
 
 def _qp(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
@@ -92,14 +94,14 @@ def _qp(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
 
 
 def _nnls(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
-    factor = options.factor
-    found = solve_nnls(dense(a), b, factor=None if factor is None else _used(factor).T)
+    rows = options.rows
+    found = solve_nnls(dense(a), b, columns=None if rows is None else _used(rows).T)
     return found.force, int(np.count_nonzero(found.force))
 
 
-def _used(factor: Any) -> Array:
+def _used(rows: Any) -> Array:
     """The columns of J M^-1/2 that hold something, dense."""
-    return factor[:, np.unique(factor.indices)].toarray()
+    return rows[:, np.unique(rows.indices)].toarray()
 
 
 def _pivot(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
@@ -126,16 +128,18 @@ def _sweeps(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
 
 def _gauss(a: Any, b: Array, options: _Options) -> tuple[Array, int]:
     limit = 100 if options.limit is None else options.limit
-    factor = options.factor
-    system = ScaledSystem(a, b, None if factor is None else lambda: factor)
+    rows = options.rows
+    system = ScaledSystem(a, b, None if rows is None else lambda: rows)
     found = solve_gauss(system, tolerance=options.tolerance, max_iterations=limit)
     return found.force, found.iterations
 
 
-_ONE: dict[str, Callable[[Any, Array, _Options], tuple[Array, int]]] = {
+_ONE_SYSTEM: dict[str, Callable[[Any, Array, _Options], tuple[Array, int]]] = {
     "qp": _qp,
     "nnls": _nnls,
     "pivot": _pivot,
     "projected_gauss_seidel": _sweeps,
     "gauss": _gauss,
 }
+#: The words that ``solve`` takes.
+METHODS = ("auto", *_ONE_SYSTEM)

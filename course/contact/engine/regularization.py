@@ -1,4 +1,4 @@
-"""Solve (A + diag(1/theta)) x = q again and again for changing theta, by the cheapest elimination.
+"""Regularization: (A + diag(1/theta)) x = q solved again and again for changing theta, by the cheapest elimination.
 
 Both Newton's method on the contact conditions and the solution on a guessed
 set of pushing contacts need it: theta_i is large where contact i pushes and
@@ -25,15 +25,16 @@ import numpy as np
 from course.arrays import Array, IntArray
 from course.contact.engine.banded_cholesky import BandedCholesky
 from course.contact.engine.sparse_cholesky import SparseCholesky
+from course.contact.solvers.arguments import dense
 
 #: Below this many contacts a dense matrix is always the cheapest.
-DENSE = 96
+ALWAYS_DENSE = 96
 #: About how long a multiplication takes in a dense factor [s].
-A_PRODUCT = 4e-11
+DENSE_PRODUCT = 4e-11
 #: A factor that takes less than this is not worth the search for a better one [s].
 QUICK = 3e-3
 #: Up to so many entries a row of A the elimination by forces is tried first: the bodies have few contacts each.
-FEW = 12
+FEW_ENTRIES = 12
 
 
 class RegularizedSystem(Protocol):
@@ -79,29 +80,29 @@ class Cholesky(Protocol):
 
 
 def regularized(
-    matrix: Any, factor: Callable[[], Any] | None = None
+    matrix: Any, rows: Callable[[], Any] | None = None
 ) -> RegularizedSystem:
     """The cheapest way for this A, (c, c) sparse or dense with a diagonal of ones; the first that is quick enough.
 
     Args:
         matrix: A.
-        factor: None, or what gives G', (c, m) sparse, with A = G'G, if it is needed.
+        rows: None, or what gives G', (c, m) sparse, with A = G'G, if it is needed.
     """
     from scipy.sparse import csr_array, issparse
 
     count = matrix.shape[0]
-    dense = partial(_dense, matrix)
-    if count <= DENSE:
-        return dense()
+    whole = partial(_dense, matrix)
+    if count <= ALWAYS_DENSE:
+        return whole()
     ways: list[Callable[[], tuple[float, Callable[[], RegularizedSystem]]]] = []
     if issparse(matrix):
-        ways.append(partial(_by_forces, csr_array(matrix), known=factor is not None))
-    if factor is not None:
-        few = issparse(matrix) and matrix.nnz <= FEW * count
-        ways.insert(len(ways) if few else 0, partial(_by_accelerations, factor))
+        ways.append(partial(_by_forces, csr_array(matrix), known=rows is not None))
+    if rows is not None:
+        few = issparse(matrix) and matrix.nnz <= FEW_ENTRIES * count
+        ways.insert(len(ways) if few else 0, partial(_by_accelerations, rows))
     best: tuple[float, Callable[[], RegularizedSystem]] = (
-        A_PRODUCT * count**3 / 3,
-        dense,
+        DENSE_PRODUCT * count**3 / 3,
+        whole,
     )
     for way in ways:
         best = min(best, way(), key=lambda one: one[0])
@@ -111,7 +112,7 @@ def regularized(
 
 
 def _dense(matrix: Any) -> RegularizedSystem:
-    return RegularizedDense(matrix.toarray() if hasattr(matrix, "toarray") else matrix)
+    return RegularizedDense(dense(matrix))
 
 
 def _by_forces(
@@ -123,11 +124,11 @@ def _by_forces(
 
 
 def _by_accelerations(
-    factor: Callable[[], Any],
+    given: Callable[[], Any],
 ) -> tuple[float, Callable[[], RegularizedSystem]]:
     from scipy.sparse import csr_array
 
-    rows = _without_empty_columns(csr_array(factor()))
+    rows = _without_empty_columns(csr_array(given()))
     ones = csr_array((np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape)
     bodies = _cheapest((ones.T @ ones).tocsr())
     return bodies.seconds, partial(RegularizedByAccelerations, rows, bodies)

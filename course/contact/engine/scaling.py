@@ -1,4 +1,4 @@
-"""A contact system brought to a diagonal of ones, as the iterative solvers work on it."""
+"""Scaling: from A to D^-1/2 A D^-1/2 with a diagonal of ones, on which Newton steps and active sets work."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array
+from course.contact.engine.acceptance import strays
 from course.contact.engine.regularization import RegularizedSystem, regularized
-from course.contact.solvers.residual import scaled_rows, strays, violation_of
+from course.contact.solvers.residual import scaled_rows, violation_of
 
 
 class ScaledSystem:
@@ -20,13 +21,13 @@ class ScaledSystem:
     Args:
         matrix: A, (c, c), sparse or dense, its diagonal above 0.
         bias: b, (c,).
-        factor: None, or what gives a sparse (c, m) with A = factor factor', such as J M^-1/2, if it is needed.
+        rows: None, or what gives G', sparse (c, m) with A = G'G, such as J M^-1/2, if it is needed.
     """
 
     def __init__(
-        self, matrix: Any, bias: Array, factor: Callable[[], Any] | None = None
+        self, matrix: Any, bias: Array, rows: Callable[[], Any] | None = None
     ) -> None:
-        self.matrix, self.bias, self._factor = matrix, bias, factor
+        self.matrix, self.bias, self._rows = matrix, bias, rows
         self.diagonal: Array = matrix.diagonal()
         self.root = np.sqrt(self.diagonal)
         self.unit_bias = bias / self.root
@@ -43,9 +44,9 @@ class ScaledSystem:
             return regularized(self.matrix * (inverse[:, None] * inverse))
         a = _scaled(self.matrix, inverse)
         a.data *= inverse[a.indices]
-        factor = self._factor
+        rows = self._rows
         return regularized(
-            a, None if factor is None else lambda: _scaled(factor(), inverse)
+            a, None if rows is None else lambda: _scaled(rows(), inverse)
         )
 
     def force(self, unit_force: Array) -> Array:
@@ -68,7 +69,7 @@ class ScaledSystem:
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """A force of the unit system and, found when asked for, what it leads to in the system that came from."""
+    """A force of the unit system and, found when asked for, what it leads to in the system it came from."""
 
     system: ScaledSystem
     unit_force: Array
@@ -109,10 +110,10 @@ class Trial:
         return self.products[2] / self.system.root + np.abs(self.system.unit_bias)
 
 
-def _scaled(rows: Any, factor: Array) -> Any:
+def _scaled(rows: Any, scale: Array) -> Any:
     """A sparse matrix with its rows multiplied."""
     from scipy.sparse import csr_array
 
     rows = csr_array(rows)
-    data = rows.data * np.repeat(factor, np.diff(rows.indptr))
+    data = rows.data * np.repeat(scale, np.diff(rows.indptr))
     return csr_array((data, rows.indices, rows.indptr), shape=rows.shape)

@@ -27,7 +27,7 @@ import numpy as np
 from course.arrays import Array, IntArray
 
 #: About how long a supernode takes in any case, how long a multiplication, and handing a number to a later panel [s].
-A_NODE, A_PRODUCT, A_NUMBER = 2e-5, 1e-10, 3e-9
+A_NODE, PANEL_PRODUCT, A_NUMBER = 2e-5, 1e-10, 3e-9
 
 
 class SparseCholesky:
@@ -268,4 +268,4 @@ def _put_together(
 def _seconds(width: int, below: int) -> float:
     """About how long a panel takes."""
     products = width * (width * width / 3 + below * (width + below))
-    return A_NODE + A_PRODUCT * products + A_NUMBER * 0.5 * below * below
+    return A_NODE + PANEL_PRODUCT * products + A_NUMBER * 0.5 * below * below

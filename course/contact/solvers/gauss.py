@@ -10,7 +10,8 @@ even where A = J M^-1 J' is singular, so a is unique where f is not; f are its
 multipliers. The method is Mehrotra's predictor and corrector (S. Mehrotra, SIAM
 Journal on Optimization 2(4), 1992) with one of Gondzio's centrality correctors
 (J. Gondzio, Computational Optimization and Applications 6, 1996).
-``engine.interior_point`` decides when it is done and finishes to rounding.
+``engine.interior_point`` brings it any A and b (``solve_gauss``), says when it is done
+and finishes to rounding.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ LONGER = 0.01
 #: Fraction of the way to the boundary.
 FRACTION = 0.995
 #: What is missing from w = A f + b counts if it is more than this times the terms' magnitudes.
-NOISE = 4e-15
+MISSING_NOISE = 4e-15
 
 
 class NewtonSystem(Protocol):
@@ -101,7 +102,7 @@ def _step(system: NewtonSystem, at: Iterate, now: Any) -> Iterate:
     op, f, w = system.operator, at.f, at.w
     missing = now.unit_acceleration - w
     # Where A is nearly singular, chasing rounding would move forces a long way.
-    missing[np.abs(missing) <= NOISE * now.unit_magnitude] = 0.0
+    missing[np.abs(missing) <= MISSING_NOISE * now.unit_magnitude] = 0.0
     kept = w + KEPT * f
     op.factor(f / kept)
 

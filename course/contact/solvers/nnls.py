@@ -1,8 +1,8 @@
 """Non-negative least squares, whose optimality conditions are those of contact.
 
 minimise |G f - t|^2 over f >= 0 asks for w = G'(G f - t) >= 0, f >= 0, f.w = 0: the
-contact conditions with A = G'G and b = -G't. ``engine.least_distance`` finds G and t
-for any A and b, or the proof that there is no t.
+contact conditions with A = G'G and b = -G't. ``engine.least_distance`` brings it any A
+and b (``solve_nnls``): it finds G and t, or the proof that there is no force.
 
 SciPy's ``nnls`` does the work; what it returns is checked here, because some
 releases were known to stop early or to report a zero residual for a point
@@ -19,15 +19,15 @@ from course.arrays import Array, ArrayLike, failure, scalars, shaped
 ACCEPTED = 1e-10
 
 
-def nonnegative_least_squares(factor: ArrayLike, target: ArrayLike) -> Array:
-    """The x >= 0 that brings F x closest to t.
+def nonnegative_least_squares(columns: ArrayLike, target: ArrayLike) -> Array:
+    """The x >= 0 that brings G x closest to t.
 
-    minimise |F x - t|^2 with x >= 0 (C. L. Lawson and R. J. Hanson, Solving
+    minimise |G x - t|^2 with x >= 0 (C. L. Lawson and R. J. Hanson, Solving
     Least Squares Problems, 1995, chapter 23). Its optimality conditions are
-    those of contact with A = F'F and b = -F't (syllabus rows 20 and 25).
+    those of contact with A = G'G and b = -G't (syllabus rows 20 and 25).
 
     Args:
-        factor: F, (m, c).
+        columns: G, (m, c).
         target: t, (m,).
     Returns:
         x, (c,).
@@ -36,18 +36,18 @@ def nonnegative_least_squares(factor: ArrayLike, target: ArrayLike) -> Array:
     """
     from scipy.optimize import nnls
 
-    f, t = scalars("factor", factor), scalars("target", target)
-    if f.ndim != 2:
-        raise failure("factor", "shape (m, c)", f"shape {f.shape}")
-    shaped("target", t, f.shape[:1])
-    length = np.sqrt(np.sum(f * f, axis=0))
+    g, t = scalars("columns", columns), scalars("target", target)
+    if g.ndim != 2:
+        raise failure("columns", "shape (m, c)", f"shape {g.shape}")
+    shaped("target", t, g.shape[:1])
+    length = np.sqrt(np.sum(g * g, axis=0))
     used = length > 0
-    x = np.zeros(f.shape[1])
+    x = np.zeros(g.shape[1])
     if not np.any(used) or not np.any(t):
         return x
     # Columns of unit length: Lawson and Hanson's choice of the next column,
     # and every tolerance inside, then do not depend on masses.
-    unit, size = f[:, used] / length[used], np.sqrt(np.sum(t * t))
+    unit, size = g[:, used] / length[used], np.sqrt(np.sum(t * t))
     try:
         found = nnls(unit, t / size, maxiter=30 * unit.shape[1])[0]
     except RuntimeError:
@@ -58,21 +58,21 @@ def nonnegative_least_squares(factor: ArrayLike, target: ArrayLike) -> Array:
     return x
 
 
-def _off_optimum(factor: Array, target: Array, x: Array) -> float:
-    """Residual of the optimality conditions x >= 0, g = F'(F x - t) >= 0, x.g = 0."""
-    gradient = factor.T @ (factor @ x - target)
+def _off_optimum(columns: Array, target: Array, x: Array) -> float:
+    """Residual of the optimality conditions x >= 0, w = G'(G x - t) >= 0, x.w = 0."""
+    gradient = columns.T @ (columns @ x - target)
     return float(np.max(np.abs(np.minimum(x, gradient)) / (1.0 + np.max(x))))
 
 
-def _bounded(factor: Array, target: Array, first: Array | None) -> Array:
+def _bounded(columns: Array, target: Array, first: Array | None) -> Array:
     """SciPy's other solver for the same problem, where its nnls has failed; the better of the two."""
     from scipy.optimize import lsq_linear
 
     other = np.maximum(
-        lsq_linear(factor, target, bounds=(0, np.inf), method="bvls", tol=1e-15).x, 0.0
+        lsq_linear(columns, target, bounds=(0, np.inf), method="bvls", tol=1e-15).x, 0.0
     )
-    if first is None or _off_optimum(factor, target, other) < _off_optimum(
-        factor, target, first
+    if first is None or _off_optimum(columns, target, other) < _off_optimum(
+        columns, target, first
     ):
         return other
     return first

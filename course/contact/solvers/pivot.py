@@ -1,15 +1,17 @@
-"""Contact forces one contact after the other, by pivoting."""
+"""Contact forces by pivoting, one contact after the other: Baraff's method, after Cottle and Dantzig."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
+from course.arrays import Array, ArrayLike, BoolArray
+from course.contact.solvers.arguments import dense, proof_by_the_unmoved, square_system
 
 #: Numbers below this times the largest of their kind count as 0 (in units of the diagonal).
-ROUNDING = 1e-11
+COUNTS_AS_ZERO = 1e-11
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,9 +34,9 @@ class PivotSolution:
 
 
 def solve_pivot(
-    matrix: ArrayLike, bias: ArrayLike, *, max_pivots: int | None = None
+    matrix: Any, bias: ArrayLike, *, max_pivots: int | None = None
 ) -> PivotSolution:
-    """A force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
+    """Pivoting: a force f with w = A f + b >= 0, f >= 0, f.w = 0, for symmetric positive semidefinite A.
 
     D. Baraff, "Fast contact force computation for nonpenetrating rigid
     bodies", SIGGRAPH 1994, after R. W. Cottle and G. B. Dantzig, "Complementary
@@ -49,19 +51,17 @@ def solve_pivot(
     answer to a unit of force at each; a pivot changes it by a matrix of rank 1.
 
     Args:
-        matrix: A, (c, c), symmetric positive semidefinite.
+        matrix: A, (c, c), sparse or dense, symmetric positive semidefinite.
         bias: b, (c,).
         max_pivots: 20 c + 100 if not given.
     Raises:
         ValueError: shapes that do not belong together, NaN or infinity.
     """
-    a, b = scalars("matrix", matrix), scalars("bias", bias)
-    if a.ndim != 2 or a.shape[0] != a.shape[1]:
-        raise failure("matrix", "shape (c, c)", f"shape {a.shape}")
-    shaped("bias", b, a.shape[:1])
+    a, b = square_system(dense(matrix), bias)
     root = np.sqrt(np.maximum(a.diagonal(), 0.0))
-    if np.any(bare := (root == 0) & (b < 0)):
-        return PivotSolution(np.zeros(b.shape), 0, False, np.where(bare, 1.0, 0.0))
+    unmoved = proof_by_the_unmoved(root, b)
+    if unmoved is not None:
+        return PivotSolution(np.zeros(b.shape), 0, False, unmoved)
     scale = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
     tableau = _Tableau(a * (scale[:, None] * scale), b * scale)
     limit = 20 * b.size + 100 if max_pivots is None else max_pivots
@@ -102,7 +102,7 @@ class _Tableau:
         """Raise the force at d until w_d is 0; the ray if nothing stops it."""
         self.dealt_with[d] = True
         size, still = float(np.abs(self.b).max()), 0
-        while not self.pushing[d] and self.w[d] < -ROUNDING * (
+        while not self.pushing[d] and self.w[d] < -COUNTS_AS_ZERO * (
             size + float(self.f.max())
         ):
             if self.pivots >= limit:
@@ -118,7 +118,7 @@ class _Tableau:
             self.w[~self.pushing] += step * change[~self.pushing]
             self.f[d] += step
             self._exchange(who)
-        if self.f[d] > 0 and not self.pushing[d] and self.answer[d, d] > ROUNDING:
+        if self.f[d] > 0 and not self.pushing[d] and self.answer[d, d] > COUNTS_AS_ZERO:
             self._exchange(d)
         return None
 
@@ -126,12 +126,12 @@ class _Tableau:
         self, d: int, change: Array, by_index: bool
     ) -> tuple[float, int | None]:
         """How far the force at d may grow, and whose f or w is 0 then."""
-        least = ROUNDING * max(1.0, float(np.abs(change).max()))
+        least = COUNTS_AS_ZERO * max(1.0, float(np.abs(change).max()))
         room = np.where(self.pushing, self.f, self.w)
         falls = (
             (change < -least)
             & self.dealt_with
-            & (self.pushing | (self.answer.diagonal() > ROUNDING))
+            & (self.pushing | (self.answer.diagonal() > COUNTS_AS_ZERO))
         )
         falls[d] = change[d] > least
         who = np.flatnonzero(falls)

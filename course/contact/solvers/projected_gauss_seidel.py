@@ -1,4 +1,4 @@
-"""Contact forces by sweeping over the contacts, and how fast that converges.
+"""Contact forces by projected Gauss-Seidel sweeps over the contacts, and how fast these converge.
 
 A kernel module (``course.jit``): import it where it is called.
 """
@@ -21,6 +21,7 @@ from course.arrays import (
     whole_number,
     written,
 )
+from course.contact.solvers.arguments import dense, relaxation_of, square_system
 from course.contact.solvers.residual import residual_of
 from course.jit import compiled
 
@@ -56,7 +57,7 @@ def sweep(
     relaxation: float,
     force: Array,
 ) -> None:
-    """One contact after the other; one that no force moves is left out."""
+    """One Gauss-Seidel sweep: one contact after the other; one that no force moves is left out."""
     for i in range(bias.size):
         if diagonal[i] > 0.0:
             step(i, begin, column, entry, diagonal, bias, relaxation, force)
@@ -80,7 +81,7 @@ def solve_projected_gauss_seidel(
     relaxation: float = 1.0,
     start: ArrayLike | None = None,
 ) -> Swept:
-    """Give each contact in turn the force that makes its own w = 0, but never one below 0.
+    """Projected Gauss-Seidel: each contact in turn gets the force that makes its own w = 0, never one below 0.
 
     f_i <- max(0, f_i - relaxation w_i / a_ii). What is limited is the
     accumulated force, not its change: clipping changes instead answers
@@ -101,14 +102,12 @@ def solve_projected_gauss_seidel(
     Raises:
         ValueError: relaxation outside 0..2, shapes that do not belong together.
     """
-    b = scalars("bias", bias)
-    factor = scalar("relaxation", relaxation)
-    if not 0 < factor < 2:
-        raise failure("relaxation", "a number above 0 and below 2", written(factor))
+    a, b = square_system(matrix, bias)
+    r = relaxation_of(relaxation)
     whole_number("max_sweeps", max_sweeps)
     f = np.zeros(b.size) if start is None else np.maximum(scalars("start", start), 0.0)
     shaped("start", f, b.shape)
-    system = _Sweeps(matrix, b)
+    system = _Sweeps(a, b)
     f = np.where(system.diagonal > 0, f, 0.0)
     count, check = 0, 0
     while True:
@@ -118,7 +117,7 @@ def solve_projected_gauss_seidel(
             check = min(count + 1 + count // 10, max_sweeps)
             if residual <= tolerance or count >= max_sweeps:
                 return Swept(f, residual, count)
-        system.sweep(f, factor)
+        system.sweep(f, r)
         count += 1
 
 
@@ -126,10 +125,9 @@ class _Sweeps:
     """A system by its rows, as the kernels take it."""
 
     def __init__(self, matrix: Any, bias: Array) -> None:
-        from scipy.sparse import csr_array, issparse
+        from scipy.sparse import csr_array
 
-        rows = csr_array(matrix if issparse(matrix) else scalars("matrix", matrix))
-        shaped("matrix", rows, (bias.size, bias.size))
+        rows = csr_array(matrix)
         self.matrix: Any = rows
         self.bias, self.diagonal = bias, np.asarray(rows.diagonal())
         self._magnitude = abs(rows)
@@ -153,8 +151,8 @@ class _Sweeps:
 def gauss_seidel_path(
     matrix: Any, bias: ArrayLike, sweeps: int, *, relaxation: float = 1.0
 ) -> Array:
-    """The forces from 0 on, after each single step of the sweeps, (sweeps c + 1, c)."""
-    system = _Sweeps(matrix, scalars("bias", bias))
+    """The Gauss-Seidel path: the forces from 0 on, after each single step of the sweeps, (sweeps c + 1, c)."""
+    system = _Sweeps(*square_system(matrix, bias))
     force = np.zeros(system.bias.size)
     path = [force.copy()]
     for i in list(range(force.size)) * whole_number("sweeps", sweeps):
@@ -164,7 +162,7 @@ def gauss_seidel_path(
 
 
 def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> float:
-    """By what factor a sweep brings the forces closer to the solution in the end, where all contacts push.
+    """The convergence factor of Gauss-Seidel sweeps where all contacts push: what is left of the error after each.
 
     The largest |eigenvalue| of (D/r + L)^-1 ((1/r - 1) D - L'), A = L + D +
     L' in the order of the sweep (Cottle, Pang and Stone, section 5.2; D. M.
@@ -181,11 +179,11 @@ def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> fl
             eigenvalues are computed, so c should not exceed about 1,000.
         relaxation: r, above 0, below 2.
     Returns:
-        The factor; below 1 it converges.
+        The convergence factor; below 1 it converges.
     """
     from scipy.linalg import eigvals, eigvalsh, solve_triangular
 
-    a = matrix.toarray() if hasattr(matrix, "toarray") else scalars("matrix", matrix)
+    a = scalars("matrix", dense(matrix))
     if not a.size:
         return 0.0
     root = np.sqrt(a.diagonal())
@@ -200,7 +198,7 @@ def predicted_gauss_seidel_factor(matrix: Any, *, relaxation: float = 1.0) -> fl
 def measured_gauss_seidel_factor(
     matrix: Any, bias: ArrayLike, *, sweeps: int = 200, relaxation: float = 1.0
 ) -> float:
-    """By what factor a sweep shrinks the change of the forces, measured over the last tenth of the sweeps.
+    """The convergence factor measured: by what a sweep shrinks the change of the forces, over the last tenth.
 
     Sweeps stop before rounding takes over, when the change has fallen to
     1e-11 of the forces.
@@ -211,7 +209,7 @@ def measured_gauss_seidel_factor(
         relaxation: above 0, below 2.
     """
     whole_number("sweeps", sweeps, minimum=20)
-    system = _Sweeps(matrix, scalars("bias", bias))
+    system = _Sweeps(*square_system(matrix, bias))
     f, changes = np.zeros(system.bias.size), []
     for _ in range(sweeps):
         before = f.copy()
@@ -225,16 +223,16 @@ def measured_gauss_seidel_factor(
     return float((changes[-1] / changes[-1 - tail]) ** (1 / tail))
 
 
-def optimal_relaxation(factor: float) -> float:
-    """The relaxation with the fastest convergence, from the factor at relaxation 1.
+def optimal_relaxation(convergence_factor: float) -> float:
+    """The relaxation with the fastest convergence, from the convergence factor at relaxation 1.
 
-    2 / (1 + sqrt(1 - factor)) (Young, 1971, for matrices such as a stack's,
+    2 / (1 + sqrt(1 - rho)) (Young, 1971, for matrices such as a stack's,
     with one contact an interface, whose contacts couple in a chain); it brings
-    the factor down to ``optimal_relaxation - 1``.
+    rho, the convergence factor, down to ``optimal_relaxation - 1``.
     """
-    rho = scalar("factor", factor)
+    rho = scalar("convergence_factor", convergence_factor)
     if not 0 <= rho < 1:
-        raise failure("factor", "a number from 0, below 1", written(rho))
+        raise failure("convergence_factor", "a number from 0, below 1", written(rho))
     return 2.0 / (1.0 + float(np.sqrt(1.0 - rho)))
 
 

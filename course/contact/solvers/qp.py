@@ -1,4 +1,4 @@
-"""Contact forces as a quadratic programme, in CVXPY, as the lecture's last slide has it."""
+"""Contact forces by the quadratic programme (QP) of the lecture's last slide, in CVXPY."""
 
 from __future__ import annotations
 
@@ -7,17 +7,18 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array
+from course.arrays import Array, ArrayLike
+from course.contact.solvers.arguments import square_system
 
 
 def solve_qp(
     matrix: Any,
-    bias: Array,
+    bias: ArrayLike,
     *,
     tolerance: float = 1e-10,
     max_iterations: int | None = None,
 ) -> tuple[Array | None, int]:
-    """Minimise f'A f/2 + b.f subject to f >= 0, by Clarabel through CVXPY.
+    """The quadratic programme: minimise f'A f/2 + b.f subject to f >= 0, by Clarabel through CVXPY.
 
     The slide's x'Q x/2 + c.x with A x <= b means Q = A_contact, c =
     b_contact, and the constraint -f <= 0 (syllabus row 25, misprint 13). Its
@@ -33,11 +34,14 @@ def solve_qp(
         f, (c,), negative by no more than the tolerance, and the solver's
         iterations; None for f where it finds the objective unbounded (no
         force exists) or fails.
+    Raises:
+        ValueError: shapes that do not belong together, NaN or infinity.
     """
     import cvxpy as cp
 
-    f = cp.Variable(bias.size)
-    objective = cp.Minimize(0.5 * cp.quad_form(f, cp.psd_wrap(matrix)) + bias @ f)
+    a, b = square_system(matrix, bias)
+    f = cp.Variable(b.size)
+    objective = cp.Minimize(0.5 * cp.quad_form(f, cp.psd_wrap(a)) + b @ f)
     problem = cp.Problem(objective, [-f <= 0])
     options = dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), tolerance)
     limit = 200 if max_iterations is None else max_iterations

@@ -1,4 +1,4 @@
-"""How far a force is from solving the contact conditions; defined once."""
+"""The residual of the contact conditions (complementarity): how far a force is from solving them; defined once."""
 
 from __future__ import annotations
 
@@ -6,16 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, BoolArray, failure, scalars, shaped
-
-#: See ``strays``: parts of max |b|, of |A| |f|, and of max |b| again.
-SUSPICIOUS, ROUNDING, SURE = 1e-8, 2e-15, 1e-6
-#: |A| |f| above this times max |b| cannot be sure of SURE: eps |A| |f| is as much.
-HUGE = 1e9
+from course.arrays import Array, ArrayLike, failure, scalars, shaped
 
 
 def complementarity_residual(matrix: Any, force: ArrayLike, bias: ArrayLike) -> Array:
-    """Scaled violation of w = A f + b >= 0, f >= 0, f.w = 0 (syllabus row 20).
+    """The residual: scaled violation of w = A f + b >= 0, f >= 0, f.w = 0 (syllabus row 20).
 
     max_i |min(D_i f_i, w_i)| / ((|A| |f|)_i + max_j |b_j|) with D = diag A:
     each row is judged against its own terms, so that heavy and light bodies
@@ -88,31 +83,3 @@ def scaled_rows(
 def violation_of(diagonal: Array, product: Array, force: Array, bias: Array) -> Array:
     """|min(D f, w)|, (..., c) [m/s^2]: by how much a contact approaches, or parts although it pushes."""
     return np.abs(np.minimum(diagonal * force, product + bias))
-
-
-def strays(
-    violation: Array,
-    size: Array,
-    bias: Array,
-    *,
-    largest: Array | None = None,
-    tolerance: float = 0.0,
-) -> BoolArray:
-    """Which contacts are not where they should be, whatever the residual says.
-
-    The residual is relative to the forces. Where they are large it may be as
-    small as one likes while contacts approach, or part although they push, at
-    the size of b itself; the forces are then as wrong. So the violation is
-    held against b alone: above SUSPICIOUS max |b| (or 100 times the tolerance
-    asked for, where that is more), and above what rounding of large forces
-    excuses (ROUNDING |A| |f|, but never more than SURE max |b|),
-    it strays. So does all beyond HUGE, where rounding hides SURE.
-
-    From ``violation_of``, |A| |f| and b, each (..., c), and max |b| if it is
-    not that of these b; nothing is checked.
-    """
-    if largest is None:
-        largest = np.abs(bias).max(axis=-1, keepdims=True, initial=0)
-    seen = max(SUSPICIOUS, 100 * tolerance)
-    excused = seen * largest + np.minimum(ROUNDING * size, SURE * largest)
-    return (violation > excused) | (size > HUGE * largest)

@@ -17,6 +17,9 @@ from course.exercises.repair.texts import (
     product,
 )
 
+#: Of longer expressions only the brackets that stand are moved.
+MOST_OPERANDS = 8
+
 
 def other_brackets(code: Code, node: ast.BinOp) -> Iterator[Change]:
     """a * (b + c) as a * b + c and the like, and the other way round."""
@@ -84,6 +87,47 @@ def other_brackets(code: Code, node: ast.BinOp) -> Iterator[Change]:
                 "the order of two steps",
                 call_text(code, left, arguments=[inside, *texts]),
             )
+
+
+def brackets_put_in(code: Code, node: ast.BinOp) -> Iterator[Change]:
+    """a / b + c as a / (b + c), -1 + e * u as -(1 + e) * u: a pair of brackets between any two operands."""
+    start, end = code.span(node)
+    spans = [
+        _with_brackets(code.source, *code.span(leaf)) for leaf in _operands(code, node)
+    ]
+    if not 2 < len(spans) <= MOST_OPERANDS:
+        return
+    for i, (opens, _) in enumerate(spans):
+        for _, closes in spans[i + 1 :]:
+            if (opens, closes) != (start, end) and start <= opens and closes <= end:
+                text = code.source
+                inside = f"({text[opens:closes]})"
+                yield "brackets", text[start:opens] + inside + text[closes:end]
+
+
+def _operands(code: Code, node: ast.expr) -> Iterator[ast.expr]:
+    """What stands between the signs of an expression; a pair of brackets is one operand."""
+    inner: list[ast.expr] = []
+    if isinstance(node, ast.BinOp):
+        inner = [node.left, node.right]
+    elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        inner = [node.operand]
+    for part in inner:
+        span = code.span(part)
+        closed = _with_brackets(code.source, *span) != span
+        yield from [part] if closed else _operands(code, part)
+    if not inner:
+        yield node
+
+
+def _with_brackets(source: str, start: int, end: int) -> tuple[int, int]:
+    """A span with the brackets right around it; itself where there are none."""
+    before, after = source[:start].rstrip(), source[end:].lstrip()
+    if before.endswith("(") and after.startswith(")"):
+        called = before[:-1].rstrip()[-1:]
+        if not (called.isalnum() or called in "_])" and called):
+            return len(before) - 1, len(source) - len(after) + 1
+    return start, end
 
 
 def terms_into_brackets(code: Code, node: ast.BinOp) -> Iterator[Change]:

@@ -68,8 +68,8 @@ def _in_each(code: Code, singles: list[Edit]) -> Iterator[Edit]:
             ((start, end, text),) = edit.patches
             alike = (
                 edit.kind,
-                _without_twin(code.source[start:end]),
-                _without_twin(text),
+                without_twin(code.source[start:end]),
+                without_twin(text),
             )
             groups.setdefault(alike, []).append(edit)
     for members in groups.values():
@@ -100,8 +100,11 @@ def _is_small(edit: Edit) -> bool:
     return edit.kind != "an axis missing" or name.isidentifier()
 
 
-def _without_twin(text: str) -> str:
-    return re.sub(r"(?<=[A-Za-z])_?(a|b|1|2|i|j)\b|\b(i|j|k|l)\b", "?", text)
+def without_twin(text: str) -> str:
+    """A text in which twins look the same: x_a and x_b, v_a_dot and v_b_dot, arm1 and arm2, i and j."""
+    return re.sub(
+        r"(?<=[A-Za-z])_?(a|b|1|2|i|j)\b|_(a|b|1|2|i|j)(?=_)|\b(i|j|k|l)\b", "?", text
+    )
 
 
-__all__ = ["STAGES", "Code", "Edit", "edits_of", "patched"]
+__all__ = ["STAGES", "Code", "Edit", "edits_of", "patched", "without_twin"]

@@ -35,10 +35,7 @@ WRAPS = {
     "a running sum missing": "np.cumsum({}, axis=-1)",
     "a transpose missing": "np.swapaxes({}, -1, -2)",
     "the division by its length missing": "{0} / np.linalg.norm({0}, axis=-1, keepdims=True)",
-    "degrees for radians": "np.radians({})",
-    "radians for degrees": "np.degrees({})",
     "a sign() missing": "np.sign({})",
-    "a floor missing": "np.floor({})",
 }
 
 
@@ -76,6 +73,10 @@ def longer_by_two(code: Code, place: Place) -> Iterator[Change]:
 def _can_be_longer(place: Place) -> bool:
     if not is_quantity(place) or not isinstance(place.node, NEEDS_STEP):
         return False
+    if isinstance(place.node, ast.UnaryOp) and isinstance(
+        place.node.operand, ast.Constant
+    ):
+        return False  # a number below 0 is a number
     return name_of_call(place.node) not in NO_STEP
 
 
@@ -116,6 +117,11 @@ def _with_vector(code: Code, place: Place, text: str) -> Iterator[Change]:
             yield "a matrix missing", f"{name} @ {text}"
             yield "a matrix missing", f"{text} @ {turned}"
             yield "a matrix missing", f"{name} @ {text} @ {turned}"
+            node = place.node
+            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
+                for factor in (node.left, node.right):
+                    kind = "a factor where a matrix belongs"
+                    yield kind, times(name, code.closed(factor))
 
 
 def _with_twin(code: Code, place: Place, text: str) -> Iterator[Change]:

@@ -98,6 +98,8 @@ def _other_number(code: Code, place: Place) -> Iterator[Change]:
         place
     )
     for name in place.scope:
+        if index and name in code.running:
+            continue  # a count or an index is not what a loop has added up so far
         if index or code.axes.get(name, 0) == 0:
             yield "a number where a name belongs", name
             if not index:

@@ -14,7 +14,8 @@ Patch = tuple[int, int, str]
 CLOSED = (ast.Name, ast.Constant, ast.Call, ast.Attribute, ast.Subscript, ast.List)
 #: Calls whose arguments are sizes or counts: no quantity of the exercise stands there.
 SIZES = frozenset(
-    "range zeros ones empty eye arange len reshape Variable Minimize Problem solve_ enumerate zip reversed list "
+    "range zeros ones empty zeros_like ones_like empty_like full eye arange len reshape Variable Minimize "
+    "Problem solve_ enumerate zip reversed list "
     "append remove pop asarray array isinstance print".split()
 )
 
@@ -96,6 +97,17 @@ class Code:
     def line(self, number: int) -> str:
         """A line of the source without its margin."""
         return self._lines[number - 1][1].strip() if number else ""
+
+    @cached_property
+    def running(self) -> frozenset[str]:
+        """The names that begin as a number written in the source, or change in place."""
+        names = set()
+        for node in ast.walk(self.tree):
+            if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
+                names.add(node.target.id)
+            elif isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
+                names |= {t.id for t in node.targets if isinstance(t, ast.Name)}
+        return frozenset(names)
 
     @cached_property
     def functions(self) -> list[ast.FunctionDef]:

@@ -20,6 +20,7 @@ def statement_edits(code: Code) -> Iterator[Edit]:
             yield from _too_many(code, block, statement)
             yield from _moved(code, block, place)
             yield from _augmented(code, statement)
+            yield from _copied(code, statement)
             yield from _returns_too_early(code, statement)
             yield from _conditions(code, statement)
             yield from _unlike_its_twin(code, block, statement)
@@ -131,6 +132,25 @@ def _augmented(code: Code, statement: ast.stmt) -> Iterator[Edit]:
                 statement,
                 f"{target} = {code.text(call.func)}({inside})",
             )
+
+
+def _copied(code: Code, statement: ast.stmt) -> Iterator[Edit]:
+    """b = a.copy() for b = a, where b[...] is written to: else that writes to a as well."""
+    if not isinstance(statement, ast.Assign) or not isinstance(
+        statement.value, ast.Name
+    ):
+        return
+    names = {t.id for t in statement.targets if isinstance(t, ast.Name)}
+    written = {
+        n.value.id
+        for n in ast.walk(code.tree)
+        if isinstance(n, ast.Subscript)
+        and isinstance(n.ctx, ast.Store)
+        and isinstance(n.value, ast.Name)
+    }
+    if names & written:
+        text = f"np.array({statement.value.id})"
+        yield _one(code, "a second name where a copy belongs", 1, statement.value, text)
 
 
 def _conditions(code: Code, statement: ast.stmt) -> Iterator[Edit]:

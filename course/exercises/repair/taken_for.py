@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import combinations, permutations
 
 from course.exercises.repair.brackets import (
+    brackets_put_in,
     inside_out,
     other_brackets,
     other_side,
@@ -47,6 +48,8 @@ def other(code: Code, place: Place) -> Iterator[Change]:
         yield from other_brackets(code, node)
         if is_sum(node):
             yield from terms_into_brackets(code, node)
+        if not isinstance(place.parent, (ast.BinOp, ast.UnaryOp)):
+            yield from brackets_put_in(code, node)
         if not isinstance(place.parent, ast.BinOp) or not is_product(place.parent):
             yield from other_side(code, node)
     elif isinstance(node, ast.Call):
@@ -97,6 +100,10 @@ def _other_operation(code: Code, node: ast.BinOp) -> Iterator[Change]:
         yield "* where a cross product belongs", f"np.cross({left}, {right})"
         yield "* where a dot product belongs", dot(left, right)
         yield "* where ** belongs", f"{left} ** {right}"
+        for number, rest in ((node.left, right), (node.right, left)):
+            if isinstance(number, ast.Constant):
+                yield "a number times it where 1 + it belongs", f"1 + {rest}"
+                yield "a number times it where 1 - it belongs", f"1 - {rest}"
     elif isinstance(op, ast.Div):
         yield "/ where * belongs", f"{left} * {right}"
         yield "a quotient upside down", f"{right} / {left}"
@@ -171,6 +178,8 @@ def _other_call(code: Code, node: ast.Call) -> Iterator[Change]:
                 f"{name}() where a cross product belongs",
                 f"np.cross({left}, {right})",
             )
+    if name == "cross" and len(texts) == 2:
+        yield from _product_rule(code, node)
     if name == "solve" and len(texts) == 2:
         yield "solve() where @ belongs", " @ ".join(map(code.closed, node.args))
         yield "solve() of a batch of vectors", solved(*texts)
@@ -191,6 +200,23 @@ def _other_call(code: Code, node: ast.Call) -> Iterator[Change]:
         if len(texts) == 2 and isinstance(node.func, ast.Attribute):
             turned = f"{code.closed(node.func.value)}.reshape({texts[1]}, {texts[0]}).T"
             yield "reshape() where a transpose belongs", turned
+
+
+def _product_rule(code: Code, node: ast.Call) -> Iterator[Change]:
+    """a_dot x b_dot as a_dot x b + a x b_dot, where a_dot is omega x a or has that name."""
+    whole = []
+    for argument in node.args:
+        text = code.text(argument)
+        if name_of_call(argument) == "cross" and isinstance(argument, ast.Call):
+            whole.append(code.text(argument.args[-1]))
+        elif isinstance(argument, ast.Name) and text.endswith("_dot"):
+            whole.append(text.removesuffix("_dot"))
+    if len(whole) == 2:
+        one, two = map(code.text, node.args)
+        yield (
+            "a product of two rates where the product rule belongs",
+            f"np.cross({one}, {whole[1]}) + np.cross({whole[0]}, {two})",
+        )
 
 
 def _other_axis(code: Code, node: ast.Call) -> Iterator[Change]:
@@ -226,7 +252,7 @@ def _other_comparison(code: Code, node: ast.Compare) -> Iterator[Change]:
     left, right = code.closed(node.left), code.closed(node.comparators[0])
     if mine is None:
         return
-    for sign in ("<", "<=", ">", ">=") if mine[0] in "<>" else ("==", "!="):
+    for sign in ("<", "<=", ">", ">=") + (("==", "!=") if mine[0] in "=!" else ()):
         if sign != mine:
             edge = {mine, sign} in ({"<", "<="}, {">", ">="})
             yield (

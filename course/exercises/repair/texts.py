@@ -10,7 +10,9 @@ Change = tuple[str, str]
 
 
 #: Calls that are no step of a calculation: left out, nothing remains.
-NO_STEP = frozenset("range zeros ones empty len append remove Variable reshape".split())
+NO_STEP = frozenset(
+    "range zeros ones empty zeros_like ones_like empty_like full len append remove Variable reshape".split()
+)
 
 
 SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.MatMult: "@"}

@@ -23,6 +23,10 @@ def shorter(code: Code, place: Place) -> Iterator[Change]:
         elif isinstance(node.op, ast.Mult):
             yield "a factor too many", left
             yield "a factor too many", right
+            for factor in (node.left, node.right):
+                bare = _without_kept_axis(code, factor)
+                if bare:  # the axis was there for the other factor
+                    yield "a factor too many", bare
         elif isinstance(node.op, ast.MatMult):
             yield "a matrix too many", left
             yield "a matrix too many", right
@@ -89,15 +93,28 @@ def _without_index(code: Code, node: ast.Subscript) -> Iterator[Change]:
             yield "a slice too many", f"{value}[{', '.join(kept)}]"
 
 
+def _without_kept_axis(code: Code, node: ast.expr) -> str:
+    """x of x[..., None], a sum of one with keepdims=True; empty for anything else."""
+    if isinstance(node, ast.Subscript):
+        parts = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
+        none = [p for p in parts if isinstance(p, ast.Constant) and p.value is None]
+        return code.closed(node.value) if none else ""
+    if isinstance(node, ast.Call):
+        kept = [k for k in node.keywords if k.arg != "keepdims"]
+        if len(kept) < len(node.keywords):
+            return call_text(code, node, keywords=kept)
+    return ""
+
+
 def _without_call(code: Code, node: ast.Call) -> Iterator[Change]:
     name = name_of_call(node)
     if name not in NO_STEP:
         for argument in node.args:
             if not isinstance(argument, (ast.Starred, ast.GeneratorExp)):
                 yield f"{name}() too many", code.closed(argument)
-    if isinstance(node.func, ast.Attribute) and not node.args:
+    if isinstance(node.func, ast.Attribute) and (not node.args or name == "astype"):
         yield f"{name}() too many", code.closed(node.func.value)
     for some, keyword in enumerate(node.keywords):
-        if keyword.arg in ("axis", "keepdims", "degrees"):
+        if keyword.arg in ("axis", "keepdims", "degrees", "dtype"):
             kept = [k for i, k in enumerate(node.keywords) if i != some]
             yield f"{keyword.arg}= too many", call_text(code, node, keywords=kept)

@@ -57,7 +57,7 @@ def impulse(against: Any = None) -> Exhibit:
             ``impulse_central``.
     """
 
-    def film(**values: float) -> Film:
+    def film(**values: Any) -> Film:
         laws = [("", central_motion(**values))]
         if against is not None:
             law, title = (

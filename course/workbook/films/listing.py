@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
+from typing import Any
 
 from course.arrays import choice
 from course.workbook.stage import Exhibit, as_exhibit
@@ -32,10 +33,10 @@ class Listed:
     look: str
     still: float = 0.0
 
-    def exhibit(self) -> Exhibit:
-        """The film, made now."""
+    def exhibit(self, **options: Any) -> Exhibit:
+        """The film, made now; ``against=function`` for those that play a second one."""
         made = getattr(import_module(f"course.workbook.films.{self.module}"), self.name)
-        return as_exhibit(made())
+        return as_exhibit(made(**options))
 
 
 LISTED = (

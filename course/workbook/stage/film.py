@@ -123,7 +123,7 @@ class Arrows:
     scale: float | None = None
     color: str | tuple[str, ...] = ""
     shown: bool = True
-    lift: float | Sequence[float] = 0.0
+    lift: ArrayLike = 0.0
     numbers: bool = False
 
 
@@ -326,10 +326,10 @@ class Film:
 
     def index_at(self, time: float) -> int:
         """The last moment that is not after a time [s]."""
-        times = np.asarray(self.times)
-        return int(
-            max(0, np.searchsorted(times, scalar("time", time), side="right") - 1)
+        after = np.searchsorted(
+            np.asarray(self.times), scalar("time", time), side="right"
         )
+        return max(0, int(after) - 1)
 
 
 def _checked(pane: Pane, times: Array) -> Pane:

@@ -7,7 +7,7 @@ import pytest
 from scipy.sparse import csr_array
 
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
-from course.contact.solving import METHODS
+from course.contact.engine.methods import METHODS
 
 
 def hostile(seed):

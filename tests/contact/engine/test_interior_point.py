@@ -49,9 +49,9 @@ def test_factor_of_the_contact_matrix():
         tangle(5, 20, seeded(6)),
     ):
         system = scene.system()
-        factor = mass_weighted_jacobian(system)
+        rows = mass_weighted_jacobian(system)
         np.testing.assert_allclose(
-            (factor @ factor.T).toarray(),
+            (rows @ rows.T).toarray(),
             system.A.toarray(),
             rtol=0,
             atol=1e-12 * abs(system.A).max(),
@@ -62,7 +62,7 @@ def eliminations(unit):
     from scipy.sparse import csr_array, diags_array
 
     scale = diags_array(1 / unit.root)
-    a, rows = csr_array(scale @ unit.matrix @ scale), csr_array(scale @ unit._factor())
+    a, rows = csr_array(scale @ unit.matrix @ scale), csr_array(scale @ unit._rows())
     rows = rows[:, np.unique(rows.indices)]
     pattern = csr_array(
         (np.ones(rows.nnz), rows.indices, rows.indptr), shape=rows.shape

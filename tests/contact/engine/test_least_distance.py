@@ -56,12 +56,12 @@ def systems(seed, count, kind):
 
 
 @pytest.mark.parametrize("kind", ["plain", "repeated", "masses", "whole"])
-@pytest.mark.parametrize("with_factor", [True, False])
-def test_force_or_proof_that_there_is_none(kind, with_factor):
+@pytest.mark.parametrize("with_columns", [True, False])
+def test_force_or_proof_that_there_is_none(kind, with_columns):
     answers = {"force": 0, "none": 0}
     for g, b in systems(31, 150, kind):
         a = g.T @ g
-        found = solve_nnls(a, b, factor=g if with_factor else None)
+        found = solve_nnls(a, b, columns=g if with_columns else None)
         if found.certificate is None:
             answers["force"] += 1
             assert found.force.min() >= 0
@@ -126,7 +126,7 @@ def test_table_on_four_legs():
 def test_large_forces_are_told_apart_from_no_force():
     for tilt in (1e-2, 1e-4, 1e-6):
         g = np.array([[1.0, -1.0], [0.0, tilt]])  # two nearly opposite pushes
-        found = solve_nnls(g.T @ g, [-1.0, -1.0], factor=g)
+        found = solve_nnls(g.T @ g, [-1.0, -1.0], columns=g)
         assert found.certificate is None
         # By hand: A f = (1, 1) has f = (1 + 2/tilt^2, 2/tilt^2).
         assert np.allclose(
@@ -166,7 +166,7 @@ def test_a_wrong_answer_of_the_library_is_not_taken(monkeypatch, failure):
         (lambda: solve_nnls([[0.0, 1.0], [1.0, 1.0]], [-1.0, -1.0]), "matrix: expected a positive semidefinite"),
         (lambda: solve_nnls([[-1.0]], [-1.0]), "matrix: expected a positive semidefinite"),
         (lambda: solve_nnls(np.eye(2), [-1.0, np.nan]), "bias: expected finite"),
-        (lambda: solve_nnls(np.eye(2), [-1.0, 1.0], factor=np.eye(3)), r"factor: expected shape \(m, 2\)"),
+        (lambda: solve_nnls(np.eye(2), [-1.0, 1.0], columns=np.eye(3)), r"columns: expected shape \(m, 2\)"),
     ],
 )  # fmt: skip
 def test_refuses(call, message):

@@ -34,7 +34,7 @@ def test_columns_of_zeros_and_none_at_all():
     "call, message",
     [
         (lambda: nonnegative_least_squares(np.eye(2), [1.0]), r"target: expected shape \(2,\)"),
-        (lambda: nonnegative_least_squares([1.0, 2.0], [1.0]), r"factor: expected shape \(m, c\)"),
+        (lambda: nonnegative_least_squares([1.0, 2.0], [1.0]), r"columns: expected shape \(m, c\)"),
     ],
 )  # fmt: skip
 def test_refuses(call, message):

@@ -125,5 +125,5 @@ def test_limits_and_refusals():
     ):  # fmt: skip
         with pytest.raises(ValueError, match=match):
             solve_projected_gauss_seidel(system.A, system.b, **arguments)
-    with pytest.raises(ValueError, match="factor"):
+    with pytest.raises(ValueError, match="convergence_factor"):
         optimal_relaxation(1.0)

@@ -169,7 +169,7 @@ RK4_STEP = Exercise(
         "Write the rate as a function of l first; RK4 calls it four times.",
         "k1 at the start, k2 and k3 in the middle (each from the one before), k4 at the end; then their mean with "
         "the weights 1, 2, 2, 1.",
-        "k1 = rate(l)\nk2 = rate(l + h / 2 * k1)\nk3 = rate(____)\nk4 = rate(____)\n"
+        "k1 = rate_of(l)\nk2 = rate_of(l + h / 2 * k1)\nk3 = rate_of(____)\nk4 = rate_of(____)\n"
         "return l + h / 6 * (k1 + ____ * k2 + ____ * k3 + k4)",
     ),
 )

@@ -59,8 +59,8 @@ SIGMA = Exercise(
             slip(
                 formulas.sigma, "(I_2 - I_1) * (I_3 - I_2)", "(I_2 - I_3) * (I_2 - I_1)"
             ),
-            "What stands under your root is negative. The product of the two brackets is (I_2 - I_3)(I_1 - I_2): "
-            "turn both round, and it is positive for the middle axis.",
+            "What stands under your root is negative. The brackets of the two equations are I_2 - I_3 and I_1 - I_2, "
+            "both negative: their product is positive. Is one of yours turned round?",
         ),
         Mistake(
             "no spin",

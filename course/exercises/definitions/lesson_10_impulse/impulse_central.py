@@ -149,7 +149,7 @@ IMPULSE_CENTRAL = Exercise(
         "The closing speed is (v2 - v1).n. Where it is positive the impulse is (1 + e) times it, divided by the sum "
         "of the inverse masses; elsewhere it is 0.",
         "closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)\n"
-        "value = (1 + restitution) * closing / (____ + ____)\n"
-        "return np.where(closing > 0, value, ____)",
+        "impulse = (1 + restitution) * closing / (____ + ____)\n"
+        "return np.where(closing > 0, impulse, ____)",
     ),
 )

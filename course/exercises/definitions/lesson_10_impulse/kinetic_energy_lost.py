@@ -128,11 +128,13 @@ KINETIC_ENERGY_LOST = Exercise(
         ),
     ),
     hints=(
-        "Compare the energy of the relative motion along n before and after: its speed is u before and e u after.",
+        "Compare the energy of the relative motion along n before and after: its speed is the "
+        "closing speed before and e times that after.",
         "The mass that goes with the relative speed is the reduced mass, one over the sum of the inverse masses. "
-        "Half of it times u^2 - (e u)^2 is lost.",
-        "u = np.sum((velocity_1 - velocity_2) * normal, axis=-1)\n"
-        "lost = 0.5 / (1 / mass_1 + 1 / mass_2) * (1 - ____) * ____**2\n"
-        "return np.where(u < 0, lost, 0.0)",
+        "Half of it times what the square of that speed loses is lost.",
+        "closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)\n"
+        "mu = 1 / (1 / mass_1 + 1 / mass_2)\n"
+        "lost = 0.5 * mu * (1 - ____) * ____**2\n"
+        "return np.where(closing > 0, lost, 0.0)",
     ),
 )

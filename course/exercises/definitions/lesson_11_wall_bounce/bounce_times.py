@@ -139,10 +139,11 @@ BOUNCE_TIMES = Exercise(
     ),
     hints=(
         "The first impact comes after t_0 = sqrt(2 h/g). Each flight after it lasts 2 e t_0, 2 e^2 t_0, and so on.",
-        "The first impact comes at t_0, each later one 2 e^k t_0 after the one before, k = 1, 2, ... Put these waits "
-        "side by side on a new last axis, t_0 first, and add them up with np.cumsum. No division, so e = 1 is served.",
-        "fall = np.sqrt(2 * np.asarray(height) / gravity)[..., None]\n"
-        "flights = 2 * fall * np.asarray(restitution)[..., None] ** np.arange(1, ____)\n"
-        "return np.cumsum(np.concatenate([____, flights], axis=-1), axis=-1)",
+        "So the impacts come at t_0, t_0 (1 + 2 e), t_0 (1 + 2 e + 2 e^2), ...: t_0 times twice the sum of the powers "
+        "1, e, e^2, ... so far, less 1. Put the powers on a new last axis and add them up with np.cumsum. No division, "
+        "so e = 1 is served.",
+        "fall = np.sqrt(2 * np.asarray(height) / gravity)\n"
+        "powers = np.asarray(restitution)[..., None] ** np.arange(____)\n"
+        "return fall[..., None] * (2 * np.cumsum(____, axis=-1) - ____)",
     ),
 )

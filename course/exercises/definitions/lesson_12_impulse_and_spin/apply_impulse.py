@@ -228,8 +228,8 @@ APPLY_IMPULSE = Exercise(
         "The push is the vector p_hat n. It changes v by the push times 1/m, and omega by I^-1 times the torque, which "
         "is the cross product of the arm and the push, in this order.",
         "push = np.asarray(impulse)[..., None] * normal\n"
-        "torque = np.cross(____, ____)\n"
-        "turned = (inverse_inertia @ torque[..., None])[..., 0]\n"
-        "return velocity + np.asarray(inverse_mass)[..., None] * ____, angular_velocity + ____",
+        "moved = np.asarray(inverse_mass)[..., None] * ____\n"
+        "turned = (inverse_inertia @ np.cross(____, ____)[..., None])[..., 0]\n"
+        "return velocity + moved, angular_velocity + turned",
     ),
 )

@@ -271,11 +271,13 @@ EFFECTIVE_MASS = Exercise(
     hints=(
         "The last line of the derivation gives 1/mu: four terms, one for each way of giving way. Return one over their "
         "sum.",
-        "For each body take the lever a = r x n, multiply the inverse inertia by it, and dot the result with a again. "
+        "For each body take the lever r x n, multiply the inverse inertia by it, and dot the result with the lever. "
         "Matrix times vector in a batch is (matrix @ vector[..., None])[..., 0].",
-        "lever_1, lever_2 = np.cross(arm_1, normal), np.cross(____, ____)\n"
-        "turned_1 = (inverse_inertia_1 @ lever_1[..., None])[..., 0]\n"
-        "turned_2 = (inverse_inertia_2 @ lever_2[..., None])[..., 0]\n"
-        "return 1 / (inverse_mass_1 + inverse_mass_2 + np.sum(lever_1 * turned_1, axis=-1) + ____)",
+        "inverse = inverse_mass_1 + inverse_mass_2\n"
+        "for inverse_inertia, arm in ((inverse_inertia_1, arm_1), (____, ____)):\n"
+        "    lever = np.cross(____, ____)\n"
+        "    turned = (inverse_inertia @ lever[..., None])[..., 0]\n"
+        "    inverse = inverse + np.sum(____, axis=-1)\n"
+        "return 1 / inverse",
     ),
 )

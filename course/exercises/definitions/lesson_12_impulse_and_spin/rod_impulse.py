@@ -128,6 +128,6 @@ ROD_IMPULSE = Exercise(
         "Everything is in the box above: u, r x n and I of this rod. u is the velocity of the end along n before.",
         "r = (ell/2)(cos theta, 0, -sin theta) and n = (0, 0, 1), so r x n has the length (ell/2) cos theta. "
         "1/mu is 1/m plus that length squared over I = m ell^2/12.",
-        "lever = ell / 2 * sp.cos(theta)\nrod_impulse = (1 + e) * ____ / (1 / m + lever**2 / (____))",
+        "rod_impulse = (1 + e) * ____ / (1 / m + (ell / 2 * sp.cos(theta)) ** 2 / (____))",
     ),
 )

@@ -171,7 +171,9 @@ SIMULTANEOUS_IMPULSES = Exercise(
         ),
         Property(
             "no push too many",
-            lambda given, answer: answer * _left(given, answer),
+            lambda given, answer: (
+                np.maximum(answer, 0.0) * np.maximum(_left(given, answer), 0.0)
+            ),
             "Some contact has p > 0 and w > 0: it is pushed although it parts faster than it must.",
             tolerance=1e-6,
         ),
@@ -250,8 +252,8 @@ SIMULTANEOUS_IMPULSES = Exercise(
         "others.",
         "Start with p = 0 and go through the contacts again and again. For each, compute w_i with the p you have, and "
         "change p_i by what brings w_i to 0, but never below p_i = 0.",
-        "p = np.zeros(len(normal_velocity))\nfor _ in range(500):\n    for i in range(len(p)):\n"
-        "        w = matrix[i] @ p + (1 + restitution) * normal_velocity[i]\n"
-        "        p[i] = max(0.0, p[i] - ____ / ____)\nreturn p",
+        "impulse = np.zeros(len(normal_velocity))\nfor _ in range(500):\n    for i in range(len(impulse)):\n"
+        "        surplus = matrix[i] @ impulse + (1 + restitution) * normal_velocity[i]\n"
+        "        impulse[i] = max(0.0, impulse[i] - ____ / ____)\nreturn impulse",
     ),
 )

@@ -139,7 +139,7 @@ NORMAL_RATE = Exercise(
         Mistake(
             "none",
             slip(formulas.normal_rate, "return np", "return 0 * np"),
-            "You leave the normal as it is. It is fixed to a face, and the face turns.",
+            "Your N_dot is 0, as if the normal stayed as it is. It is fixed to a face, and the face turns.",
         ),
         Mistake(
             "no cross",
@@ -152,6 +152,6 @@ NORMAL_RATE = Exercise(
     hints=(
         "See Derive: an arrow that is fixed to a turning body. Which body is N fixed to?",
         "The rate is omega x N, with the omega of the body whose face it is. np.cross works on the last axis.",
-        'omega = omega_b if face == "face_b" else ____\nreturn np.cross(____, ____)',
+        'omega_of_face = omega_b if face == "face_b" else ____\nreturn np.cross(____, ____)',
     ),
 )

@@ -162,6 +162,6 @@ ANGULAR_ACCELERATION_FREE = Exercise(
         "See Derive, step 3. The torque and L x omega are added first and go through I^-1 together.",
         "Add tau and L x omega, then multiply the matrix I^-1 by the sum. For a batch np.einsum names the axes: "
         '"...ij,...j->...i" is matrix times vector.',
-        'total = torque + np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, total)',
+        'gyroscopic = np.cross(____, ____)\nreturn np.einsum("...ij,...j->...i", ____, torque + gyroscopic)',
     ),
 )

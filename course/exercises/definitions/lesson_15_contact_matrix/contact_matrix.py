@@ -108,10 +108,10 @@ CONTACT_MATRIX = Exercise(
         "Then A = J.reshape(c, -1) @ (the other).reshape(c, -1).T.",
         "for body, sign in ((body_a, 1), (body_b, -1)):\n"
         "    lever = np.cross(point - position[body], ____)\n"
-        "    J[rows, body] = sign * np.concatenate([normal, lever], axis=-1)\n"
+        "    J[np.arange(len(point)), body] = sign * np.concatenate([normal, lever], axis=-1)\n"
         "world = rotation @ inverse_inertia @ np.swapaxes(rotation, -1, -2)\n"
         'turned = np.einsum("nij,cnj->cni", world, J[..., 3:])\n'
         "weighed = np.concatenate([J[..., :3] / mass[:, None], turned], axis=-1)\n"
-        "return J.reshape(c, -1) @ ____.reshape(c, -1).T",
+        "return J.reshape(len(point), -1) @ ____.reshape(len(point), -1).T",
     ),
 )  # fmt: skip

@@ -133,7 +133,7 @@ SOLVE_CONTACT_QP = Exercise(
                 "Solved without the limit, and what pulled set to 0 afterwards. The other forces were found for "
                 "a contact that pulls, and do not fit once it is gone. The limit belongs in the programme."),
         Mistake("the lowest q", lambda a, b: 0.5 * np.dot(b, _solution(a, b)),
-                "One number came: solve() returns the lowest q. The forces are in the variable, f.value."),
+                "One number came: solve() returns the lowest q. The forces are in the variable: its .value."),
         Mistake("d_ddot = 0 as a limit", _forced,
                 "With d_ddot = 0 as a limit there may be no f >= 0 at all; cvxpy then leaves None in f.value. It is "
                 "f d_ddot = 0 that holds, and it comes out by itself."),

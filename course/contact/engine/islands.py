@@ -1,4 +1,4 @@
-"""A contact system taken apart: each part solved by what suits it, checked, and passed to other methods in need.
+"""Islands: a contact system taken apart, each island solved by what suits it, checked, or left to the fallbacks.
 
 Contacts that share no free body, not even through others, do not depend on
 each other: they are separate islands. Small islands of like size are solved
@@ -16,18 +16,25 @@ from typing import Any
 import numpy as np
 
 from course.arrays import BoolArray, IntArray
-from course.contact.assembly import ContactSystem
-from course.contact.engine.acceptance import LARGE, require_semidefinite
-from course.contact.engine.block_pivots import EXACT, block_pivot, block_pivot_one
-from course.contact.engine.fallbacks import EXACT_UP_TO, Found, Island, dense
-from course.contact.engine.mass_weighting import mass_weighted_jacobian
-from course.contact.solvers.residual import (
+from course.contact.engine.acceptance import (
     HUGE,
+    LARGE,
+    RESIDUAL_ROUNDING,
     SUSPICIOUS,
-    products,
     strays,
-    violation_of,
 )
+from course.contact.engine.block_pivots import block_pivot
+from course.contact.engine.fallbacks import (
+    EXACT_UP_TO,
+    Found,
+    Island,
+    by_another_guess,
+)
+from course.contact.engine.mass_weighting import mass_weighted_jacobian
+from course.contact.engine.refusals import require_semidefinite
+from course.contact.solvers.arguments import dense, proof_by_the_unmoved
+from course.contact.solvers.residual import products, violation_of
+from course.contact.systems import ContactSystem
 
 #: Islands of up to this many contacts go to ``block_pivot``, in batches.
 SMALL = 128
@@ -37,11 +44,11 @@ WHOLE = SMALL
 SIZES = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, SMALL])
 
 
-class Parts:
+class Islands:
     """One system, its forces as they are found, and the proof where there are none.
 
     After ``solve``: force, (c,), the best there is; proof, (c,), 0 but where no
-    force exists; iterations, the most of any part; method, all that were used.
+    force exists; iterations, the most of any island; method, all that were used.
     """
 
     def __init__(
@@ -51,9 +58,9 @@ class Parts:
         # Small matrices are handled faster dense.
         self.matrix = dense(system.A) if system.b.size <= SMALL else system.A
         self.force, self.proof = np.zeros(system.b.shape), np.zeros(system.b.shape)
-        self.exact = np.zeros(system.b.shape, dtype=bool)
+        self.to_rounding = np.zeros(system.b.shape, dtype=bool)
         self.iterations, self._used = 0, set[str]()
-        self._factor: Any = None
+        self._all_rows: Any = None
         self._largest = float(np.abs(system.b).max(initial=0.0))
 
     @property
@@ -66,21 +73,18 @@ class Parts:
         diagonal = a.diagonal()
         if self.system.jacobian is None or b.size <= SMALL:
             require_semidefinite(a)
-        nothing_helps = (diagonal == 0) & (b < 0)
-        if np.any(nothing_helps):
-            self.proof[nothing_helps] = 1.0
+        unmoved = proof_by_the_unmoved(diagonal, b)
+        if unmoved is not None:
+            self.proof = unmoved
             return
         if not np.any(b < 0):
             return
-        label = _islands(self.system.A)
+        label = _labels(self.system.A)
         size = np.bincount(label)
         approaching = np.bincount(label, weights=b < 0) > 0
         if size.size == 1 and b.size <= SMALL:
-            # Another first guess than the one that failed before a small system came here.
-            found = block_pivot_one(
-                a, b, pushing=(b <= 0) & (diagonal > 0), max_iterations=self.limit
-            )
-            self._take(slice(None), Found(found.force, found.iterations, "block_pivot"))
+            # A small system has been tried whole before it came here.
+            self._take(slice(None), by_another_guess(a, b, self.limit))
         else:
             self._small(self.system.A, label, size, approaching & (size <= SMALL))
             for island in np.flatnonzero(approaching & (size > SMALL)):
@@ -124,7 +128,7 @@ class Parts:
             self._take(contacts, Found(found.force[where], rounds, "block_pivot"))
 
     def _take(self, index: Any, found: Found) -> None:
-        self.force[index], self.exact[index] = found.force, found.exact
+        self.force[index], self.to_rounding[index] = found.force, found.to_rounding
         self.iterations = max(self.iterations, found.iterations)
         self._used.add(found.method)
 
@@ -146,15 +150,14 @@ class Parts:
         scale = size + largest[label]
         np.maximum.at(beyond, label, violation / np.where(scale > 0, scale, np.inf))
         count = np.bincount(label)
-        unsure = ~large & (beyond > EXACT * count)
+        unsure = ~large & (beyond > RESIDUAL_ROUNDING * count)
         hard = (count[label] <= EXACT_UP_TO) | (violation > SUSPICIOUS * largest[label])
         astray |= (size > LARGE * largest[label]) & hard
         return np.unique(np.append(label[missed | astray], np.flatnonzero(unsure)))
 
     def _fall_back(self, index: IntArray) -> None:
         """An island that the first method did not surely solve; one more look whether it falls apart."""
-        part = self.system.A[index][:, index]
-        label = _components(part)
+        label = _connected(self.system.A[index][:, index])
         for k in range(int(label.max(initial=-1)) + 1):
             here = index[label == k]
             if not np.any(self.system.b[here] < 0):
@@ -179,19 +182,19 @@ class Parts:
 
     def _rows(self, index: Any) -> Any:
         """J M^-1/2 of these contacts."""
-        if self._factor is None:
-            self._factor = mass_weighted_jacobian(self.system)
-        return self._factor[index]
+        if self._all_rows is None:
+            self._all_rows = mass_weighted_jacobian(self.system)
+        return self._all_rows[index]
 
 
-def _islands(a: Any) -> IntArray:
+def _labels(a: Any) -> IntArray:
     """For each contact the number of the island it belongs to."""
     if a.shape[0] <= WHOLE:
         return np.zeros(a.shape[0], dtype=np.intp)
-    return _components(a)
+    return _connected(a)
 
 
-def _components(a: Any) -> IntArray:
+def _connected(a: Any) -> IntArray:
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import connected_components
 

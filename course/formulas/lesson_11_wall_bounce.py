@@ -1,4 +1,4 @@
-"""Lesson 11: a body against a wall at rest, and the ball that keeps bouncing."""
+"""Lesson 11, The wall bounce: a body against a wall at rest, and a bouncing ball."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ import numpy as np
 def rest_time(h, e, g):
     """Time from the drop until a bouncing ball rests, as an expression.
 
-    t_0 (1 + 2 e/(1 - e)),  t_0 = sqrt(2 h/g)    (from slide rows 17 and 18)
+    t_0 (1 + 2 e/(1 - e)),  t_0 = sqrt(2 h/g)    (from syllabus rows 17 and 18)
 
     height h [m], restitution e below 1, gravity g [m/s^2]; returns [s].
     Source: the geometric series of the flights, each e times as long as the one before.
@@ -17,9 +17,9 @@ def rest_time(h, e, g):
 
 
 def wall_bounce(velocity, normal, restitution):
-    """Velocity after the impact on a wall, unchanged unless the body comes in.
+    """Wall bounce: the velocity after the impact, unchanged unless the body comes in.
 
-    v' = v - (1 + e) (v.n) n while v.n < 0    (slide row 18 for e = 1, misprint 4)
+    v' = v - (1 + e) (v.n) n while v.n < 0    (syllabus row 18 has e = 1; misprint 4)
 
     velocity and unit normal out of the wall (..., 3) [m/s, 1], restitution (...);
     returns (..., 3) [m/s].
@@ -31,9 +31,9 @@ def wall_bounce(velocity, normal, restitution):
 
 
 def bounce_times(height, restitution, count, gravity):
-    """Times of the first impacts of a dropped ball.
+    """Bounce times: those of the first impacts of a dropped ball.
 
-    t_k = t_0 (2 (1 + e + ... + e^k) - 1),  t_0 = sqrt(2 h/g)    (from slide row 18)
+    t_k = t_0 (2 (1 + e + ... + e^k) - 1),  t_0 = sqrt(2 h/g)    (from syllabus row 18)
 
     Every flight goes up and down, and so counts twice, but the first only falls.
 
@@ -47,9 +47,10 @@ def bounce_times(height, restitution, count, gravity):
 
 
 def bouncing_ball_step(height, velocity, step, restitution, gravity):
-    """One step of a ball over a floor: bounce or fall, then move.
+    """One fixed step of a bouncing ball over a floor: bounce or fall, then move.
 
-    v' = -e v where x < 0 and v < 0, else v - g h;  x' = x + h v'    (from slide row 18)
+    v' = -e v where x < 0 and v < 0, else v - g h;  x' = x + h v'
+    (from syllabus row 18)
 
     height of the lowest point (...) [m], velocity upward (...) [m/s], step [s],
     restitution and gravity [m/s^2] numbers; returns height and velocity.

@@ -9,7 +9,8 @@ from formulas.clouds import rate
 
 from course import formulas
 from course.exercises.definition import find_exercise
-from course.exercises.verdict import answers_of, judge
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge
 from course.scenes import random_scene
 
 SEEDS = pytest.mark.parametrize("seed", range(6))

@@ -1,4 +1,4 @@
-"""Lesson 12: impulses on bodies that turn, and many contacts at once.
+"""Lesson 12, Impulse and spin: impulses on bodies that turn, and many contacts.
 
 n is a unit vector out of body 2 toward body 1; arms run from the centre of mass to the
 contact; inertia tensors are inverted, in world axes, and zero for a fixed body.
@@ -10,7 +10,8 @@ import numpy as np
 def rod_impulse(m, v, theta, e, ell):
     """Impulse of the floor on the end of a falling rod, as an expression.
 
-    (1 + e) v / (1/m + (ell/2 cos(theta))^2 / I),  I = m ell^2/12    (slide rows 17, 22)
+    (1 + e) v / (1/m + (ell/2 cos(theta))^2 / I),  I = m ell^2/12
+    (syllabus rows 17 and 22)
 
     mass m [kg], speed v [m/s], angle theta from the horizontal, length ell [m];
     returns [N s].
@@ -24,7 +25,7 @@ def rod_impulse(m, v, theta, e, ell):
 def point_velocity(velocity, angular_velocity, arm):
     """Velocity of a point of a turning body.
 
-    p_dot = v + omega x r    (slide row 22)
+    p_dot = v + omega x r    (syllabus row 22)
 
     velocity, angular_velocity and arm (..., 3) [m/s, rad/s, m]; returns (..., 3) [m/s].
     Source: Baraff, "Rigid body simulation I", SIGGRAPH 1997 course notes.
@@ -41,10 +42,10 @@ def effective_mass(
     arm_2,
     normal,
 ):
-    """The mass that an impulse along n feels at a contact.
+    """Effective mass: what an impulse along n feels at a contact of turning bodies.
 
     1/mu = 1/m1 + 1/m2 + sum of (r x n).I^-1 (r x n) over both bodies
-    (slide row 17 has the first two terms, row 22 the point velocity behind the others)
+    (syllabus row 17, the first two terms; row 22, what is behind the others)
 
     inverse masses (...) [1/kg], inverse inertias (..., 3, 3) [1/(kg m^2)], arms and
     normal (..., 3) [m, 1]; returns (...) [kg].
@@ -62,9 +63,10 @@ def effective_mass(
 def impulse_at_point(
     point_velocity_1, point_velocity_2, normal, mass_felt, restitution
 ):
-    """Impulse of a contact taken on its own, 0 unless its points approach.
+    """Impulse at a contact point taken on its own, 0 unless its points approach.
 
-    p_hat = -(1 + e) u mu,  u = (p1_dot - p2_dot).n    (slide rows 17 and 22)
+    p_hat = -(1 + e) u mu,  u = (p1_dot - p2_dot).n
+    (syllabus rows 17 and 22)
 
     velocities of the two points and normal (..., 3) [m/s, 1], mass_felt (...) [kg],
     restitution (...); returns (...) [N s].
@@ -79,7 +81,8 @@ def apply_impulse(
 ):
     """Velocity and angular velocity after an impulse p_hat n at the end of the arm.
 
-    v' = v + p_hat n / m,  omega' = omega + I^-1 (r x p_hat n)    (slide rows 16, 22)
+    v' = v + p_hat n / m,  omega' = omega + I^-1 (r x p_hat n)
+    (syllabus rows 16 and 22)
 
     velocities, arm and normal (..., 3) [m/s, rad/s, m, 1], inverse_mass (...) [1/kg],
     inverse_inertia (..., 3, 3) [1/(kg m^2)], impulse (...) [N s]; returns two (..., 3).
@@ -92,9 +95,10 @@ def apply_impulse(
 
 
 def simultaneous_impulses(matrix, normal_velocity, restitution):
-    """Impulses of all contacts at once, by projected Gauss-Seidel sweeps.
+    """Simultaneous impulses of all contacts, by projected Gauss-Seidel sweeps.
 
-    p >= 0,  w = A p + (1 + e) u >= 0,  p_i w_i = 0    (slide rows 17 and 21)
+    p >= 0,  w = A p + (1 + e) u >= 0,  p_i w_i = 0
+    (syllabus rows 17 and 21)
 
     matrix (c, c) [1/kg], normal_velocity (c,) [m/s], restitution a number; returns
     (c,) [N s].

@@ -1,4 +1,4 @@
-"""Lesson 15: the contact matrix A, what contact forces add to d_ddot.
+"""Lesson 15, The contact matrix: A, what contact forces add to d_ddot.
 
 contacts are (body_a, body_b, point, normal): indices (c,), points and normals (c, 3).
 bodies are (mass, inverse_inertia, rotation, position): (n,), I^-1 in body axes and
@@ -10,10 +10,10 @@ import numpy as np
 
 
 def ladder_entry(mass, theta, ell):
-    """What a force at a ladder's top adds to d_ddot at its foot, as an expression.
+    """Contact matrix entry of a ladder's top on its foot, as an expression.
 
     a_12 = w_1 w_2 / I,  w_1 = -(ell/2) cos(theta),  w_2 = (ell/2) sin(theta)
-    (slide rows 21 and 24)
+    (syllabus rows 21 and 24)
 
     mass [kg], theta from the floor, length ell [m], I = mass ell^2/12; returns [1/kg].
     Source: contact_matrix_entry, for a ladder between floor and wall.
@@ -26,7 +26,7 @@ def ladder_entry(mass, theta, ell):
 def point_response(mass, inverse_inertia, arm, push_arm, push):
     """Acceleration that a force at one point of a body gives another of its points.
 
-    F/m + (I^-1 (r_j x F)) x r_i    (slide row 24, misprint 11)
+    F/m + (I^-1 (r_j x F)) x r_i    (syllabus row 24, misprint 11)
 
     mass (...) [kg], I^-1 in world axes (..., 3, 3) [1/(kg m^2)], arm r_i of the point
     that answers, push_arm r_j of the one that is pushed, push F, each (..., 3)
@@ -38,10 +38,11 @@ def point_response(mass, inverse_inertia, arm, push_arm, push):
 
 
 def contact_matrix_entry(i, j, contacts, bodies):
-    """What a unit of force at contact j adds to d_ddot of contact i.
+    """Contact matrix entry a_ij: what a unit of force at j adds to d_ddot of contact i.
 
     a_ij = the sum over bodies that both contacts share of +-N_i.(point response to
-    +-N_j), minus for a body B    (slide rows 21, 22 and 24, misprint 11)
+    +-N_j), minus for a body B
+    (syllabus rows 21, 22 and 24, misprint 11)
 
     i and j from 0, contacts and bodies as above; returns [1/kg].
     Source: Baraff, "Rigid body simulation II", SIGGRAPH 1997 course notes.
@@ -61,10 +62,10 @@ def contact_matrix_entry(i, j, contacts, bodies):
 
 
 def contact_matrix(contacts, bodies):
-    """The whole contact matrix, by the Jacobian of the separations.
+    """Contact matrix A, by the Jacobian J of the separations.
 
     A = J M^-1 J',  row i of J: +-(N_i, r_i x N_i) in the six columns of each body
-    (slide rows 21, 22 and 24)
+    (syllabus rows 21, 22 and 24)
 
     contacts and bodies as above; returns (c, c) [1/kg].
     Source: Catto, "Iterative Dynamics with Temporal Coherence", 2005.

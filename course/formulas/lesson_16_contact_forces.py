@@ -1,4 +1,4 @@
-"""Lesson 16: contact forces f >= 0 with w = A f + b >= 0 and f_i w_i = 0."""
+"""Lesson 16, Contact forces: f >= 0 with w = A f + b >= 0 and f_i w_i = 0 (an LCP)."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ import numpy as np
 def slope_1(a_11, a_12, f_1, f_2, b_1):
     """Slope of q = f'A f/2 + b.f along f_1 for two contacts, as an expression.
 
-    a_11 f_1 + a_12 f_2 + b_1, which is d_ddot of contact 1    (slide row 25)
+    a_11 f_1 + a_12 f_2 + b_1, which is d_ddot of contact 1    (syllabus row 25)
 
     a [1/kg], f [N], b [m/s^2]; returns [m/s^2].
     Source: the derivative of a quadratic form with a symmetric matrix.
@@ -15,10 +15,10 @@ def slope_1(a_11, a_12, f_1, f_2, b_1):
 
 
 def complementarity_residual(a, f, b):
-    """How far forces are from solving the contact conditions, 0 for a solution.
+    """Residual of the contact conditions (complementarity), 0 for a solution.
 
     max_i |min(D_i f_i, w_i)| / ((|A| f)_i + max_j |b_j|),  w = A f + b,  D = diag A
-    (slide rows 20 and 25, misprint 14); a row 0/0 is 0
+    (syllabus rows 20 and 25, misprint 14); a row 0/0 is 0
 
     a (..., c, c) [1/kg], f (..., c) [N], b (..., c) [m/s^2]; returns (...).
     Source: the natural residual of Cottle, Pang and Stone, "The Linear Complementarity
@@ -34,9 +34,9 @@ def complementarity_residual(a, f, b):
 
 
 def solve_contact_qp(a, b):
-    """Contact forces by the lecture's quadratic programme.
+    """Contact forces by the lecture's quadratic programme (QP).
 
-    minimise f'A f/2 + b.f subject to f >= 0    (slide row 25, misprint 13)
+    minimise f'A f/2 + b.f subject to f >= 0    (syllabus row 25, misprint 13)
 
     a (c, c) [1/kg], b (c,) [m/s^2]; returns (c,) [N].
     Source: Boyd and Vandenberghe, "Convex Optimization", section 5.5.3: f >= 0,
@@ -51,10 +51,10 @@ def solve_contact_qp(a, b):
 
 
 def projected_gauss_seidel(a, b, start, sweeps):
-    """Contact forces by sweeps over the contacts.
+    """Contact forces by projected Gauss-Seidel (PGS): sweeps over the contacts.
 
     f_i <- max(0, f_i - w_i/a_ii),  w_i = (A f + b)_i of the newest forces
-    (solves what slide row 25 asks)
+    (an answer to syllabus row 25)
 
     a (c, c) [1/kg], b (c,) [m/s^2], start (c,) [N], sweeps a number; returns (c,) [N].
     Source: Cottle, Pang and Stone, "The Linear Complementarity Problem", chapter 5.
@@ -68,12 +68,12 @@ def projected_gauss_seidel(a, b, start, sweeps):
 
 
 def pivot(a, b):
-    """Contact forces contact by contact: each force grows until its w is 0.
+    """Contact forces by Baraff's pivoting: one by one, each grows until its w is 0.
 
     While f_k grows by 1, those that push answer by -A_CC^-1 A_Ck and keep their w at 0.
     Whose force or w reaches 0 first leaves or joins them. Where two stops coincide, k has
     a force before it is listed, and goes on until it is.
-    (solves what slide rows 20 and 25 ask)
+    (an answer to syllabus rows 20 and 25)
 
     a (c, c) [1/kg] positive definite, b (c,) [m/s^2]; returns (c,) [N].
     Source: Baraff, "Fast Contact Force Computation for Nonpenetrating Rigid Bodies",

@@ -1,4 +1,9 @@
-"""Colliding contacts one after the other: the loop of the sequential law.
+"""Sequential collision resolution: one Gauss-Seidel pass, each colliding contact as if it were alone.
+
+Each impulse is a whole collision with its restitution and stays as it was made. The
+"sequential impulses" of game engines (E. Catto, "Iterative Dynamics with Temporal
+Coherence", 2005) are another method: many small ones, whose sum is kept at or above 0
+and converges to the simultaneous answer.
 
 A kernel module (``course.jit``): import it where it is called.
 """

@@ -42,6 +42,41 @@ def test_contact_bias_is_the_second_rate_of_the_gap(seed, face):
 
 
 @SEEDS
+def test_separation_acceleration_is_the_second_rate_of_the_gap(seed):
+    """Of two points apart, each carried by its body, along a normal that turns as it
+    likes."""
+    rng = np.random.default_rng(seed)
+    n, n_dot, n_ddot, p_a, p_b, *motions = rng.normal(size=(15, 3))
+    a, b = tuple(motions[:5]), tuple(motions[5:])
+
+    def gap(t):
+        (x_a, R_a), (x_b, R_b) = carried(a, t), carried(b, t)
+        apart = x_a + R_a @ (p_a - a[0]) - x_b - R_b @ (p_b - b[0])
+        return apart @ (n + t * n_dot + t**2 / 2 * n_ddot)
+
+    given = p_a, p_b, a, b, n, n_dot, n_ddot
+    found = formulas.separation_acceleration(*given)
+    assert found == pytest.approx(second_rate(gap), rel=1e-7, abs=1e-7)
+    printed = [  # misprint 7: terms that change places are seen
+        formulas.separation_acceleration(*given[:5], n_ddot, n_dot),
+        formulas.separation_acceleration(p_b, p_a, *given[2:]),
+    ]
+    assert min(np.abs(found - printed)) > 1e-3
+
+
+@SEEDS
+@pytest.mark.parametrize("face", ["face_a", "face_b"])
+def test_where_points_coincide_it_is_the_bias(seed, face):
+    p, n, *motions = np.random.default_rng(seed).normal(size=(12, 4, 3))
+    a, b = tuple(motions[:5]), tuple(motions[5:])
+    n_dot = formulas.normal_rate(n, a[2], b[2], face)
+    n_ddot = np.full_like(n, 1e3)  # not read
+    found = formulas.separation_acceleration(p, p, a, b, n, n_dot, n_ddot)
+    bias = formulas.contact_bias(p, n, face, a, b)
+    np.testing.assert_allclose(found, bias, rtol=1e-12, atol=1e-12)
+
+
+@SEEDS
 def test_free_angular_acceleration_is_the_rate_of_omega(seed):
     rng = np.random.default_rng(seed)
     cloud, (L, torque) = drawn_cloud(rng), rng.normal(size=(2, 3))

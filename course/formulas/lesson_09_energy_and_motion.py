@@ -1,4 +1,4 @@
-"""Lesson 09: kinetic energy, how bodies turn, and steps in time.
+"""Lesson 09, Energy and motion: kinetic energy, how bodies turn, and steps in time.
 
 L is the angular momentum about the centre of mass. I, L and omega are in world axes,
 I_body and l in those of the body; the columns of R are the body's axes in the world.
@@ -10,7 +10,7 @@ import numpy as np
 def sigma(I_1, I_2, I_3, Omega):
     """Growth rate of a wobble about the middle principal axis, as an expression.
 
-    sigma = Omega sqrt((I_2 - I_1) (I_3 - I_2) / (I_1 I_3))    (slide row 14)
+    sigma = Omega sqrt((I_2 - I_1) (I_3 - I_2) / (I_1 I_3))    (syllabus row 14)
 
     I_1 < I_2 < I_3 [kg m^2], spin Omega [rad/s]; returns [1/s].
     Source: Landau and Lifshitz, "Mechanics", section 37.
@@ -21,9 +21,9 @@ def sigma(I_1, I_2, I_3, Omega):
 
 
 def linear_kinetic_energy(p, v):
-    """Kinetic energy of the motion of the centre of mass.
+    """Linear kinetic energy, that of the motion of the centre of mass.
 
-    T_linear = p.v / 2    (slide row 14)
+    T_linear = p.v / 2    (syllabus row 14)
 
     momentum p (..., 3) [kg m/s], velocity v (..., 3) [m/s]; returns (...) [J].
     Source: Goldstein, "Classical Mechanics", section 1.2.
@@ -32,9 +32,9 @@ def linear_kinetic_energy(p, v):
 
 
 def angular_kinetic_energy(L, omega):
-    """Kinetic energy of turning about the centre of mass.
+    """Angular kinetic energy, that of turning about the centre of mass.
 
-    T_angular = L.omega / 2    (slide row 14)
+    T_angular = L.omega / 2    (syllabus row 14)
 
     L (..., 3) [kg m^2/s], omega (..., 3) [rad/s]; returns (...) [J].
     Source: Goldstein, "Classical Mechanics", section 5.3.
@@ -43,9 +43,9 @@ def angular_kinetic_energy(L, omega):
 
 
 def world_inertia(R, I_body):
-    """Inertia in world axes.
+    """Inertia tensor in world axes.
 
-    I = R I_body R'    (slide rows 14 and 22)
+    I = R I_body R'    (syllabus rows 14 and 22)
 
     rotation R and I_body (..., 3, 3) [1, kg m^2]; returns (..., 3, 3) [kg m^2].
     Source: Baraff, "Rigid body simulation I", SIGGRAPH 1997 course notes.
@@ -54,10 +54,10 @@ def world_inertia(R, I_body):
 
 
 def angular_acceleration(I, L, torque):
-    """Euler's equation in world axes.
+    """Angular acceleration by Euler's equation, in world axes.
 
     omega_dot = I^-1 (torque + L x omega),  omega = I^-1 L
-    (slide row 23, misprint 10)
+    (syllabus row 23, misprint 10)
 
     I (..., 3, 3) [kg m^2], L (..., 3) [kg m^2/s], torque (..., 3) [N m]; returns
     (..., 3) [rad/s^2].
@@ -68,10 +68,10 @@ def angular_acceleration(I, L, torque):
 
 
 def symplectic_euler_step(x, R, p, L, mass, I_body, force, torque, h):
-    """One step: first the momenta, then place and orientation with the new momenta.
+    """Symplectic Euler step: the momenta, then place and orientation with the new ones.
 
     p' = p + h F,  L' = L + h torque,  x' = x + h p'/m,  R' = exp(h omega') R
-    (the equations of motion of slide rows 14 and 22)
+    (the equations of motion of syllabus rows 14 and 22)
 
     x, p, L, force, torque (..., 3) [m, kg m/s, kg m^2/s, N, N m], R and I_body
     (..., 3, 3) [1, kg m^2], mass (...) [kg], h [s]; returns x', R', p', L'.
@@ -87,9 +87,9 @@ def symplectic_euler_step(x, R, p, L, mass, I_body, force, torque, h):
 
 
 def rotate(v, theta):
-    """A vector turned by the angle |theta| about the axis u = theta/|theta|.
+    """Rotation of a vector by the angle |theta| about the axis u = theta/|theta|.
 
-    v' = cos v + sin u x v + (1 - cos) (u.v) u    (the turning of slide row 14)
+    v' = cos v + sin u x v + (1 - cos) (u.v) u    (the turning of syllabus row 14)
 
     v (..., 3), theta (..., 3) [rad]; returns (..., 3).
     Source: Goldstein, "Classical Mechanics", section 4.7 (Rodrigues' formula).
@@ -102,9 +102,9 @@ def rotate(v, theta):
 
 
 def rk4_step(l, I_body, h):
-    """One step of the classical Runge-Kutta method for a top that no torque acts on.
+    """Classical Runge-Kutta step (RK4) of a top that no torque acts on.
 
-    l' = l + h/6 (k1 + 2 k2 + 2 k3 + k4),  l_dot = l x I_body^-1 l    (slide row 14)
+    l' = l + h/6 (k1 + 2 k2 + 2 k3 + k4),  l_dot = l x I_body^-1 l    (syllabus row 14)
 
     l (..., 3) [kg m^2/s] and I_body (..., 3, 3) [kg m^2] in body axes, h [s]; returns
     (..., 3) [kg m^2/s].

@@ -1,4 +1,4 @@
-"""Lesson 13: the separation d = (p_A - p_B).N of two bodies, and its rate.
+"""Lesson 13, Separation: the gap d = (p_A - p_B).N of two bodies, and its rate.
 
 N is a unit vector out of body B toward body A; d > 0 apart, 0 touching, < 0
 penetrating.
@@ -8,9 +8,9 @@ import numpy as np
 
 
 def top_rate(v_y, omega, theta, ell):
-    """Rate of the gap between a ladder's top and the wall, as an expression.
+    """Rate d_dot of the gap between a ladder's top and the wall, as an expression.
 
-    d_dot of d = -y - (ell/2) cos(theta)    (slide rows 19 and 20)
+    d_dot of d = -y - (ell/2) cos(theta)    (syllabus rows 19 and 20)
 
     v_y [m/s] and omega [rad/s] the rates of y and theta, length ell [m]; returns [m/s].
     Source: the chain rule.
@@ -21,9 +21,9 @@ def top_rate(v_y, omega, theta, ell):
 
 
 def separation(p_a, p_b, n):
-    """How far two points are apart along the normal.
+    """Separation (gap, signed distance) d of two points along the normal.
 
-    d = (p_A - p_B).N    (slide row 19, misprint 5)
+    d = (p_A - p_B).N    (syllabus row 19, misprint 5)
 
     points and unit normal (..., 3) [m, 1]; returns (...) [m].
     Source: Baraff, "Rigid body simulation II", SIGGRAPH 1997 course notes.
@@ -32,9 +32,9 @@ def separation(p_a, p_b, n):
 
 
 def normal_rate(n, omega_a, omega_b, face):
-    """Rate of a normal that a face of one of the bodies carries.
+    """Rate N_dot of a normal that a face of one of the bodies carries.
 
-    N_dot = omega x N, with the omega of the face's body    (slide row 20)
+    N_dot = omega x N, with the omega of the face's body    (syllabus row 20)
 
     n (..., 3), omega_a and omega_b (..., 3) [rad/s], face "face_b" or "face_a"; returns
     (..., 3) [1/s].
@@ -45,9 +45,10 @@ def normal_rate(n, omega_a, omega_b, face):
 
 
 def separation_rate(p_a, p_b, body_a, body_b, n, n_dot):
-    """Rate of the separation of two points that are fixed to their bodies.
+    """Rate d_dot of the separation of two points that are fixed to their bodies.
 
-    d_dot = (p_A_dot - p_B_dot).N + (p_A - p_B).N_dot    (slide rows 20 and 22)
+    d_dot = (p_A_dot - p_B_dot).N + (p_A - p_B).N_dot
+    (syllabus rows 20 and 22)
 
     points (..., 3) [m], each body (x, v, omega) of (..., 3) [m, m/s, rad/s], n and
     n_dot (..., 3) [1, 1/s]; returns (...) [m/s].
@@ -61,10 +62,10 @@ def separation_rate(p_a, p_b, body_a, body_b, n, n_dot):
 
 
 def edge_normal_rate(e_a, e_b, omega_a, omega_b, n):
-    """Rate of the normal that two crossing edges carry together.
+    """Rate N_dot of the normal that two crossing edges carry together.
 
     N = +-q/|q|,  q = e_A x e_B;  N_dot is the part of +-q_dot/|q| across N
-    (slide row 20)
+    (syllabus row 20)
 
     unit directions e_a and e_b, omega_a and omega_b, n, each (..., 3) [1, rad/s, 1];
     returns (..., 3) [1/s].

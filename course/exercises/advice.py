@@ -1,0 +1,151 @@
+"""What a wrong answer's outcomes alone tell: only in batches, in another order, of whole numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import permutations
+
+import numpy as np
+
+from course.exercises.answer import Outcome
+from course.exercises.comparison import Difference, compare
+from course.exercises.definition import Case, Exercise
+
+#: What NumPy says where one True or False is wanted of many.
+AMBIGUOUS = "truth value of an array"
+
+
+def general_advice(
+    exercise: Exercise,
+    cases: Sequence[Case],
+    outcomes: Sequence[Outcome],
+    wrongs: Sequence[Difference | None],
+    expected: Sequence[Outcome],
+) -> tuple[str, ...]:
+    """Slips that need no planting: only in batches, constant, only at edges; a line each."""
+    wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
+    advice = []
+    if (
+        all(o.kind == "value" for o in outcomes)
+        and len(outcomes) > 1
+        and _constant(outcomes)
+    ):
+        return ("It gives the same in every case: does it use its arguments?",)
+    advice += _other_order(exercise, outcomes, expected)
+    if any(
+        _says(
+            o,
+            "float' object is not subscriptable",
+            "int' object is not subscriptable",
+            "invalid index to scalar",
+        )
+        for o in outcomes
+    ):
+        advice.append(
+            "What has [...] behind it there is a plain number. Where an axis is wanted, np.asarray(s)[..., None] "
+            "serves numbers and arrays alike."
+        )
+    elif any(
+        _says(
+            o,
+            "operand type(s) for &",
+            "operand type(s) for |",
+            "'bitwise_and' not supported",
+            "'bitwise_or' not supported",
+        )
+        for o in outcomes
+    ):
+        advice.append(
+            "& and | were given numbers, not conditions. They bind more tightly than <, so each comparison needs "
+            "brackets: (a < 0) & (b < 0)."
+        )
+    elif asks_one_question(cases, outcomes):
+        also = "Besides, it stops at batches: " if wrong_kinds - {"batch"} else ""
+        advice.append(
+            f"{also}`if`, `and`, `or`, `not`, a < b < c, min(), max() and np.arange() ask one question, a batch has "
+            "many answers: np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for "
+            "itself."
+        )
+    elif any(_says(o, AMBIGUOUS) for o in outcomes):
+        advice.append(
+            "`if`, `and`, `or`, `not`, min(), max() and .remove() need one True or False. In a case that is no batch a "
+            "whole array is compared: does a vector stand there in the place of a number?"
+        )
+    elif any(
+        "'...' ellipsis" in o.text for o in outcomes
+    ):  # einsum, of letters fewer than axes
+        advice.append(
+            'In np.einsum put ... before the letters, for the axes of the batch: "...ij,...j->...i" is matrix times '
+            "vector for one and for many."
+        )
+    elif wrong_kinds == {"batch"} and exercise.kind == "function":
+        advice.append(
+            "Right for one, wrong for many at once. A batch has its axes in front of the one's own: look for a line "
+            "that takes them for the vector's, or mixes the members."
+        )
+    elif wrong_kinds == {"edge"}:
+        advice.append(
+            "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
+        )
+    if _cut_off(exercise, outcomes, wrongs):
+        advice.append(
+            "Your numbers are whole: an array of dtype int cuts off the decimals of all that is put into it."
+        )
+    if any(v.dtype in (np.float16, np.float32) for o in outcomes for v in o.values):
+        advice.append(
+            "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
+        )
+    return tuple(advice)
+
+
+def _other_order(
+    exercise: Exercise, outcomes: Sequence[Outcome], expected: Sequence[Outcome]
+) -> list[str]:
+    """Whether the results, wherever there are any, are the right ones in another order."""
+    pairs = zip(outcomes, expected, strict=True)
+    came = [(o, e) for o, e in pairs if o.kind == "value"]
+    if len(exercise.results) < 2 or len(came) < 3:
+        return []
+    for order in list(permutations(range(len(exercise.results))))[1:]:
+        turned = [(tuple(o.values[i] for i in order), e.values) for o, e in came]
+        if not any(compare(exercise.results, e, t).wrong for t, e in turned):
+            names = ", ".join(r.name for r in exercise.results)
+            return [f"The results are right, but for their order: return {names}."]
+    return []
+
+
+def _cut_off(
+    exercise: Exercise,
+    outcomes: Sequence[Outcome],
+    wrongs: Sequence[Difference | None],
+) -> bool:
+    """Whether an array of whole numbers came where decimals are right."""
+    return any(
+        w is not None and not w.fault and r.dtype == "float"
+        and r.name == w.result and v.dtype.kind in "iu" and v.ndim > 0
+        and not np.array_equal(w.expected, np.round(w.expected))
+        for o, w in zip(outcomes, wrongs, strict=True)
+        for r, v in zip(exercise.results, o.values, strict=False)
+    )  # fmt: skip
+
+
+def asks_one_question(cases: Sequence[Case], outcomes: Sequence[Outcome]) -> bool:
+    """Whether an answer stops at an `if` or the like, and with batches only."""
+    kinds = {
+        c.kind for c, o in zip(cases, outcomes, strict=True) if _says(o, AMBIGUOUS)
+    }
+    return kinds == {"batch"}
+
+
+def _says(outcome: Outcome, *words: str) -> bool:
+    """Whether the answer raised an error with one of these words in it."""
+    return outcome.kind == "raised" and any(w in outcome.text for w in words)
+
+
+def _constant(outcomes: Sequence[Outcome]) -> bool:
+    values = [o.values[0] for o in outcomes]
+    return (
+        all(v.size > 0 for v in values)
+        and len({v.dtype.kind for v in values}) == 1
+        and all(bool((v == values[0].flat[0]).all()) for v in values)
+    )
