@@ -1,20 +1,48 @@
-"""Widgets to play with: in a lesson ``demos.impulse()``, in front of a room ``course
-demo impulse``.
+"""Films to play with: in a lesson ``demos.impulse()``, in front of a room ``course demo
+impulse``.
+
+Each is a function of one keyword, ``large``: text and controls for a room. What they
+show, and where to look, stands in ``course.workbook.films.listing``.
 """
 
-from course.workbook.demos.impacts import wall
-from course.workbook.demos.panel import Panel
-from course.workbook.demos.registry import DEMOS, Demo, find_demo, player, table
-from course.workbook.demos.separation import dome, gap_rate
-from course.workbook.demos.spin import rod
+from __future__ import annotations
 
-impulse = player("impulse")
+from collections.abc import Callable
+from typing import Any
+
+from course.workbook import stage
+from course.workbook.films.listing import find_film, table
+
+
+def player(name: str) -> Callable[..., Any]:
+    """The function that plays the film of this name."""
+    film = find_film(name)
+
+    def played(*, large: bool = False) -> Any:
+        return stage.show(film.exhibit(), still=film.still, large=large)
+
+    played.__name__ = played.__qualname__ = name
+    played.__doc__ = f"{film.title}."
+    return played
+
+
+billiard_break = player("billiard_break")
+cradle = player("cradle")
+dome = player("dome")
+gap_rate = player("gap_rate")
 handle = player("handle")
-pushed_table = player("pushed_table")
+impulse = player("impulse")
+ladder = player("ladder")
+landing_boxes = player("landing_boxes")
+many_balls = player("many_balls")
 plank = player("plank")
+pushed_table = player("pushed_table")
+rod = player("rod")
 sweeps = player("sweeps")
+two_blocks = player("two_blocks")
+wall = player("wall")
 
 __all__ = [
-    "DEMOS", "Demo", "Panel", "dome", "find_demo", "gap_rate", "handle", "impulse", "plank",
-    "pushed_table", "rod", "sweeps", "table", "wall",
+    "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls", "plank",
+    "player", "pushed_table", "rod", "sweeps", "table", "two_blocks", "wall",
 ]  # fmt: skip

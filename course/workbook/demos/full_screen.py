@@ -10,21 +10,17 @@ from pathlib import Path
 
 import nbformat
 
-from course.workbook.demos.registry import Demo, find_demo
+from course.workbook.films.listing import Listed, find_film
 
 SHARE = Path(__file__).with_name(
     "share"
 )  # the page template, which fetches nothing from outside
 
 
-def notebook_of(demo: Demo) -> nbformat.NotebookNode:
-    """A notebook that shows the demo and nothing else."""
-    large = "large=True" if demo.on_stage else ""
-    shown = f"from course.workbook import demos\n\ndemos.{demo.name}({large})"
+def notebook_of(film: Listed) -> nbformat.NotebookNode:
+    """A notebook that shows the film, large, and nothing else."""
+    shown = f"from course.workbook import demos\n\ndemos.{film.name}(large=True)"
     cells = [nbformat.v4.new_code_cell(shown)]
-    if not demo.on_stage:  # the stage has a title of its own
-        words = f"# {demo.title}\n\n{demo.try_this}"
-        cells.insert(0, nbformat.v4.new_markdown_cell(words))
     metadata = {
         "kernelspec": {
             "display_name": "Python 3",
@@ -40,11 +36,11 @@ def serve(name: str, *, browser: bool = True, port: int | None = None) -> int:
 
     Returns Voila's exit code. A taken port gets the next one.
     """
-    demo = find_demo(name)
-    print(f"{demo.title}. {demo.try_this}", flush=True)
+    film = find_film(name)
+    print(f"{film.title}. {film.look}", flush=True)
     with tempfile.TemporaryDirectory(prefix="course-demo-") as folder:
-        path = Path(folder) / f"{demo.name}.ipynb"
-        nbformat.write(notebook_of(demo), path)
+        path = Path(folder) / f"{film.name}.ipynb"
+        nbformat.write(notebook_of(film), path)
         command = [
             sys.executable,
             "-m",
