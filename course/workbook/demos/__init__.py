@@ -43,6 +43,6 @@ two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
-    "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls", "plank",
-    "player", "pushed_table", "rod", "sweeps", "table", "two_blocks", "wall",
+    "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls",
+    "plank", "player", "pushed_table", "rod", "sweeps", "table", "two_blocks", "wall",
 ]  # fmt: skip
