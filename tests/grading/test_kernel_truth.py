@@ -33,11 +33,10 @@ SELDOM = 12
 PACKAGES = re.compile("numba|cvxpy|plt|scipy|sp\\.|doctest|inspect|k3d|pandas")
 
 
-def some(names):
-    """The names, all but a few of them marked slow."""
+def some(names, *, few=(), rest=pytest.mark.slow):
+    """The names: one in so many is marked as ``few``, the others as ``rest``."""
     return [
-        pytest.param(name, marks=() if _number(name) == 0 else pytest.mark.slow)
-        for name in names
+        pytest.param(name, marks=few if _number(name) == 0 else rest) for name in names
     ]
 
 
@@ -73,15 +72,23 @@ def test_what_is_green_in_the_kernel_passes(name):
     assert (row.state, row.points) == ("passed", 1), row.reason
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", [*GREEN, *SAVED, *range(DRAWN)])
+@pytest.mark.parametrize(
+    "name",
+    some([*GREEN, *SAVED, *range(DRAWN)], few=pytest.mark.slow, rest=pytest.mark.long),
+)
 def test_what_is_green_in_the_kernel_passes_without_a_box(name):
     row = judged(green(name), boxed=False, seconds=4.0)["thrice"]
     assert (row.state, row.points) == ("passed", 1), row.reason
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", [*GREEN, *PERSON, *SAVED, *range(DRAWN)])
+@pytest.mark.parametrize(
+    "name",
+    some(
+        [*GREEN, *PERSON, *SAVED, *range(DRAWN)],
+        few=pytest.mark.slow,
+        rest=pytest.mark.long,
+    ),
+)
 def test_it_is_green_in_a_kernel_indeed(name, tmp_path):
     assert verdict_in_kernel(green(name), tmp_path) == "passed"
 
