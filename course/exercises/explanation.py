@@ -79,7 +79,11 @@ def _what_came(exercise: Exercise, verdict: Verdict) -> list[Part]:
     }
     if outcome.kind == "unreadable" and outcome.text.startswith("expected "):
         wanted, _, came = outcome.text.removeprefix("expected ").partition("; got ")
-        return [Part("expected", wanted), Part("got", came), *printed]
+        wanted_and_came = [
+            Part("expected", wanted, about="run"),
+            Part("got", came, about="run"),
+        ]
+        return [*wanted_and_came, *printed]
     if outcome.kind in plain:
         return [
             Part(

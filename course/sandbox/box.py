@@ -174,7 +174,10 @@ def _walls(file_mb: int) -> list[str]:
     for device in filter(os.path.exists, DEVICES):
         walls += ["--dev-bind", device, device]
     walls += ["--size", str(file_mb * 1_000_000), "--tmpfs", WORK_IN_BOX]
-    walls += ["--symlink", WORK_IN_BOX, "/tmp", "--remount-ro", "/"]
+    # Where the interpreter itself lies below /tmp that folder is there already, and stays empty else.
+    if not any(place.startswith("/tmp/") for place in _readable()):
+        walls += ["--symlink", WORK_IN_BOX, "/tmp"]
+    walls += ["--remount-ro", "/"]
     for name, value in _environment(WORK_IN_BOX).items():
         walls += ["--setenv", name, value]
     if kept := os.environ.get("LD_LIBRARY_PATH"):

@@ -194,17 +194,17 @@ HOSTILE = {
     "billion": (
         "def thrice(x):\n    return np.zeros(10**9, np.int8)",
         "error",
-        "at most 1,000,000 numbers; got 1,000,000,000",
+        "at most 1,000,000 numbers | got: 1,000,000,000",
     ),
     "object": (
         "def thrice(x):\n    return object()",
         "error",
-        "expected numbers; got object",
+        "expected: numbers | got: object",
     ),
     "objects": (
         "def thrice(x):\n    return np.array([x, None, 'a'], dtype=object)",
         "error",
-        "expected numbers; got ndarray",
+        "expected: numbers | got: ndarray",
     ),
     "string": (
         "def thrice(x):\n    return 'passed'",
