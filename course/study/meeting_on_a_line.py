@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, failure
-from course.dynamics import impulse_central
+from course import formulas
+from course.arrays import Array
+from course.study.asking import asked, one_number
 
 #: The moment at which balls that approach meet [s].
 MEETING = 1.0
 #: p_hat(mass_1, mass_2, velocity_1, velocity_2, normal, restitution), as lesson 10 asks.
 ImpulseLaw = Callable[..., Array]
+#: Velocities of both after the impact, of the same arguments, (2, 3) [m/s].
+Outcome = Callable[..., Array]
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,7 +29,10 @@ class CentralMotion:
         times: (t,) [s]; the moment of the impact stands twice.
         position, velocity: along n, (t, 2) [m], [m/s].
         meeting: when they meet, inf if they never do [s].
-        impulse: p_hat [N s].
+        impulse: p_hat, what body 1 takes along n [N s].
+        push: change of momentum of both along n, (2,) [N s].
+        aside: velocity of both across n after the impact, upward, (2,) [m/s]; 0 unless
+            somebody's formula loses the direction.
         lost: kinetic energy that is gone after the impact [J].
     """
 
@@ -36,6 +43,8 @@ class CentralMotion:
     velocity: Array
     meeting: float
     impulse: float
+    push: Array
+    aside: Array
     lost: float
 
     @property
@@ -61,7 +70,8 @@ def central_motion(
     velocity_2: float,
     restitution: float,
     *,
-    law: ImpulseLaw = impulse_central,
+    law: ImpulseLaw = formulas.impulse_central,
+    outcome: Outcome | None = None,
     duration: float = 2.6,
 ) -> CentralMotion:
     """The balls until they meet, one second after the start, and after it.
@@ -73,9 +83,10 @@ def central_motion(
         velocity_1, velocity_2: along n [m/s].
         restitution: e, from 0 to 1.
         law: the impulse; a student's, or the one the slide prints.
+        outcome: the velocities after, in place of a law of the impulse.
         duration: of the film [s].
     Raises:
-        ValueError: a law that gives anything but one number.
+        UnusableResult: a law that gives anything but one number.
     """
     mass, before = np.array([mass_1, mass_2]), np.array([velocity_1, velocity_2])
     radius = ball_radius(mass)
@@ -85,8 +96,9 @@ def central_motion(
     n = np.array([1.0, 0.0, 0.0])
     given = (mass_1, mass_2, velocity_1 * n, velocity_2 * n, n, restitution)
     # What parts is not asked: a law that pulls would be seen, but no balls touch there.
-    p_hat = _number(law(*given)) if approach else 0.0
-    after = before + p_hat * side / mass
+    left = (outcome or by_impulse(law))(*given) if approach else before[:, None] * n
+    after, aside = left[:, 0], left[:, 2]
+    push = mass * (after - before)
     times = np.array([0.0, MEETING, MEETING, duration])
     touching = side * radius
     start = touching - before * MEETING if approach else touching + 0.2 * side
@@ -95,10 +107,41 @@ def central_motion(
     )
     position[3] = position[2] + after * (duration - MEETING)
     velocity = np.array([before, before, after, after])
-    lost = float(0.5 * (mass @ before**2 - mass @ after**2))
+    lost = float(0.5 * (mass @ before**2 - mass @ np.sum(left**2, axis=1)))
     return CentralMotion(
-        mass, radius, times, position, velocity, meeting, p_hat, lost
+        mass, radius, times, position, velocity, meeting, float(push[0]), push, aside, lost
     )  # fmt: skip
+
+
+def by_impulse(law: ImpulseLaw) -> Outcome:
+    """What an impulse makes of the velocities: v1 + p_hat n/m1, v2 - p_hat n/m2."""
+
+    def outcome(m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float) -> Array:
+        p_hat = one_number(law, m1, m2, v1, v2, n, e)
+        return np.stack([v1 + p_hat / m1 * n, v2 - p_hat / m2 * n])
+
+    return outcome
+
+
+def by_momenta(momenta: Callable[..., Any]) -> Outcome:
+    """What ``momentum_after`` makes of the right impulse, over the masses."""
+
+    def outcome(m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float) -> Array:
+        p_hat = float(formulas.impulse_central(m1, m2, v1, v2, n, e))
+        p1, p2 = asked(momenta, ((3,), (3,)), m1 * v1, m2 * v2, p_hat, n)
+        return np.stack([p1 / m1, p2 / m2])
+
+    return outcome
+
+
+def by_separation_speed(speed: Callable[..., Any]) -> Outcome:
+    """The impulse that makes the bodies part with what ``separation_speed`` says."""
+
+    def impulse(m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float) -> Array:
+        change = one_number(speed, v1, v2, n, e) - (v1 - v2) @ n
+        return np.asarray(change / (1 / m1 + 1 / m2))
+
+    return by_impulse(impulse)
 
 
 def printed_law(
@@ -118,9 +161,3 @@ def printed_law(
     impulse = (1 - restitution) * closing / (1 / mass_1 + 1 / mass_2)
     return np.where(closing > 0, impulse, 0.0)
 
-
-def _number(impulse: object) -> float:
-    value = np.asarray(impulse, dtype=float)
-    if value.size != 1:
-        raise failure("law", "one impulse for one pair", f"shape {value.shape}")
-    return float(value.reshape(()))

@@ -9,6 +9,7 @@ import numpy as np
 
 from course.arrays import Array, ArrayLike, positive, scalar, shaped, vectors
 from course.dynamics import wall_bounce
+from course.study.asking import asked
 
 #: v'(v, n, e), as lesson 11 asks.
 BounceLaw = Callable[..., Array]
@@ -58,7 +59,7 @@ def wall_meeting(
         radius: of the ball [m].
         meeting, duration: when it touches, and the end [s].
     Raises:
-        ValueError: a law that gives anything but one velocity.
+        UnusableResult: a law that gives anything but one velocity.
     """
     angle = np.radians(scalar("wall_angle", wall_angle))
     normal = np.array([-np.sin(angle), np.cos(angle), 0.0])
@@ -69,8 +70,7 @@ def wall_meeting(
     approaches = bool(before @ normal < 0)
     after = before
     if approaches:
-        after = vectors("law", law(before, normal, restitution))
-        shaped("law", after, (3,))
+        (after,) = asked(law, ((3,),), before, normal, restitution)
     times = np.array([0.0, meeting, meeting, duration])
     start = touch - meeting * before if approaches else touch
     there = start + meeting * before

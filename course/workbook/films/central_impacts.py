@@ -9,9 +9,13 @@ import numpy as np
 from course.study.meeting_on_a_line import (
     MEETING,
     CentralMotion,
+    by_impulse,
+    by_momenta,
+    by_separation_speed,
     central_motion,
     printed_law,
 )
+from course.workbook.films.attempts import Attempt, Stopped, moved
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -48,26 +52,34 @@ PRESETS = (
 )  # fmt: skip
 
 
-def impulse(against: Any = None) -> Exhibit:
+#: What an answer says of the impact, by its exercise: the velocities after, and the right formula.
+ASKED = {
+    "impulse_central": (by_impulse, "p̂ = (1 + e) (v₂ − v₁) / (1/m₁ + 1/m₂)"),
+    "momentum_after": (by_momenta, "p₁ + p̂ n, p₂ − p̂ n"),
+    "separation_speed": (by_separation_speed, "they part with −e (v₁ − v₂)·n"),
+}
+
+
+def impulse(against: Any = None, exercise: str = "impulse_central") -> Exhibit:
     """Two balls on a line; their velocities can be taken by the tip of their arrows.
 
     Args:
         against: plays a second impulse below the right one: "printed", the formula of the
-            slide as it stands there, or a function of your own with the arguments of
-            ``impulse_central``.
+            slide as it stands there, or a function of your own.
+        exercise: whose arguments that function has: ``impulse_central``,
+            ``momentum_after`` or ``separation_speed``.
     """
+    printed = against == "printed"
+    attempt = Attempt("as the slide prints it" if printed else "your function")
+    says, formula = ASKED[exercise]
+    outcome = says(printed_law if printed else against)
 
     def film(**values: Any) -> Film:
-        laws = [("", central_motion(**values))]
-        if against is not None:
-            law, title = (
-                (printed_law, "as the slide prints it")
-                if against == "printed"
-                else (against, "your function")
-            )
-            other = (title, central_motion(**values, law=law))
-            laws = [("p̂ = (1 + e) (v₂ − v₁) / (1/m₁ + 1/m₂)", laws[0][1]), other]
-        return _film(laws, values["restitution"])
+        right = central_motion(**values)
+        if against is None:
+            return _film([("", right)])
+        other = attempt.motion(lambda: central_motion(**values, outcome=outcome))
+        return _film([(formula, right), (attempt.title, other)], attempt)
 
     hold = [
         Hand({f"velocity_{k + 1}": (1.0, 0.0, 0.0)}, arrows="velocity", index=k, until=MEETING - 1e-9)
@@ -84,18 +96,26 @@ def impulse(against: Any = None) -> Exhibit:
     )  # fmt: skip
 
 
-def _film(laws: list[tuple[str, CentralMotion]], restitution: float) -> Film:
-    right = laws[0][1]
+def _film(laws: list[tuple[str, Any]], attempt: Attempt | None = None) -> Film:
+    title, right = laws[0]
+    other = laws[-1][1]
     times = np.array([0.0, MEETING, MEETING, MEETING + 0.7, MEETING + 0.7, 2.6])
+    motions = moved(*(motion for _, motion in laws))
+
+    def pane(title: str, motion: CentralMotion) -> Pane:
+        return _pane(title, motion, times)
+
     return Film(
-        [_pane(title, motion, times) for title, motion in laws],
+        attempt.panes(title, pane, right, other) if attempt else [pane(title, right)],
         times,
         Flat("xz", WINDOW),
         title="An impact",
         caption="Two balls on one line, n to the right. Take a velocity by the tip of its arrow before they meet.",
-        ending=_ending(right),
-        charts=_charts([motion for _, motion in laws], times),
-        numbers=_numbers([motion for _, motion in laws], restitution),
+        ending=attempt.sentence(other)
+        if attempt and isinstance(other, Stopped)
+        else _ending(right),
+        charts=_charts(motions, times),
+        numbers=_numbers(motions),
         events=(MEETING,),
     )
 
@@ -111,12 +131,13 @@ def _pane(title: str, motion: CentralMotion, times: Any) -> Pane:
     line = _at(motion, motion.position, times)
     place = np.zeros((len(times), 3, 3))
     place[:, :2, 0] = line
+    place[:, :2, 2] = np.maximum(times - MEETING, 0.0)[:, None] * motion.aside
     place[:, 2, 0] = _at(motion, motion.centre, times)
     place[:, 2, 2] = -0.85
     velocity = np.zeros((len(times), 2, 3))
     velocity[..., 0] = _at(motion, motion.velocity, times)
     push = np.zeros((len(times), 2, 3))
-    push[2:4, :, 0] = motion.impulse * np.array([1.0, -1.0])
+    push[2:4, :, 0] = motion.push
     lifted = motion.radius + 0.2
     balls = [
         labelled(ball(r, color=color), str(k + 1))
@@ -137,9 +158,10 @@ def _pane(title: str, motion: CentralMotion, times: Any) -> Pane:
 
 def _push_scale(motion: CentralMotion) -> float:
     """Metres for 1 N s: 1, 2 or 5 times a power of ten, so that p_hat fits its ball."""
-    if not motion.impulse:
+    largest = float(np.abs(motion.push).max())
+    if not largest:
         return 1.0
-    wanted = 2.2 / abs(motion.impulse)
+    wanted = 2.2 / largest
     power = 10.0 ** np.floor(np.log10(wanted))
     return float(power * max(s for s in (1, 2, 5) if s * power <= wanted))
 
@@ -184,7 +206,7 @@ def _guides(mass: Any, before: Any, after: Any) -> dict[str, Any]:
     return {"energy kept": ring, "momentum kept": line}
 
 
-def _numbers(motions: list[CentralMotion], restitution: float) -> list[Number]:
+def _numbers(motions: list[CentralMotion]) -> list[Number]:
     def of(get: Any) -> tuple[float, ...]:
         return tuple(float(get(m)) for m in motions)
 

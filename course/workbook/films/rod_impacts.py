@@ -9,6 +9,8 @@ import numpy as np
 from course import rotations
 from course.arrays import Array, BoolArray
 from course.study import RodLanding, rod_landing
+from course.study.asked_rods import asked_rod
+from course.workbook.films.attempts import Attempt, Stopped, moved
 from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Arrows,
@@ -47,11 +49,31 @@ PRESETS = (
 )
 
 
-def rod() -> Exhibit:
-    """A rod of 1 kg and 1 m that falls at 1 m/s on a peg; the peg can be dragged along it."""
+#: The right formula of an exercise that is asked.
+ASKED = {
+    "effective_mass": "1/μ = 1/m + (r × n)·I⁻¹ (r × n)",
+    "impulse_at_point": "p̂ = −(1 + e) u μ",
+    "apply_impulse": "v + p̂ n/m, ω + I⁻¹ (r × p̂ n)",
+}
+
+
+def rod(against: Any = None, exercise: str = "apply_impulse") -> Exhibit:
+    """A rod of 1 kg and 1 m that falls at 1 m/s on a peg; the peg can be dragged along it.
+
+    Args:
+        against: plays a second rod beside it: a function of your own.
+        exercise: whose arguments that function has: ``effective_mass``,
+            ``impulse_at_point`` or ``apply_impulse``.
+    """
+    attempt = Attempt("your function")
 
     def film(place: float, angle: float, restitution: float) -> Film:
-        return _film(rod_landing(angle, restitution, place))
+        right = rod_landing(angle, restitution, place)
+        if against is None:
+            return _film("", right)
+        own = {exercise: against}
+        other = attempt.motion(lambda: asked_rod(angle, restitution, place, **own))
+        return _film(ASKED[exercise], right, other, attempt)
 
     return Exhibit(
         film,
@@ -65,30 +87,56 @@ def rod() -> Exhibit:
     )  # fmt: skip
 
 
-def _film(landing: RodLanding) -> Film:
+def _film(
+    title: str, right: RodLanding, other: Any = None, attempt: Attempt | None = None
+) -> Film:
     times, after = moments(LAST, [MEETING], frames=61)
     late = (times > MEETING) | after
     since = np.where(late, times - MEETING, 0.0)
+    motions = moved(right, other) if attempt else [right]
+
+    def pane(title: str, landing: RodLanding) -> Pane:
+        return _pane(title, landing, times, late, since)
+
     return Film(
-        [_pane(landing, times, late, since)],
+        attempt.panes(title, pane, right, other) if attempt else [pane(title, right)],
         times,
         Flat("xz", WINDOW),
         title="A rod and a peg",
         caption="The peg hits once and is drawn away; there is no gravity. Drag it along the rod before they meet.",
-        ending=_ending(landing),
-        charts=_charts(landing, times, late, since),
-        numbers=[
-            Number("impulse p̂", (landing.impulse,), "N s"),
-            Number("mass felt there", (landing.felt,), "kg"),
-            Number("middle after, upward", (float(landing.after[1, 2]),), "m/s"),
-            Number("left end", (float(landing.after[0, 2]),), "m/s"),
-            Number("right end", (float(landing.after[2, 2]),), "m/s"),
-            Number("spin after", (abs(landing.spin),), "rad/s"),
-            Number("energy kept", (100 * landing.kept,), "%"),
-        ],
+        ending=attempt.sentence(other)
+        if attempt and isinstance(other, Stopped)
+        else _ending(right),
+        charts=_charts(motions[-1], times, late, since),
+        numbers=_numbers(motions, attempt is not None),
         events=(MEETING,),
         speed=0.35,
     )  # fmt: skip
+
+
+def _numbers(motions: list[RodLanding], beside: bool) -> list[Number]:
+    def of(get: Any) -> tuple[float, ...]:
+        return tuple(float(get(m)) for m in motions)
+
+    hit = [Number("point that was hit, after", of(_hit), "m/s")] if beside else []
+    return [
+        Number("impulse p̂", of(lambda m: m.impulse), "N s"),
+        Number("mass felt there", of(lambda m: m.felt), "kg"),
+        *hit,
+        Number("middle after, upward", of(lambda m: m.after[1, 2]), "m/s"),
+        Number("left end", of(lambda m: m.after[0, 2]), "m/s"),
+        Number("right end", of(lambda m: m.after[2, 2]), "m/s"),
+        Number("spin after, clockwise", of(lambda m: m.spin), "rad/s")
+        if beside
+        else Number("spin after", of(lambda m: abs(m.spin)), "rad/s"),
+        Number("energy kept", of(lambda m: 100 * m.kept), "%"),
+    ]
+
+
+def _hit(landing: RodLanding) -> float:
+    """Velocity of the point that was hit after the impact, upward: e if it is right [m/s]."""
+    middle, end = landing.after[1, 2], landing.after[2, 2]
+    return float(middle + landing.place * (end - middle))
 
 
 def _motion(
@@ -99,6 +147,7 @@ def _motion(
     middle[:, 2] = np.where(
         late, since * landing.after[1, 2], SPEED * (MEETING - times)
     )
+    middle[:, 0] = since * landing.after[1, 0]
     angle = np.radians(landing.angle) + since * landing.spin
     axis = np.stack([np.cos(angle), 0 * angle, -np.sin(angle)], axis=-1)
     side = HALF * np.array([-1.0, 0.0, 1.0])
@@ -109,7 +158,9 @@ def _motion(
     return place, centre[:, None] + turning
 
 
-def _pane(landing: RodLanding, times: Array, late: BoolArray, since: Array) -> Pane:
+def _pane(
+    title: str, landing: RodLanding, times: Array, late: BoolArray, since: Array
+) -> Pane:
     points, velocity = _motion(landing, times, late, since)
     touch = HALF * landing.place * landing.axis
     place = np.zeros((len(times), 2, 3))
@@ -125,6 +176,7 @@ def _pane(landing: RodLanding, times: Array, late: BoolArray, since: Array) -> P
         [capsule((-HALF, 0, 0), (HALF, 0, 0), THICK), peg],
         place,
         rotations.from_rotation_vector(turn),
+        title=title,
         arrows=[
             Arrows("velocity of ends and middle", velocity, "m/s", at=points, scale=SCALE, color="vermillion"),
             Arrows("impulse p̂", push, "N s", at=touch[None], scale=PUSH_SCALE, color="green"),
@@ -139,7 +191,7 @@ def _charts(
     where = np.linspace(-1.0, 1.0, 81)
     felt = 1 / (1 + 3 * (where * np.cos(np.radians(landing.angle))) ** 2)
     impulse = np.stack([where, (1 + landing.restitution) * felt * SPEED], axis=-1)
-    moving = 0.5 * velocity[:, 1, 2] ** 2
+    moving = 0.5 * np.sum(velocity[:, 1] ** 2, axis=-1)
     turning = np.where(late, 0.5 * landing.spin**2 / 12, 0.0)
     lost = np.maximum(0.5 * SPEED**2 - moving - turning, 0.0)
     return [

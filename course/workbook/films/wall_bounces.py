@@ -8,6 +8,7 @@ import numpy as np
 
 from course import rotations
 from course.study.wall_meetings import WallMeeting, mirrored, wall_meeting
+from course.workbook.films.attempts import Attempt, Stopped, moved
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -53,20 +54,23 @@ def wall(against: Any = None) -> Exhibit:
             ``wall_bounce``.
     """
 
+    printed = against == "printed"
+    attempt = Attempt(
+        "v − 2 (v·n) n, as the slide has it" if printed else "your function"
+    )
+    law = mirrored if printed else against
+
     def film(**values: float) -> Film:
         velocity = [values["velocity_x"], values["velocity_y"], 0.0]
         given = values["wall_angle"], velocity, values["restitution"]
         right = wall_meeting(*given, radius=RADIUS, meeting=MEETING)
-        shown = [("", right)]
-        if against is not None:
-            law, title = (
-                (mirrored, "v − 2 (v·n) n, as the slide has it")
-                if against == "printed"
-                else (against, "your function")
-            )
-            other = wall_meeting(*given, law=law, radius=RADIUS, meeting=MEETING)
-            shown = [("v − (1 + e) (v·n) n", right), (title, other)]
-        return _film(shown, values["wall_angle"], values["restitution"])
+        if against is None:
+            return _film([("", right)], values["wall_angle"])
+        other = attempt.motion(
+            lambda: wall_meeting(*given, law=law, radius=RADIUS, meeting=MEETING)
+        )
+        shown = [("v − (1 + e) (v·n) n", right), (attempt.title, other)]
+        return _film(shown, values["wall_angle"], attempt)
 
     grows = {"velocity_x": (1.0, 0.0, 0.0), "velocity_y": (0.0, 1.0, 0.0)}
     # It is to arrive at the same place and time: from farther away it has to be faster.
@@ -86,19 +90,27 @@ def wall(against: Any = None) -> Exhibit:
 
 
 def _film(
-    shown: list[tuple[str, WallMeeting]], wall_angle: float, restitution: float
+    shown: list[tuple[str, Any]], wall_angle: float, attempt: Attempt | None = None
 ) -> Film:
-    right = shown[0][1]
+    title, right = shown[0]
+    other = shown[-1][1]
+    motions = moved(*(motion for _, motion in shown))
+
+    def pane(title: str, motion: WallMeeting) -> Pane:
+        return _pane(title, motion, wall_angle)
+
     return Film(
-        [_pane(title, motion, wall_angle) for title, motion in shown],
+        attempt.panes(title, pane, right, other) if attempt else [pane(title, right)],
         right.times,
         Flat("xy", WINDOW),
         title="A ball and a wall",
         caption="The velocity is the sum of a part along n and a part along the wall. "
         "Before they meet, take its arrow by the tip, or the ball itself.",
-        ending=_ending(right),
-        charts=_charts(shown),
-        numbers=_numbers([motion for _, motion in shown]),
+        ending=attempt.sentence(other)
+        if attempt and isinstance(other, Stopped)
+        else _ending(right),
+        charts=_charts(motions),
+        numbers=_numbers(motions),
         events=(MEETING,),
     )
 
@@ -126,12 +138,12 @@ def _pane(title: str, motion: WallMeeting, wall_angle: float) -> Pane:
     )  # fmt: skip
 
 
-def _charts(shown: list[tuple[str, WallMeeting]]) -> list[Any]:
-    right = shown[0][1]
+def _charts(motions: list[WallMeeting]) -> list[Any]:
+    right = motions[0]
     curves = {"along n": right.velocity @ right.normal}
     colors = ["vermillion", "green"]
     curves["along the wall"] = right.velocity @ right.along
-    for _, other in shown[1:]:
+    for other in motions[1:]:
         curves["along n, right pane"] = other.velocity @ other.normal
         colors.append("orange")
     across, beside = (

@@ -1,0 +1,84 @@
+"""An answer in a film: its pane beside the right one, or a sentence on why it moves nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
+
+import numpy as np
+
+from course.study.asking import UnusableResult
+from course.workbook.stage import Pane
+
+Motion = TypeVar("Motion")
+
+
+@dataclass(frozen=True)
+class Stopped:
+    """An answer that made no motion.
+
+    Args:
+        why: the rest of a sentence that begins with whose it is.
+    """
+
+    why: str
+
+
+class Attempt:
+    """Asks an answer for its motion, again for each film; not any more once it was interrupted.
+
+    Args:
+        title: above its pane, "your function".
+    """
+
+    def __init__(self, title: str) -> None:
+        self.title = title
+        self._interrupted: Stopped | None = None
+
+    def motion(self, make: Callable[[], Motion]) -> Motion | Stopped:
+        """What ``make`` gives; whatever it raises is told, an interrupt as well."""
+        if self._interrupted is not None:
+            return self._interrupted
+        try:
+            return make()
+        except UnusableResult as error:
+            return Stopped(f"moves nothing here: {error}")
+        except KeyboardInterrupt:
+            self._interrupted = Stopped("was interrupted before it was done")
+            return self._interrupted
+        except (Exception, SystemExit) as error:
+            said = " ".join(str(error).split())[:120]
+            return Stopped(f"raised {type(error).__name__}{': ' * bool(said)}{said}")
+
+    def sentence(self, stopped: Stopped) -> str:
+        """The answer and what became of it."""
+        return f"{self.title} {stopped.why}"
+
+    def panes(
+        self, title: str, pane: Callable[[str, Any], Pane], right: Any, other: Any
+    ) -> list[Pane]:
+        """The right one's pane and the answer's, or its bodies as they stood at the start."""
+        shown = pane(title, right)
+        if not isinstance(other, Stopped):
+            return [shown, pane(self.title, other)]
+        return [shown, standing_still(shown, self.sentence(other))]
+
+
+def standing_still(pane: Pane, title: str) -> Pane:
+    """A pane whose bodies stay where they begin, without arrows."""
+    place = np.asarray(pane.position)
+    turn = pane.orientation
+    if turn is not None:
+        turn = np.asarray(turn)
+        turn = turn if turn.ndim == 2 else turn[0]
+    start = place if place.ndim == 2 else place[0]
+    return replace(
+        pane, position=start, orientation=turn, title=title,
+        arrows=(), segments=(), trails=(),
+    )  # fmt: skip
+
+
+def moved(*motions: Any) -> list[Any]:
+    """Those that are motions."""
+    return [m for m in motions if not isinstance(m, Stopped)]
