@@ -113,6 +113,11 @@ def central_motion(
     )  # fmt: skip
 
 
+def printed_speed(velocity_1: Array, velocity_2: Array, normal: Array, restitution: float) -> Array:
+    """The speed with which they part by the same line, e (v1 - v2).n: still toward each other."""
+    return restitution * np.sum((velocity_1 - velocity_2) * normal, axis=-1)
+
+
 def by_impulse(law: ImpulseLaw) -> Outcome:
     """What an impulse makes of the velocities: v1 + p_hat n/m1, v2 - p_hat n/m2."""
 

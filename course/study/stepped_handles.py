@@ -172,6 +172,11 @@ def without_gyration(world: Array, momentum: Array, torque: Array) -> Array:
     return np.linalg.solve(world, torque)
 
 
+def without_cross(inverse: Array, momentum: Array, omega: Array, torque: Array) -> Array:
+    """omega_dot = I^-1 tau + I^-1 L, as it is printed (misprint 9): it spins ever faster."""
+    return inverse @ torque + inverse @ momentum
+
+
 def _usable(*state: Array) -> bool:
     """Whether it is near, and its R, where there is one, still looks like a rotation."""
     near = all(np.abs(part).max() < RUN_AWAY for part in state)

@@ -2,21 +2,74 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 from course.arrays import failure
 from course.exercises.definition import find_exercise
 from course.workbook.lending import name_of
 
-#: The film in which an exercise's function moves bodies, by the exercise's name.
-WATCHED = {"impulse_central": "impulse", "wall_bounce": "wall"}
+
+@dataclass(frozen=True)
+class Watched:
+    """The film in which an exercise's function moves bodies.
+
+    Args:
+        module: of ``course.workbook.films``.
+        name: of the function there that makes it, with ``against``.
+        still: the moment of its picture [s].
+        several: whether it has to be told which exercise it is.
+    """
+
+    module: str
+    name: str
+    still: float
+    several: bool = False
+
+    def exhibit(self, exercise: str, against: Any) -> Any:
+        """The film with an answer beside the right one, or "printed" where the slide errs."""
+        made = getattr(import_module(f"course.workbook.films.{self.module}"), self.name)
+        more = {"exercise": exercise} if self.several else {}
+        return made(against=against, **more)
+
+
+_impulse = Watched("central_impacts", "impulse", 1.8, several=True)
+_handle = Watched("stepped_handles", "handle_steps", 3.0, several=True)
+_rod = Watched("rod_impacts", "rod", 0.6, several=True)
+_plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
+#: The film of an exercise, by the exercise's name.
+WATCHED = {
+    "angular_acceleration": _handle,
+    "symplectic_euler_step": _handle,
+    "rk4_step": _handle,
+    "momentum_after": _impulse,
+    "separation_speed": _impulse,
+    "impulse_central": _impulse,
+    "wall_bounce": Watched("wall_bounces", "wall", 1.5),
+    "bounce_times": Watched("stepped_balls", "ball_times", 1.0),
+    "bouncing_ball_step": Watched("stepped_balls", "ball_steps", 1.0),
+    "effective_mass": _rod,
+    "impulse_at_point": _rod,
+    "apply_impulse": _rod,
+    "simultaneous_impulses": Watched("landed_boxes", "landed_box_film", 0.5),
+    "angular_acceleration_free": _handle,
+    "contact_bias": Watched("held_bars", "held_bar_film", 0.4),
+    "point_response": _plank,
+    "contact_matrix_entry": _plank,
+    "contact_matrix": _plank,
+    "solve_contact_qp": _plank,
+    "projected_gauss_seidel": _plank,
+    "pivot": _plank,
+}
 
 
 def watch(answer: Any) -> Any:
     """Play your function beside the right one; the last line of a cell.
 
     Whether it passes its check or not: a wrong one is seen to let bodies through each
-    other, or to make them leave too fast.
+    other, or to make them leave too fast. One that raises, or returns something that
+    moves nothing, stands still, and its pane says why.
 
     Args:
         answer: your function, under its exercise's name.
@@ -30,7 +83,6 @@ def watch(answer: Any) -> Any:
             "answer", f"a function that moves bodies: {', '.join(WATCHED)}", name
         )
     from course.workbook import stage
-    from course.workbook.films.listing import find_film
 
-    film = find_film(WATCHED[name])
-    return stage.show(film.exhibit(against=answer), still=film.still)
+    film = WATCHED[name]
+    return stage.show(film.exhibit(name, answer), still=film.still)

@@ -1,10 +1,43 @@
 """An answer's film: it plays beside what is right, and a check says how to see it."""
 
+import json
+
 import numpy as np
 import pytest
 
+from course.exercises.definition import find_exercise
 from course.workbook import check, watch
+from course.workbook.stage.encoding import encoded
 from course.workbook.watching import WATCHED
+
+#: A planted mistake of each that is seen at once.
+SEEN = {
+    "angular_acceleration": "I alpha",
+    "symplectic_euler_step": "explicit Euler",
+    "rk4_step": "explicit Euler",
+    "momentum_after": "both plus",
+    "separation_speed": "as printed",
+    "wall_bounce": "always 2",
+    "impulse_central": "as printed",
+    "bounce_times": "sqrt(h/g)",
+    "bouncing_ball_step": "not turned round",
+    "effective_mass": "spin left out",
+    "impulse_at_point": "no e",
+    "apply_impulse": "n x r",
+    "simultaneous_impulses": "only e",
+    "angular_acceleration_free": "L x omega forgotten",
+    "contact_bias": "N_dot lost",
+    "point_response": "no turning",
+    "contact_matrix_entry": "no turning",
+    "contact_matrix": "mass forgotten",
+    "solve_contact_qp": "not limited",
+    "projected_gauss_seidel": "clips the change",
+    "pivot": "nobody leaves",
+}
+PRINTED = (
+    "angular_acceleration", "angular_acceleration_free", "impulse_central", "separation_speed", "wall_bounce",
+    "contact_bias", "pivot", "solve_contact_qp", "contact_matrix_entry",
+)  # fmt: skip
 
 
 def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
@@ -12,6 +45,19 @@ def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
     closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)
     impulse = (1 - restitution) * closing / (1 / mass_1 + 1 / mass_2)
     return np.where(closing > 0, impulse, 0.0)
+
+
+def film_of(name, answer, **values):
+    return WATCHED[name].exhibit(name, answer).made(**values)
+
+
+def apart(film):
+    """The greatest difference between the two panes, of places [m] and of quaternions up to sign."""
+    right, other = film.panes
+    place = np.abs(np.asarray(right.position) - np.asarray(other.position)).max()
+    q, r = np.asarray(right.orientation), np.asarray(other.orientation)
+    turned = np.minimum(np.abs(q - r).max(axis=-1), np.abs(q + r).max(axis=-1)).max()
+    return max(float(place), float(turned))
 
 
 def test_a_wrong_answer_is_seen_beside_the_right_one():
@@ -37,10 +83,98 @@ def test_an_exercise_that_moves_nothing_is_refused():
         watch(p_hat)
 
 
-def test_every_watched_exercise_has_its_film():
-    from course.exercises.definition import find_exercise
-    from course.workbook.films.listing import LISTED
+@pytest.mark.parametrize("name", WATCHED)
+def test_the_right_answer_moves_as_the_right_one_does(name):
+    exercise = find_exercise(name)[1]
+    assert exercise.kind == "function"
+    exhibit = WATCHED[name].exhibit(name, exercise.reference)
+    for values in ({}, *(preset.values for preset in exhibit.presets)):
+        film = exhibit.made(**values)
+        assert film.panes[1].title == "your function"
+        assert apart(film) < 1e-12
 
-    for exercise, film in WATCHED.items():
-        assert find_exercise(exercise)[1].kind == "function"
-        assert film in {listed.name for listed in LISTED} | {"wall"}
+
+@pytest.mark.parametrize("name", WATCHED)
+def test_a_planted_mistake_is_seen(name):
+    mistakes = find_exercise(name)[1].mistakes
+    mistake = next(m for m in mistakes if m.name == SEEN[name])
+    assert apart(film_of(name, mistake.function)) > 0.02
+
+
+@pytest.mark.parametrize("name", WATCHED)
+def test_no_planted_mistake_breaks_the_film(name):
+    """Whatever a mistake gives, the film is made, and says something."""
+    for mistake in find_exercise(name)[1].mistakes:
+        film = film_of(name, mistake.function)
+        json.dumps(encoded(film), allow_nan=False)
+        assert film.ending and len(film.panes) == 2
+
+
+@pytest.mark.parametrize("name", PRINTED)
+def test_the_printed_formula_plays_beside_the_mended_one(name):
+    film = film_of(name, "printed")
+    assert film.panes[1].title.endswith(("as the slide prints it", "as the slide has it", "as the slide repeats it"))
+    assert apart(film) > 0.02
+
+
+@pytest.mark.parametrize("name", sorted(set(WATCHED) - set(PRINTED)))
+def test_where_no_motion_is_misprinted_it_is_refused(name):
+    with pytest.raises(ValueError, match="against: expected a function; got 'printed'"):
+        WATCHED[name].exhibit(name, "printed")
+
+
+def raises(*given):
+    raise ZeroDivisionError("float division by zero")
+
+
+def interrupted(*given):
+    raise KeyboardInterrupt
+
+
+@pytest.mark.parametrize("name", WATCHED)
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (raises, "your function raised ZeroDivisionError: float division by zero"),
+        (lambda *given: np.zeros((7, 7)), "your function moves nothing here: it returned"),
+        (lambda *given: None, "it returned nothing: is there a `return`?"),
+        (lambda *given: "here", "your function moves nothing here: it returned"),
+        (interrupted, "your function was interrupted before it was done"),
+    ],
+)  # fmt: skip
+def test_what_moves_nothing_is_said_beside_the_right_one(name, answer, said):
+    film = film_of(name, answer)
+    json.dumps(encoded(film), allow_nan=False)
+    right, other = film.panes
+    assert said in other.title and said in film.ending
+    place = np.asarray(other.position)
+    assert np.array_equal(place[0], place[-1])
+    assert np.ptp(np.asarray(right.position), axis=0).max() > 0 or apart(film) > 0
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_what_is_no_number_is_said(bad):
+    film = film_of("impulse_central", lambda *given: bad)
+    assert "it returned NaN" in film.ending or "it returned infinity" in film.ending
+
+
+def test_an_interrupted_answer_is_not_asked_again():
+    asked = []
+
+    def endless(*given):
+        asked.append(given)
+        raise KeyboardInterrupt
+
+    exhibit = WATCHED["wall_bounce"].exhibit("wall_bounce", endless)
+    exhibit.made()
+    exhibit.made(restitution=0.3)
+    assert len(asked) == 1
+
+
+def test_an_answer_cannot_write_into_what_it_is_given():
+    def momentum_after(momentum_1, momentum_2, impulse, normal):
+        momentum_1 += impulse * normal
+        momentum_2 -= impulse * normal
+        return momentum_1, momentum_2
+
+    assert apart(film_of("momentum_after", momentum_after)) < 1e-12

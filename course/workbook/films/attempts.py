@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from course.arrays import failure
 from course.study.asking import UnusableResult
 from course.workbook.stage import Pane
 
@@ -63,6 +64,26 @@ class Attempt:
         if not isinstance(other, Stopped):
             return [shown, pane(self.title, other)]
         return [shown, standing_still(shown, self.sentence(other))]
+
+
+def asked_of(
+    against: Any, printed: Callable[..., Any] | None = None, words: str = "as the slide prints it"
+) -> tuple[Any, Attempt]:  # fmt: skip
+    """The function that plays beside the right one, and its attempt.
+
+    Args:
+        against: a function, "printed", or None: nothing plays beside it.
+        printed: the formula of the slide; None: it is right there, or is no motion.
+        words: above the printed one's pane.
+    Raises:
+        ValueError: "printed" where there is none, and what is no function.
+    """
+    if isinstance(against, str) and against == "printed" and printed is not None:
+        return printed, Attempt(words)
+    if against is not None and not callable(against):
+        also = ', or "printed"' if printed is not None else ""
+        raise failure("against", f"a function{also}", repr(against))
+    return against, Attempt("your function")
 
 
 def standing_still(pane: Pane, title: str) -> Pane:

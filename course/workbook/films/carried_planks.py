@@ -10,7 +10,7 @@ import numpy as np
 from course import formulas, rotations
 from course.study import carried_planks as study
 from course.study.carried_planks import CarriedPlank, Forces, carried_plank
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -63,10 +63,8 @@ def carried_plank_film(against: Any = None, exercise: str = "pivot") -> Exhibit:
             the bracket of ``contact_matrix_entry`` as it stands on the slide.
         exercise: whose arguments that function has, one of ``ASKED``.
     """
-    says, reference, title, as_printed = ASKED[exercise]
-    printed = against == "printed"
-    attempt = Attempt("as the slide prints it" if printed else "your function")
-    answer = as_printed if printed else against
+    says, reference, title, printed = ASKED[exercise]
+    answer, attempt = asked_of(against, printed)
     times = np.linspace(0.0, SECONDS, 36)
 
     def film(load_at: float) -> Film:

@@ -14,8 +14,9 @@ from course.study.meeting_on_a_line import (
     by_separation_speed,
     central_motion,
     printed_law,
+    printed_speed,
 )
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -52,27 +53,26 @@ PRESETS = (
 )  # fmt: skip
 
 
-#: What an answer says of the impact, by its exercise: the velocities after, and the right formula.
-ASKED = {
-    "impulse_central": (by_impulse, "p̂ = (1 + e) (v₂ − v₁) / (1/m₁ + 1/m₂)"),
-    "momentum_after": (by_momenta, "p₁ + p̂ n, p₂ − p̂ n"),
-    "separation_speed": (by_separation_speed, "they part with −e (v₁ − v₂)·n"),
-}
+#: What an answer says of the impact, by its exercise: the velocities after, the right formula, the printed one.
+ASKED: dict[str, tuple[Any, str, Any]] = {
+    "impulse_central": (by_impulse, "p̂ = (1 + e) (v₂ − v₁) / (1/m₁ + 1/m₂)", printed_law),
+    "momentum_after": (by_momenta, "p₁ + p̂ n, p₂ − p̂ n", None),
+    "separation_speed": (by_separation_speed, "they part with −e (v₁ − v₂)·n", printed_speed),
+}  # fmt: skip
 
 
 def impulse(against: Any = None, exercise: str = "impulse_central") -> Exhibit:
     """Two balls on a line; their velocities can be taken by the tip of their arrows.
 
     Args:
-        against: plays a second impulse below the right one: "printed", the formula of the
-            slide as it stands there, or a function of your own.
+        against: plays a second impulse beside the right one: "printed", the formula of the
+            slide as it stands there (not for ``momentum_after``), or a function of your own.
         exercise: whose arguments that function has: ``impulse_central``,
             ``momentum_after`` or ``separation_speed``.
     """
-    printed = against == "printed"
-    attempt = Attempt("as the slide prints it" if printed else "your function")
-    says, formula = ASKED[exercise]
-    outcome = says(printed_law if printed else against)
+    says, formula, printed = ASKED[exercise]
+    answer, attempt = asked_of(against, printed)
+    outcome = says(answer)
 
     def film(**values: Any) -> Film:
         right = central_motion(**values)

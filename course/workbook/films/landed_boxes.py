@@ -8,7 +8,7 @@ import numpy as np
 
 from course.scenes.impacts import BOX
 from course.study.landed_boxes import LandedBox, landed_box
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Arrows,
@@ -47,7 +47,7 @@ def landed_box_film(against: Any = None) -> Exhibit:
         against: plays a second one beside it: a function of your own with the arguments
             of ``simultaneous_impulses``.
     """
-    attempt = Attempt("your function")
+    answer, attempt = asked_of(against)
     times, after = moments(LAST, [MEETING], frames=46)
     late = (times > MEETING) | after
 
@@ -57,7 +57,7 @@ def landed_box_film(against: Any = None) -> Exhibit:
         if against is None:
             return _film(right, right, None, late)
         other = attempt.motion(
-            lambda: landed_box(*given, meeting=MEETING, function=against)
+            lambda: landed_box(*given, meeting=MEETING, function=answer)
         )
         return _film(right, other, attempt, late)
 

@@ -10,7 +10,7 @@ from course import rotations
 from course.arrays import Array, BoolArray
 from course.study import RodLanding, rod_landing
 from course.study.asked_rods import asked_rod
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Arrows,
@@ -65,13 +65,13 @@ def rod(against: Any = None, exercise: str = "apply_impulse") -> Exhibit:
         exercise: whose arguments that function has: ``effective_mass``,
             ``impulse_at_point`` or ``apply_impulse``.
     """
-    attempt = Attempt("your function")
+    answer, attempt = asked_of(against)
 
     def film(place: float, angle: float, restitution: float) -> Film:
         right = rod_landing(angle, restitution, place)
         if against is None:
             return _film("", right)
-        own = {exercise: against}
+        own = {exercise: answer}
         other = attempt.motion(lambda: asked_rod(angle, restitution, place, **own))
         return _film(ASKED[exercise], right, other, attempt)
 

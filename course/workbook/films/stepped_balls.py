@@ -13,7 +13,7 @@ from course.study.stepped_balls import (
     flown_ball,
     stepped_ball,
 )
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.films.timing import moments
 from course.workbook.stage import (
     Curves,
@@ -49,14 +49,14 @@ def ball_steps(against: Any = None) -> Exhibit:
         against: plays a second one beside it: a function of your own with the arguments
             of ``bouncing_ball_step``.
     """
-    attempt = Attempt("your function")
+    answer, attempt = asked_of(against)
 
     def film(restitution: float, step: float) -> Film:
         given = DROP, restitution, step, SECONDS
         right = stepped_ball(*given)
         other = right
         if against is not None:
-            other = attempt.motion(lambda: stepped_ball(*given, function=against))
+            other = attempt.motion(lambda: stepped_ball(*given, function=answer))
         exact = exact_ball(DROP, restitution, right.times)
         shown = None if against is None else attempt
         return _film("reflect or fall, then move", right, other, exact, shown)
@@ -71,7 +71,7 @@ def ball_times(against: Any = None) -> Exhibit:
         against: plays a second one beside it: a function of your own with the arguments
             of ``bounce_times``.
     """
-    attempt = Attempt("your function")
+    answer, attempt = asked_of(against)
 
     def film(restitution: float) -> Film:
         hits = flown_ball(DROP, restitution, IMPACTS, np.zeros(1))[1]
@@ -80,7 +80,7 @@ def ball_times(against: Any = None) -> Exhibit:
         right = flown_ball(*given)[0]
         other = right
         if against is not None:
-            other = attempt.motion(lambda: flown_ball(*given, function=against)[0])
+            other = attempt.motion(lambda: flown_ball(*given, function=answer)[0])
         shown = None if against is None else attempt
         title = f"the first {IMPACTS} impacts at t₀ (2 (1 + e + ... + eᵏ) − 1)"
         return _film(title, right, other, None, shown)

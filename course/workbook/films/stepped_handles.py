@@ -13,7 +13,7 @@ from course.arrays import Array
 from course.scenes.spinning import HANDLE_CENTERS, HANDLE_HALF_EXTENTS
 from course.study import stepped_handles as study
 from course.study.stepped_handles import SteppedHandle
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.films.tumbling import handle_solid
 from course.workbook.stage import (
     Arrows,
@@ -35,13 +35,14 @@ WINDOW, GROUND = ((-0.11, -0.11, -0.12), (0.11, 0.11, 0.18)), -0.12
 STEP = Knob("step", "step", 0.01, 0.005, 0.04, unit="s", logarithmic=True)
 TILT = Knob("tilt", "tilt at the start", 1.0, 0.1, 50.0, unit="°", logarithmic=True)
 SPRING = Knob("stiffness", "spring", 20.0, 0.0, 40.0, 1.0, "N/m")
-#: What is asked, by the exercise: the motion of a function, and the right formula.
-ASKED: dict[str, tuple[Callable[..., SteppedHandle], str]] = {
-    "symplectic_euler_step": (study.by_steps, "momenta first, then place and R"),
-    "rk4_step": (study.by_body_momentum, "RK4 of l̇ = l × ω"),
-    "angular_acceleration": (study.by_acceleration, "ω̇ = I⁻¹ (τ + L × ω)"),
-    "angular_acceleration_free": (study.by_acceleration, "ω̇ = I⁻¹ (τ + L × ω)"),
-}
+#: What is asked, by the exercise: the motion of a function, the right formula, the printed one.
+ASKED: dict[str, tuple[Callable[..., SteppedHandle], str, Any]] = {
+    "symplectic_euler_step": (study.by_steps, "momenta first, then place and R", None),
+    "rk4_step": (study.by_body_momentum, "RK4 of l̇ = l × ω", None),
+    "angular_acceleration": (study.by_acceleration, "ω̇ = I⁻¹ (τ + L × ω)", (study.without_gyration, "τ = I ω̇")),
+    "angular_acceleration_free": (study.by_acceleration, "ω̇ = I⁻¹ (τ + L × ω)",
+                                  (study.without_cross, "ω̇ = I⁻¹ τ + I⁻¹ L")),
+}  # fmt: skip
 
 
 def handle_steps(
@@ -50,15 +51,15 @@ def handle_steps(
     """The handle, on a spring where the step takes forces.
 
     Args:
-        against: plays a second one beside it: a function of your own, or "printed",
-            tau = I omega_dot of the slide, for ``angular_acceleration``.
+        against: plays a second one beside it: a function of your own, or "printed" for
+            ``angular_acceleration``, tau = I omega_dot of the slide, and for
+            ``angular_acceleration_free``, I^-1 tau + I^-1 L.
         exercise: whose arguments that function has, one of ``ASKED``.
     """
-    printed = against == "printed"
-    attempt = Attempt("τ = I ω̇, as the slide prints it" if printed else "your function")
-    motion, title = ASKED[exercise]
-    answer = study.without_gyration if printed else against
-    if exercise == "angular_acceleration_free" and answer is not None and not printed:
+    motion, title, printed = ASKED[exercise]
+    words = f"{printed[1]}, as the slide prints it" if printed else ""
+    answer, attempt = asked_of(against, printed and printed[0], words)
+    if exercise == "angular_acceleration_free":
         answer = study.by_free_acceleration(answer)
     knobs = [STEP, TILT] + [SPRING] * (exercise == "symplectic_euler_step")
 

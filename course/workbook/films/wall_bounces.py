@@ -8,7 +8,7 @@ import numpy as np
 
 from course import rotations
 from course.study.wall_meetings import WallMeeting, mirrored, wall_meeting
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.stage import (
     Arrows,
     Curves,
@@ -54,11 +54,7 @@ def wall(against: Any = None) -> Exhibit:
             ``wall_bounce``.
     """
 
-    printed = against == "printed"
-    attempt = Attempt(
-        "v − 2 (v·n) n, as the slide has it" if printed else "your function"
-    )
-    law = mirrored if printed else against
+    law, attempt = asked_of(against, mirrored, "v − 2 (v·n) n, as the slide has it")
 
     def film(**values: float) -> Film:
         velocity = [values["velocity_x"], values["velocity_y"], 0.0]
