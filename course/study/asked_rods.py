@@ -38,9 +38,7 @@ def asked_rod(
     arm = scene.contacts.point[0] - rod.position[0]
     v, omega, none = rod.velocity[0], rod.angular_velocity[0], np.zeros(3)
     inverse, still = rod.world_inverse_inertia[0], np.zeros((3, 3))
-    felt = one_number(
-        steps["effective_mass"], 1.0, 0.0, inverse, still, arm, none, n
-    )
+    felt = one_number(steps["effective_mass"], 1.0, 0.0, inverse, still, arm, none, n)
     point = formulas.point_velocity(v, omega, arm)
     p_hat = one_number(steps["impulse_at_point"], point, none, n, felt, restitution)
     after, spin = asked(

@@ -89,6 +89,8 @@ def by_matrix(matrix: Callable[..., Any]) -> Forces:
 
     def forces(scene: Scene) -> Array:
         (a,) = asked(matrix, ((2, 2),), *plain_arrays(scene))
+        if np.diagonal(a).min() <= 0:
+            raise UnusableResult("with the A it returned a push along N does not part")
         with np.errstate(all="ignore"):
             f = formulas.projected_gauss_seidel(a, scene.system().b, np.zeros(2), 300)
         if not np.all(np.isfinite(f)) or np.abs(f).max() > 1e6:

@@ -74,7 +74,9 @@ def held_bar(
         first, force = _rate(state, float(time), rate_b, function)
         states.append(state)
         forces.append(force)
-        middle, _ = _rate(state + 0.5 * step * first, time + 0.5 * step, rate_b, function)
+        middle, _ = _rate(
+            state + 0.5 * step * first, time + 0.5 * step, rate_b, function
+        )
         if np.abs(state).max() < RUN_AWAY:
             state = state + step * middle
     return _held(times, np.array(states), rate_b, np.array(forces))

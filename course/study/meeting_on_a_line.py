@@ -113,7 +113,9 @@ def central_motion(
     )  # fmt: skip
 
 
-def printed_speed(velocity_1: Array, velocity_2: Array, normal: Array, restitution: float) -> Array:
+def printed_speed(
+    velocity_1: Array, velocity_2: Array, normal: Array, restitution: float
+) -> Array:
     """The speed with which they part by the same line, e (v1 - v2).n: still toward each other."""
     return restitution * np.sum((velocity_1 - velocity_2) * normal, axis=-1)
 
@@ -121,7 +123,9 @@ def printed_speed(velocity_1: Array, velocity_2: Array, normal: Array, restituti
 def by_impulse(law: ImpulseLaw) -> Outcome:
     """What an impulse makes of the velocities: v1 + p_hat n/m1, v2 - p_hat n/m2."""
 
-    def outcome(m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float) -> Array:
+    def outcome(
+        m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float
+    ) -> Array:
         p_hat = one_number(law, m1, m2, v1, v2, n, e)
         return np.stack([v1 + p_hat / m1 * n, v2 - p_hat / m2 * n])
 
@@ -131,7 +135,9 @@ def by_impulse(law: ImpulseLaw) -> Outcome:
 def by_momenta(momenta: Callable[..., Any]) -> Outcome:
     """What ``momentum_after`` makes of the right impulse, over the masses."""
 
-    def outcome(m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float) -> Array:
+    def outcome(
+        m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float
+    ) -> Array:
         p_hat = float(formulas.impulse_central(m1, m2, v1, v2, n, e))
         p1, p2 = asked(momenta, ((3,), (3,)), m1 * v1, m2 * v2, p_hat, n)
         return np.stack([p1 / m1, p2 / m2])
@@ -142,7 +148,9 @@ def by_momenta(momenta: Callable[..., Any]) -> Outcome:
 def by_separation_speed(speed: Callable[..., Any]) -> Outcome:
     """The impulse that makes the bodies part with what ``separation_speed`` says."""
 
-    def impulse(m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float) -> Array:
+    def impulse(
+        m1: float, m2: float, v1: Array, v2: Array, n: Array, e: float
+    ) -> Array:
         change = one_number(speed, v1, v2, n, e) - (v1 - v2) @ n
         return np.asarray(change / (1 / m1 + 1 / m2))
 
@@ -165,4 +173,3 @@ def printed_law(
     closing = np.sum((velocity_2 - velocity_1) * normal, axis=-1)
     impulse = (1 - restitution) * closing / (1 / mass_1 + 1 / mass_2)
     return np.where(closing > 0, impulse, 0.0)
-

@@ -16,8 +16,8 @@ from course.scenes import handle_mass_properties, spinning_handle
 from course.scenes.spinning import HANDLE_CENTERS, HANDLE_HALF_EXTENTS
 from course.study.asking import RUN_AWAY, UnusableResult, asked
 
-#: How far the spring is stretched at the start, upward [m].
-STRETCH = 0.05
+#: How the spring is stretched at the start [m].
+STRETCH = np.array([0.04, 0.0, 0.04])
 #: An R whose columns are farther than this from a right-angled trihedron is not drawn any more.
 CROOKED = 0.5
 NONE = np.zeros(3)
@@ -75,7 +75,7 @@ def by_steps(
     bodies = spinning_handle(tilt=tilt).bodies
     fastened = spring_arm() if arm is None else arm
     state = (np.zeros(3), bodies.rotation[0], np.zeros(3), bodies.angular_momentum[0])
-    anchor = state[1] @ fastened + [0.0, 0.0, STRETCH]
+    anchor = state[1] @ fastened + STRETCH
     mass, inertia = float(bodies.mass[0]), bodies.inertia[0]
     states = [state]
     for _ in range(round(duration / step)):
@@ -162,7 +162,9 @@ def by_free_acceleration(function: Callable[..., Any]) -> Callable[..., Array]:
 
     def acceleration(world: Array, momentum: Array, torque: Array) -> Array:
         inverse = np.linalg.inv(world)
-        return asked(function, ((3,),), inverse, momentum, inverse @ momentum, torque)[0]
+        return asked(function, ((3,),), inverse, momentum, inverse @ momentum, torque)[
+            0
+        ]
 
     return acceleration
 
@@ -172,7 +174,9 @@ def without_gyration(world: Array, momentum: Array, torque: Array) -> Array:
     return np.linalg.solve(world, torque)
 
 
-def without_cross(inverse: Array, momentum: Array, omega: Array, torque: Array) -> Array:
+def without_cross(
+    inverse: Array, momentum: Array, omega: Array, torque: Array
+) -> Array:
     """omega_dot = I^-1 tau + I^-1 L, as it is printed (misprint 9): it spins ever faster."""
     return inverse @ torque + inverse @ momentum
 
@@ -188,7 +192,9 @@ def _turn(angle: Array) -> Array:
     return np.asarray(Rotation.from_rotvec(angle).as_matrix())
 
 
-def _still(step: float, rotation: Array, momentum: Array, inertia: Array) -> SteppedHandle:
+def _still(
+    step: float, rotation: Array, momentum: Array, inertia: Array
+) -> SteppedHandle:
     """A free handle, whose centre stands."""
     none = np.zeros((len(rotation), 3))
     held = np.zeros((len(rotation), 2, 3))

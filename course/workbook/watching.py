@@ -62,6 +62,18 @@ WATCHED = {
     "projected_gauss_seidel": _plank,
     "pivot": _plank,
 }
+#: Exercises whose formula a slide prints wrongly, and the entry of docs/misprints.md.
+MISPRINTED = {
+    "impulse_central": 3,
+    "separation_speed": 3,
+    "wall_bounce": 4,
+    "contact_bias": 7,
+    "angular_acceleration_free": 9,
+    "angular_acceleration": 10,
+    "contact_matrix_entry": 11,
+    "solve_contact_qp": 14,
+    "pivot": 14,
+}
 
 
 def watch(answer: Any) -> Any:
@@ -72,12 +84,20 @@ def watch(answer: Any) -> Any:
     moves nothing, stands still, and its pane says why.
 
     Args:
-        answer: your function, under its exercise's name.
+        answer: your function, under its exercise's name; or that name alone, where a
+            slide prints the formula wrongly: then the printed one plays.
     Raises:
-        ValueError: an exercise whose case is no motion; the words list those that are.
+        ValueError: an exercise whose case is no motion, a name whose formula is not
+            misprinted; the words list those that are.
     """
-    name = name_of(answer, None)
+    name = answer if isinstance(answer, str) else name_of(answer, None)
     find_exercise(name)
+    if isinstance(answer, str) and name not in MISPRINTED:
+        raise failure(
+            "answer",
+            f"your function, or where a slide misprints it one of {', '.join(MISPRINTED)}",
+            repr(name),
+        )
     if name not in WATCHED:
         raise failure(
             "answer", f"a function that moves bodies: {', '.join(WATCHED)}", name
@@ -85,4 +105,5 @@ def watch(answer: Any) -> Any:
     from course.workbook import stage
 
     film = WATCHED[name]
-    return stage.show(film.exhibit(name, answer), still=film.still)
+    against = "printed" if isinstance(answer, str) else answer
+    return stage.show(film.exhibit(name, against), still=film.still)

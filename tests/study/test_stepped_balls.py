@@ -33,7 +33,9 @@ def test_flights_are_those_of_the_exact_ball(restitution):
 
 def test_a_first_time_that_is_too_long_is_seen_in_the_floor():
     times = np.linspace(0.0, 1.0, 200)
-    late, _ = flown_ball(1.0, 0.8, 3, times, function=lambda h, e, n, g: 0.6 + np.arange(n))
+    late, _ = flown_ball(
+        1.0, 0.8, 3, times, function=lambda h, e, n, g: 0.6 + np.arange(n)
+    )
     assert late.height.min() < -0.5
 
 
@@ -42,7 +44,9 @@ def test_a_ball_that_is_not_turned_round_falls_on_and_one_that_runs_away_is_left
         return x + h * (v - g * h), v - g * h
 
     assert stepped_ball(1.0, 0.8, 0.01, 2.0, function=falls).height[-1] < -15
-    wild = stepped_ball(1.0, 0.8, 0.01, 4.0, function=lambda x, v, h, e, g: (3 * x, 5 * v))
+    wild = stepped_ball(
+        1.0, 0.8, 0.01, 4.0, function=lambda x, v, h, e, g: (3 * x, 5 * v)
+    )
     assert np.all(np.isfinite(wild.height)) and wild.height[-1] < 3.1 * RUN_AWAY
 
 

@@ -1,6 +1,8 @@
 """An answer's film: it plays beside what is right, and a check says how to see it."""
 
 import json
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,7 +10,7 @@ import pytest
 from course.exercises.definition import find_exercise
 from course.workbook import check, watch
 from course.workbook.stage.encoding import encoded
-from course.workbook.watching import WATCHED
+from course.workbook.watching import MISPRINTED, WATCHED
 
 #: A planted mistake of each that is seen at once.
 SEEN = {
@@ -34,10 +36,6 @@ SEEN = {
     "projected_gauss_seidel": "clips the change",
     "pivot": "nobody leaves",
 }
-PRINTED = (
-    "angular_acceleration", "angular_acceleration_free", "impulse_central", "separation_speed", "wall_bounce",
-    "contact_bias", "pivot", "solve_contact_qp", "contact_matrix_entry",
-)  # fmt: skip
 
 
 def impulse_central(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
@@ -110,17 +108,31 @@ def test_no_planted_mistake_breaks_the_film(name):
         assert film.ending and len(film.panes) == 2
 
 
-@pytest.mark.parametrize("name", PRINTED)
+@pytest.mark.parametrize("name", MISPRINTED)
 def test_the_printed_formula_plays_beside_the_mended_one(name):
     film = film_of(name, "printed")
-    assert film.panes[1].title.endswith(("as the slide prints it", "as the slide has it", "as the slide repeats it"))
+    assert film.panes[1].title.endswith(
+        ("as the slide prints it", "as the slide has it", "as the slide repeats it")
+    )
     assert apart(film) > 0.02
 
 
-@pytest.mark.parametrize("name", sorted(set(WATCHED) - set(PRINTED)))
+@pytest.mark.parametrize("name", sorted(set(WATCHED) - set(MISPRINTED)))
 def test_where_no_motion_is_misprinted_it_is_refused(name):
     with pytest.raises(ValueError, match="against: expected a function; got 'printed'"):
         WATCHED[name].exhibit(name, "printed")
+
+
+def test_a_name_plays_what_the_slide_prints_and_the_page_of_misprints_says_so():
+    shown = watch("wall_bounce").shown.made()
+    assert shown.panes[1].title == "v − 2 (v·n) n, as the slide has it"
+    with pytest.raises(ValueError, match="answer: expected your function, or where"):
+        watch("rk4_step")
+    page = (Path(__file__).parents[2] / "docs" / "misprints.md").read_text("utf-8")
+    entries = page.split("\n## ")[1:]
+    for number, entry in enumerate(entries, start=1):
+        played = set(re.findall(r'`watch\("(\w+)"\)`', entry))
+        assert played == {name for name, n in MISPRINTED.items() if n == number}
 
 
 def raises(*given):

@@ -30,10 +30,10 @@ from course.workbook.stage import (
     labelled,
 )
 
-SECONDS, STEPS = 0.5, 41
+SECONDS, STEPS = 0.4, 41
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
-WINDOW = (-1.9, -1.5, 2.6, 1.7)
-FORCE = 0.1  # metres for 1 N
+WINDOW = (-1.75, -1.2, 2.3, 1.4)
+FORCE = 0.06  # metres for 1 N
 KNOBS = (
     Knob("rate_a", "bar (A) turns", 0.5, -1.5, 1.5, 0.1, "rad/s"),
     Knob("rate_b", "plank (B) turns", 1.2, -1.5, 1.5, 0.1, "rad/s"),
@@ -84,8 +84,8 @@ def _film(right: HeldBar, other: Any, attempt: Attempt | None) -> Film:
         caption="The contact force is the one that makes d̈ = 0, if b is right. Does the corner stay on the plank?",
         ending=_ending(motions, attempt, other),
         charts=[
-            Curves("gap", "m", gap, limits=(-0.4, 0.4), colors=colors),
-            Curves("force f", "N", force, limits=(0.0, 10.0), colors=colors),
+            Curves("gap", "m", gap, limits=(-0.15, 0.15), colors=colors),
+            Curves("force f", "N", force, limits=(0.0, 20.0), colors=colors),
         ],
         numbers=[
             Number("gap at the end", tuple(round(float(m.gap[-1]), 4) for m in motions), "m", 2),

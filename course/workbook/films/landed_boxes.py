@@ -121,7 +121,5 @@ def _ending(motions: list[LandedBox], attempt: Attempt | None, other: Any) -> st
         return "Here both boxes leave the floor alike"
     whose = "yours" if attempt else "the box"
     if slowest < -1e-6:
-        return (
-            f"A corner of {whose} goes on into the floor, with {-slowest:.2g} m/s"
-        )
+        return f"A corner of {whose} goes on into the floor, with {-slowest:.2g} m/s"
     return f"The slowest corner of {whose} leaves the floor with {slowest:.2g} m/s"

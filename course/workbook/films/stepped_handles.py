@@ -132,7 +132,7 @@ def _pane(title: str, motion: SteppedHandle, keep: Any, hung: bool) -> Pane:
     shown = [
         Arrows("L", motion.angular_momentum[keep][:, None], "kg m²/s", at=at, scale=_scale(motion.angular_momentum),
                color="green"),
-        Arrows("ω", motion.angular_velocity[keep][:, None], "rad/s", at=at, scale=0.01, color="vermillion"),
+        Arrows("ω", motion.angular_velocity[keep][:, None], "rad/s", at=at, scale=0.02, color="vermillion"),
     ]  # fmt: skip
     held = motion.held[keep]
     spring = Segments("spring", held[:, :1], held[:, 1:], color="grey")
@@ -154,7 +154,7 @@ def _stem() -> Array:
 
 def _scale(momentum: Array) -> float:
     """Metres for one unit, 1, 2 or 5 times a power of ten, by L at the start."""
-    wanted = 0.12 / float(np.linalg.norm(momentum[0]))
+    wanted = 0.17 / float(np.linalg.norm(momentum[0]))
     power = 10.0 ** np.floor(np.log10(wanted))
     return float(power * max(s for s in (1, 2, 5) if s * power <= wanted))
 

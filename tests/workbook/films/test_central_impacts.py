@@ -73,3 +73,35 @@ def test_a_function_of_ones_own_plays_beside_the_right_one():
     film = impulse(lambda m1, m2, v1, v2, n, e: 2.0).made()
     assert [p.title for p in film.panes][1] == "your function"
     assert film.numbers[0].values == pytest.approx((4.8, 2.0))
+
+
+def test_momenta_and_the_speed_of_parting_are_the_same_impact():
+    from course import formulas
+    from course.study.meeting_on_a_line import (
+        by_momenta,
+        by_separation_speed,
+        printed_speed,
+    )
+
+    right = central_motion(**RIGHT, restitution=0.8)
+    for outcome in (
+        by_momenta(formulas.momentum_after),
+        by_separation_speed(formulas.separation_speed),
+    ):
+        same = central_motion(**RIGHT, restitution=0.8, outcome=outcome)
+        np.testing.assert_allclose(same.velocity, right.velocity, atol=1e-14)
+        assert same.lost == pytest.approx(right.lost)
+    wrong = central_motion(
+        **RIGHT, restitution=0.8, outcome=by_separation_speed(printed_speed)
+    )
+    assert gap(wrong)[-1] < -0.5
+
+
+def test_momenta_off_the_line_are_seen_off_it():
+    from course.study.meeting_on_a_line import by_momenta
+
+    def all_alike(p1, p2, impulse, normal):
+        return p1 + impulse, p2 - impulse
+
+    motion = central_motion(**RIGHT, restitution=0.8, outcome=by_momenta(all_alike))
+    assert motion.aside == pytest.approx([4.8, -2.4])
