@@ -157,6 +157,36 @@ def by_acceleration(
     return _still(step, rotation, np.einsum("tij,tj->ti", rotation, seen), inertia)
 
 
+def by_inertia(
+    step: float,
+    duration: float,
+    *,
+    tilt: float,
+    function: Callable[..., Any] = formulas.world_inertia,
+) -> SteppedHandle:
+    """The free handle with L as it is and omega = I^-1 L of ``world_inertia``, in midpoint steps of R.
+
+    Args:
+        step, duration, tilt: as in ``by_steps``.
+        function: (R, I_body) -> I in world axes.
+    """
+    bodies = spinning_handle(tilt=tilt).bodies
+    inertia, turned = bodies.inertia[0], bodies.rotation[0]
+    momentum = bodies.angular_momentum[0]
+
+    def omega(turned: Array) -> Array:
+        world = asked(function, ((3, 3),), turned, inertia)[0]
+        return np.linalg.solve(world, momentum)
+
+    states = [turned]
+    for _ in range(round(duration / step)):
+        half = _turn(0.5 * step * omega(turned)) @ turned
+        turned = _turn(step * omega(half)) @ turned
+        states.append(turned)
+    rotation = np.array(states)
+    return _still(step, rotation, np.tile(momentum, (len(states), 1)), inertia)
+
+
 def by_free_acceleration(function: Callable[..., Any]) -> Callable[..., Array]:
     """``angular_acceleration_free``, (I^-1, L, omega, torque), with the arguments of the other."""
 

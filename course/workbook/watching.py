@@ -37,9 +37,12 @@ class Watched:
 _impulse = Watched("central_impacts", "impulse", 1.8, several=True)
 _handle = Watched("stepped_handles", "handle_steps", 3.0, several=True)
 _rod = Watched("rod_impacts", "rod", 0.6, several=True)
+_mark = Watched("carried_marks", "carried_mark", 1.5, several=True)
 _plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
 #: The film of an exercise, by the exercise's name.
 WATCHED = {
+    "rotate": _mark,
+    "world_inertia": _handle,
     "angular_acceleration": _handle,
     "symplectic_euler_step": _handle,
     "rk4_step": _handle,
@@ -49,10 +52,13 @@ WATCHED = {
     "wall_bounce": Watched("wall_bounces", "wall", 1.5),
     "bounce_times": Watched("stepped_balls", "ball_times", 1.0),
     "bouncing_ball_step": Watched("stepped_balls", "ball_steps", 1.0),
+    "point_velocity": _mark,
     "effective_mass": _rod,
     "impulse_at_point": _rod,
     "apply_impulse": _rod,
     "simultaneous_impulses": Watched("landed_boxes", "landed_box_film", 0.5),
+    "normal_rate": _mark,
+    "free_point_acceleration": _mark,
     "angular_acceleration_free": _handle,
     "contact_bias": Watched("held_bars", "held_bar_film", 0.4),
     "point_response": _plank,

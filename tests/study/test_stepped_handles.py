@@ -12,6 +12,7 @@ from course.study.stepped_handles import (
     by_acceleration,
     by_body_momentum,
     by_free_acceleration,
+    by_inertia,
     by_steps,
     without_cross,
     without_gyration,
@@ -84,3 +85,12 @@ def test_what_runs_away_or_is_no_rotation_is_left_where_it_is():
     motion = by_steps(0.01, 1.0, 0.0, function=grows, **START)
     assert np.all(np.isfinite(motion.position))
     assert np.array_equal(motion.position[20], motion.position[-1])
+
+
+def test_with_l_as_it_is_the_inertia_turns_the_handle_as_it_turns():
+    right = by_inertia(0.005, 0.5, **START)
+    assert error(right) < 0.01
+    long = {"tilt": np.radians(1)}
+    assert stem_up(by_inertia(0.01, 4.0, **long)).min() < -0.9
+    calm = by_inertia(0.01, 4.0, function=lambda r, body: body, **long)
+    assert stem_up(calm).min() > 0.99

@@ -14,6 +14,11 @@ from course.workbook.watching import MISPRINTED, WATCHED
 
 #: A planted mistake of each that is seen at once.
 SEEN = {
+    "rotate": "the other way",
+    "world_inertia": "body axes",
+    "point_velocity": "r x omega",
+    "normal_rate": "order",
+    "free_point_acceleration": "no centripetal term",
     "angular_acceleration": "I alpha",
     "symplectic_euler_step": "explicit Euler",
     "rk4_step": "explicit Euler",

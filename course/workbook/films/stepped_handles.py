@@ -39,6 +39,7 @@ SPRING = Knob("stiffness", "spring", 20.0, 0.0, 40.0, 1.0, "N/m")
 ASKED: dict[str, tuple[Callable[..., SteppedHandle], str, Any]] = {
     "symplectic_euler_step": (study.by_steps, "momenta first, then place and R", None),
     "rk4_step": (study.by_body_momentum, "RK4 of l̇ = l × ω", None),
+    "world_inertia": (study.by_inertia, "ω = I⁻¹ L, I = R I_body Rᵀ", None),
     "angular_acceleration": (study.by_acceleration, "ω̇ = I⁻¹ (τ + L × ω)", (study.without_gyration, "τ = I ω̇")),
     "angular_acceleration_free": (study.by_acceleration, "ω̇ = I⁻¹ (τ + L × ω)",
                                   (study.without_cross, "ω̇ = I⁻¹ τ + I⁻¹ L")),
@@ -100,6 +101,10 @@ def _film(
         name: np.clip(100 * m.energy[keep] / whole, -1e6, 1e6)
         for name, m in zip(names, motions, strict=False)
     }
+    upright = {
+        name: np.clip(m.rotation[keep, 2, 1], -1.0, 1.0)
+        for name, m in zip(names, motions, strict=False)
+    }
     energy["exact"] = 100.0 + 0 * right.times[keep]
     colors = ["blue", "vermillion"][: len(motions)] + ["grey"]
     return Film(
@@ -109,7 +114,10 @@ def _film(
         title="A handle on a spring" if hung else "A handle in space",
         caption="Look whether it turns over when the right one does, and whether its energy stays.",
         ending=_ending(motions, attempt, other),
-        charts=[Curves("energy", "%", energy, limits=(0.0, 250.0), colors=colors)],
+        charts=[
+            Curves("energy", "%", energy, limits=(0.0, 250.0), colors=colors),
+            Curves("stem, 1 upright, −1 upside down", "", upright, limits=(-1.1, 1.1), colors=colors[:-1]),
+        ],
         numbers=[
             Number("energy at the end", tuple(100 * float(m.energy[-1]) / whole for m in motions), "%"),
         ],
