@@ -126,7 +126,7 @@ def by_response(response: Callable[..., Any]) -> Forces:
 
 def forced(a: Array, b: Array) -> Array:
     """The forces that make every d_ddot 0, as the slide has it (misprint 14): a foot may pull."""
-    return np.linalg.solve(a, -b)
+    return np.asarray(np.linalg.solve(a, -b))
 
 
 def printed_entry(i: int, j: int, contacts: Any, bodies: Any) -> float:

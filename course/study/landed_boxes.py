@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from course import formulas, rotations
-from course.arrays import Array
+from course.arrays import Array, BoolArray
 from course.scenes import box_on_corners
 from course.study.asking import asked
 from course.study.spinning_impacts import normal_response
@@ -43,7 +43,7 @@ def landed_box(
     spin: tuple[float, float],
     restitution: float,
     times: Array,
-    late: Array,
+    late: BoolArray,
     *,
     meeting: float,
     function: Callable[..., Any] = formulas.simultaneous_impulses,

@@ -59,7 +59,8 @@ def stepped_ball(
         if np.abs(state[k]).max() < RUN_AWAY:
             x, v = (float(number) for number in state[k])
             state[k + 1] = asked(function, ((), ()), x, v, step, restitution, GRAVITY)
-    return SteppedBall(step * np.arange(count + 1), state[:, 0], state[:, 1])
+    times: Array = step * np.arange(count + 1, dtype=float)
+    return SteppedBall(times, state[:, 0], state[:, 1])
 
 
 def exact_ball(height: float, restitution: float, times: Array) -> SteppedBall:

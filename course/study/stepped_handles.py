@@ -74,7 +74,9 @@ def by_steps(
     """
     bodies = spinning_handle(tilt=tilt).bodies
     fastened = spring_arm() if arm is None else arm
-    state = (np.zeros(3), bodies.rotation[0], np.zeros(3), bodies.angular_momentum[0])
+    state: tuple[Array, ...] = (
+        np.zeros(3), bodies.rotation[0], np.zeros(3), bodies.angular_momentum[0]
+    )  # fmt: skip
     anchor = state[1] @ fastened + STRETCH
     mass, inertia = float(bodies.mass[0]), bodies.inertia[0]
     states = [state]
@@ -201,7 +203,7 @@ def by_free_acceleration(function: Callable[..., Any]) -> Callable[..., Array]:
 
 def without_gyration(world: Array, momentum: Array, torque: Array) -> Array:
     """omega_dot = I^-1 tau, of tau = I omega_dot as it is printed (misprint 10): nothing turns over."""
-    return np.linalg.solve(world, torque)
+    return np.asarray(np.linalg.solve(world, torque))
 
 
 def without_cross(
@@ -236,9 +238,8 @@ def _handle(
 ) -> SteppedHandle:  # fmt: skip
     if np.linalg.det(turned).min() < 0:
         raise UnusableResult("its R turns the handle inside out: det R is below 0")
-    omega = np.linalg.solve(
-        turned @ inertia @ np.swapaxes(turned, -1, -2), momentum[..., None]
-    )[..., 0]
+    world = turned @ inertia @ np.swapaxes(turned, -1, -2)
+    omega: Array = np.asarray(np.linalg.solve(world, momentum[..., None])[..., 0])
     energy = 0.5 * np.sum(momentum * omega, axis=-1) + more
-    times = step * np.arange(len(x), dtype=float)
+    times: Array = step * np.arange(len(x), dtype=float)
     return SteppedHandle(times, x, turned, omega, momentum, energy, held)

@@ -148,7 +148,8 @@ def _ending(motions: list[CarriedPlank], attempt: Attempt | None, other: Any) ->
     last = motions[-1]
     whose = attempt.title if attempt else "the forces"
     least = float(last.acceleration.min())
-    if len(motions) == 2 and np.allclose(*(m.force for m in motions), atol=1e-4):
+    alike = np.allclose(motions[0].force, last.force, atol=1e-4)
+    if len(motions) == 2 and alike:
         return "Here both carry the plank alike"
     if least < -1e-3:
         return f"With {whose} the plank sinks in, d̈ = {least:.2f} m/s²"

@@ -54,7 +54,7 @@ def ball_steps(against: Any = None) -> Exhibit:
     def film(restitution: float, step: float) -> Film:
         given = DROP, restitution, step, SECONDS
         right = stepped_ball(*given)
-        other = right
+        other: Any = right
         if against is not None:
             other = attempt.motion(lambda: stepped_ball(*given, function=answer))
         exact = exact_ball(DROP, restitution, right.times)
@@ -78,7 +78,7 @@ def ball_times(against: Any = None) -> Exhibit:
         times, _ = moments(SECONDS, list(hits), frames=241)
         given = DROP, restitution, IMPACTS, times
         right = flown_ball(*given)[0]
-        other = right
+        other: Any = right
         if against is not None:
             other = attempt.motion(lambda: flown_ball(*given, function=answer)[0])
         shown = None if against is None else attempt

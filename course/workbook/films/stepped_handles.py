@@ -67,7 +67,7 @@ def handle_steps(
     def film(step: float, tilt: float, **spring: float) -> Film:
         given = step, SECONDS, *spring.values()
         right = motion(*given, tilt=np.radians(tilt))
-        other = right
+        other: Any = right
         if against is not None:
             other = attempt.motion(
                 lambda: motion(*given, tilt=np.radians(tilt), function=answer)
