@@ -91,6 +91,11 @@ def by_acceleration(
     return mark
 
 
+def cross_lost(a: Array, omega_dot: Array, omega: Array, arm: Array) -> Array:
+    """p_ddot with omega_dot for omega_dot x r, as the table prints it (misprint 12)."""
+    return a + omega_dot + np.cross(omega, np.cross(omega, arm))
+
+
 def by_normal_rate(function: Callable[..., Any] = formulas.normal_rate) -> Mark:
     """The direction to the mark is a normal of the handle, body B, and turns with ``normal_rate``.
 

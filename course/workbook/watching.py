@@ -77,6 +77,7 @@ MISPRINTED = {
     "angular_acceleration_free": 9,
     "angular_acceleration": 10,
     "contact_matrix_entry": 11,
+    "free_point_acceleration": 12,
     "solve_contact_qp": 14,
     "pivot": 14,
 }

@@ -11,6 +11,7 @@ from course.study.carried_marks import (
     by_normal_rate,
     by_turn,
     by_velocity,
+    cross_lost,
     tumbling,
 )
 
@@ -46,6 +47,11 @@ def test_without_turning_the_mark_keeps_its_distance_from_the_start_of_the_arm()
     away = np.linalg.norm(body.arm - body.arm[0], axis=1)
     np.testing.assert_allclose(alone, away, atol=1e-9)
     assert alone.max() > 0.15 and THROWN[2] > 0
+
+
+def test_with_the_cross_product_lost_it_flies_off():
+    body = tumbling(TIMES, tilt=0.02)
+    assert off(by_acceleration(cross_lost), body).max() > 0.1
 
 
 def test_without_the_centripetal_term_it_flies_off():

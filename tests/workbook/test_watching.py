@@ -153,9 +153,9 @@ def interrupted(*given):
     ("answer", "said"),
     [
         (raises, "your function raised ZeroDivisionError: float division by zero"),
-        (lambda *given: np.zeros((7, 7)), "your function moves nothing here: it returned"),
-        (lambda *given: None, "it returned nothing: is there a `return`?"),
-        (lambda *given: "here", "your function moves nothing here: it returned"),
+        (lambda *given: np.zeros((7, 7)), "your function returned "),
+        (lambda *given: None, "your function returned nothing: is there a `return`?"),
+        (lambda *given: "here", "your function returned "),
         (interrupted, "your function was interrupted before it was done"),
     ],
 )  # fmt: skip
@@ -172,7 +172,9 @@ def test_what_moves_nothing_is_said_beside_the_right_one(name, answer, said):
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_what_is_no_number_is_said(bad):
     film = film_of("impulse_central", lambda *given: bad)
-    assert "it returned NaN" in film.ending or "it returned infinity" in film.ending
+    assert (
+        film.ending == f"your function returned {'NaN' if bad != bad else 'infinity'}"
+    )
 
 
 def test_an_interrupted_answer_is_not_asked_again():

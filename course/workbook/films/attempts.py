@@ -44,7 +44,9 @@ class Attempt:
         try:
             return make()
         except UnusableResult as error:
-            return Stopped(f"moves nothing here: {error}")
+            said = str(error)
+            short = said.removeprefix("it ")
+            return Stopped(short if short != said else f"moves nothing here: {said}")
         except KeyboardInterrupt:
             self._interrupted = Stopped("was interrupted before it was done")
             return self._interrupted

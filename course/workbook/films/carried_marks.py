@@ -37,13 +37,13 @@ PRESETS = (
     Preset("it turns over", {"tilt": 1.0}),
     Preset("it wobbles", {"tilt": 50.0}),
 )
-#: What is asked, by the exercise: the mark of a function, and the right formula.
-ASKED: dict[str, tuple[Callable[..., Mark], str]] = {
-    "point_velocity": (study.by_velocity, "ṗ = v + ω × r"),
-    "free_point_acceleration": (study.by_acceleration, "p̈ = v̇ + ω̇ × r + ω × (ω × r)"),
-    "normal_rate": (study.by_normal_rate, "Ṅ = ω × N"),
-    "rotate": (study.by_turn, "Rodrigues' formula"),
-}
+#: What is asked, by the exercise: the mark of a function, and the right formula, the printed one.
+ASKED: dict[str, tuple[Callable[..., Mark], str, Any]] = {
+    "point_velocity": (study.by_velocity, "ṗ = v + ω × r", None),
+    "free_point_acceleration": (study.by_acceleration, "p̈ = v̇ + ω̇ × r + ω × (ω × r)", study.cross_lost),
+    "normal_rate": (study.by_normal_rate, "Ṅ = ω × N", None),
+    "rotate": (study.by_turn, "Rodrigues' formula", None),
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +59,12 @@ def carried_mark(against: Any = None, exercise: str = "point_velocity") -> Exhib
     """The exact handle, and a mark that a formula carries.
 
     Args:
-        against: plays a second mark beside it: a function of your own.
+        against: plays a second mark beside it: a function of your own, or "printed" for
+            ``free_point_acceleration``, whose second term has lost its cross product.
         exercise: whose arguments that function has, one of ``ASKED``.
     """
-    says, title = ASKED[exercise]
-    answer, attempt = asked_of(against)
+    says, title, printed = ASKED[exercise]
+    answer, attempt = asked_of(against, printed)
     times = np.linspace(0.0, SECONDS, MOMENTS)
 
     def film(tilt: float) -> Film:

@@ -82,7 +82,7 @@ def ball_times(against: Any = None) -> Exhibit:
         if against is not None:
             other = attempt.motion(lambda: flown_ball(*given, function=answer)[0])
         shown = None if against is None else attempt
-        title = f"the first {IMPACTS} impacts at t₀ (2 (1 + e + ... + eᵏ) − 1)"
+        title = "impacts at t₀ (2 (1 + e + ... + eᵏ) − 1)"
         return _film(title, right, other, None, shown)
 
     return Exhibit(film, (RESTITUTION,), presets=BOUNCES)

@@ -80,9 +80,11 @@ def _window(film: Film) -> tuple[float, float, float, float]:
 def _title(words: str, width: float) -> str:
     if not words:
         return ""
+    most = int(width / 7)  # letters of 14 px
+    seen = words if len(words) <= most else f"{words[: most - 1].rstrip()}…"
     return (
         f'<text x="{width / 2:.0f}" y="16" text-anchor="middle" font-weight="600">'
-        f"{html.escape(words)}</text>"
+        f"{html.escape(seen)}</text>"
     )
 
 
