@@ -72,7 +72,8 @@ def test_what_is_wrong_would_be_found(tmp_path):
     exhibit = Exhibit(lambda: Film([pane], [0.0], Flat("xz", (-1.0, -1.0, 1.0, 1.0))))
     drawn = """() => { const { canvas } = stage.pictures[0]; const paint = stage.paint.bind(stage);
       stage.paint = () => { paint(); const c = canvas.getContext("2d"); c.font = "9px serif";
-        c.fillText("outside", canvas.clientWidth - 5, 50); c.fillText("third", 100, 100); c.fillText("fourth", 104, 104); };
+        c.fillText("outside", canvas.clientWidth - 5, 50);
+        c.fillText("third", 100, 100); c.fillText("fourth", 104, 104); };
       const wide = document.createElement("p"); wide.style.width = "3000px"; wide.append("wide");
       document.body.append(wide); }"""
     with page(900, 700) as opened:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from course.study.meeting_on_a_line import (
+    LAST,
     MEETING,
     CentralMotion,
     central_motion,
@@ -30,8 +31,10 @@ from course.workbook.stage import (
 
 COLORS = ("blue", "vermillion")
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
-WINDOW = (-5.0, -1.15, 5.0, 1.65)
-SCALE = 0.3  # metres drawn for 1 m/s
+WINDOW = (-2.9, -0.95, 2.9, 1.25)
+SCALE = 0.45  # metres drawn for 1 m/s
+PUSHED = 0.14  # for which the impulse is seen [s]
+BELOW = -0.77  # where the centre of mass is shown [m]
 KNOBS = (
     Knob("mass_1", "mass 1 (right)", 1.0, 0.01, 100.0, unit="kg", logarithmic=True),
     Knob("mass_2", "mass 2 (left)", 2.0, 0.01, 100.0, unit="kg", logarithmic=True),
@@ -86,7 +89,8 @@ def impulse(against: Any = None) -> Exhibit:
 
 def _film(laws: list[tuple[str, CentralMotion]], restitution: float) -> Film:
     right = laws[0][1]
-    times = np.array([0.0, MEETING, MEETING, MEETING + 0.7, MEETING + 0.7, 2.6])
+    pushed = MEETING + PUSHED
+    times = np.array([0.0, MEETING, MEETING, pushed, pushed, LAST])
     return Film(
         [_pane(title, motion, times) for title, motion in laws],
         times,
@@ -97,6 +101,7 @@ def _film(laws: list[tuple[str, CentralMotion]], restitution: float) -> Film:
         charts=_charts([motion for _, motion in laws], times),
         numbers=_numbers([motion for _, motion in laws], restitution),
         events=(MEETING,),
+        speed=0.2,
     )
 
 
@@ -112,24 +117,24 @@ def _pane(title: str, motion: CentralMotion, times: Any) -> Pane:
     place = np.zeros((len(times), 3, 3))
     place[:, :2, 0] = line
     place[:, 2, 0] = _at(motion, motion.centre, times)
-    place[:, 2, 2] = -0.85
+    place[:, 2, 2] = BELOW
     velocity = np.zeros((len(times), 2, 3))
     velocity[..., 0] = _at(motion, motion.velocity, times)
     push = np.zeros((len(times), 2, 3))
     push[2:4, :, 0] = motion.impulse * np.array([1.0, -1.0])
-    lifted = motion.radius + 0.2
+    lifted = motion.radius + 0.12
     balls = [
         labelled(ball(r, color=color), str(k + 1))
         for k, (r, color) in enumerate(zip(motion.radius, COLORS, strict=True))
     ]
     return Pane(
-        [*balls, ball(0.07, color="black")],
+        [*balls, ball(0.045, color="black")],
         place,
         title=title,
         arrows=[
             Arrows("velocity", velocity, "m/s", at=place[:, :2], scale=SCALE, color=COLORS, lift=lifted, numbers=True),
             Arrows("impulse p̂", push, "N s", at=place[:, :2], scale=_push_scale(motion), color="green"),
-            Arrows("normal n", [[1.0, 0.0, 0.0]], at=[[0.0, 0.0, -0.85]], scale=0.7, color="black", shown=False),
+            Arrows("normal n", [[1.0, 0.0, 0.0]], at=[[0.0, 0.0, BELOW]], scale=0.4, color="black", shown=False),
         ],
         trails=[2],
     )  # fmt: skip
@@ -139,7 +144,7 @@ def _push_scale(motion: CentralMotion) -> float:
     """Metres for 1 N s: 1, 2 or 5 times a power of ten, so that p_hat fits its ball."""
     if not motion.impulse:
         return 1.0
-    wanted = 2.2 / abs(motion.impulse)
+    wanted = 1.6 / abs(motion.impulse)
     power = 10.0 ** np.floor(np.log10(wanted))
     return float(power * max(s for s in (1, 2, 5) if s * power <= wanted))
 

@@ -1,6 +1,6 @@
 // The stage in a page: pictures, charts, controls, hands and keys around one clock.
 
-import { asker, draggedValue, slid, unslid } from "./asking.js";
+import { asker, draggedValue, learnedGain, slid, unslid } from "./asking.js";
 import { drawChart } from "./charts.js";
 import { Clock } from "./clock.js";
 import { between, decoded, momentAt, written } from "./film.js";
@@ -10,6 +10,7 @@ import { SpaceView, cameraOf, drawAbove, spaceFrame } from "./space.js";
 
 const LEAST_PANE = 240; // pixels, before a room
 const LEAST_CHART = 10; // lines of text
+const MOST_TRIES = 5; // films until what is held has come to where the pointer stands
 const SPEEDS = [[1, "real time"], [0.5, "half speed"], [0.25, "quarter speed"], [0.1, "a tenth"]];
 
 // Drawn, since not every machine's fonts have these signs.
@@ -75,7 +76,9 @@ export class Stage {
     }
     this.#words();
     this.paintSoon();
-    if (this.questions && id !== null) this.questions.answered(id);
+    if (!this.questions || id === null) return;
+    if (this.held) this.#follow(this.questions.sent);
+    this.questions.answered(id);
   }
 
   destroy() {
@@ -409,8 +412,10 @@ export class Stage {
       const found = nearest(event);
       if (found) {
         this.clock.pause();
-        this.held = { hand: found.hand, scale: found.scale, place: found.place, off: [event.offsetX - found.at[0], event.offsetY - found.at[1]],
-          values: Object.assign({}, this.values) };
+        const { hand, place, at } = found;
+        hand.gains = hand.gains || hand.knobs.map(() => 1);
+        this.held = { hand, picture, place, off: [event.offsetX - at[0], event.offsetY - at[1]], point: at,
+          scale: found.scale, values: Object.assign({}, this.values) };
       } else if (picture.camera) this.turning = { x: event.offsetX, y: event.offsetY };
       else return;
       event.preventDefault();
@@ -419,7 +424,7 @@ export class Stage {
       this.paintSoon();
     });
     canvas.addEventListener("pointermove", (event) => {
-      if (this.held) this.#drag(picture, size(), event);
+      if (this.held) this.#drag(event);
       else if (this.turning && picture.camera) this.#turn(event);
       else canvas.style.cursor = nearest(event) ? "grab" : picture.camera ? "move" : "default";
     });
@@ -434,17 +439,44 @@ export class Stage {
     }, { passive: false });
   }
 
-  #drag(picture, { width, height }, event) {
-    const { hand, scale, place, off, values } = this.held;
-    const { view } = this.film;
-    const frame = view.kind === "flat" ? flatFrame(view, width, height) : spaceFrame(picture.camera, width, height);
-    const moved = frame.dragged(place, hand.knobs.map((k) => k.direction), [event.offsetX - off[0], event.offsetY - off[1]]);
-    for (const { knob: name, direction } of hand.knobs) {
-      const { knob } = this.sliders[name];
-      this.#set({ [name]: draggedValue(knob, values[name], moved, direction, scale) });
-    }
+  #drag(event) {
+    const { off } = this.held;
+    this.held.point = [event.offsetX - off[0], event.offsetY - off[1]];
+    this.held.tries = 0;
+    this.#pull();
     this.#ask();
     this.paintSoon();
+  }
+
+  /** Knobs for which what is held comes to lie under the pointer; whether they are others than before. */
+  #pull() {
+    const { hand, picture, place, point, scale, values } = this.held;
+    const { clientWidth: width, clientHeight: height } = picture.canvas;
+    const { view } = this.film;
+    const frame = view.kind === "flat" ? flatFrame(view, width, height) : spaceFrame(picture.camera, width, height);
+    const moved = frame.dragged(place, hand.knobs.map((k) => k.direction), point);
+    const before = Object.assign({}, this.values);
+    hand.knobs.forEach(({ knob: name, direction }, k) => {
+      const { knob } = this.sliders[name];
+      this.#set({ [name]: draggedValue(knob, values[name], moved, direction, scale, hand.gains[k]) });
+    });
+    return hand.knobs.some(({ knob: name }) => this.values[name] !== before[name]);
+  }
+
+  /** A film came while something is held: how well it followed, and a question more where it did not. */
+  #follow(values) {
+    const { held } = this;
+    const { clientWidth: width, clientHeight: height } = held.picture.canvas;
+    const now = this.#handles(held.picture, { width, height }).find((h) => h.hand === held.hand);
+    if (!now) return;
+    const moved = now.place.map((v, i) => v - held.place[i]);
+    held.hand.knobs.forEach(({ knob: name, direction }, k) => {
+      const { knob } = this.sliders[name];
+      held.hand.gains[k] = learnedGain(held.hand.gains[k], values[name] - held.values[name], moved, direction, held.scale, knob.step);
+    });
+    Object.assign(held, { place: now.place, scale: now.scale, values });
+    held.tries += 1;
+    if (this.#pull() && held.tries < MOST_TRIES) this.#ask();
   }
 
   /** All panes are seen from the same side. */
