@@ -50,6 +50,7 @@
   window.faults = (parts, least) => {
     const out = [];
     const { stage } = window;
+    stage.told = true; // all that is ever written
     for (const part of parts) {
       const wrong = (words) => out.push(`at ${part}: ${words}`);
       painted.clear();
