@@ -83,3 +83,70 @@ def test_what_is_wrong_would_be_found(tmp_path):
         found = "\n".join(opened.evaluate("faults([0], 12)"))
     assert '"fourth" over "third"' in found and '"outside" leaves its picture' in found
     assert '"third" is 9 px high' in found and "px wide in 900" in found
+
+
+@pytest.mark.parametrize("width", [390, 800, 1280, 1920])
+def test_the_exported_page_plays_without_a_network(width, tmp_path):
+    path = tmp_path / "impulse.html"
+    path.write_text(html_page(next(f for f in LISTED if f.name == "impulse").exhibit()))
+    with page(width, 800) as opened:
+        opened.context.set_offline(True)
+        opened.goto(path.as_uri())
+        opened.wait_for_function("window.stage && window.stage.root.paints > 0")
+        for control in opened.locator("button:visible, input:visible").all():
+            control.scroll_into_view_if_needed()
+            box = control.bounding_box()
+            assert box["x"] >= 0 and box["x"] + box["width"] <= width
+        opened.get_by_role("button", name="they stick").click()
+        opened.wait_for_function("stage.clock.time === stage.clock.last")
+        opened.get_by_role("cell", name="2.67 N s").wait_for(state="visible")
+        opened.get_by_role("button", name="answer").click()
+        assert opened.locator(".answer").is_visible()
+        scrolls = "document.documentElement.scrollWidth <= innerWidth"
+        assert opened.evaluate(scrolls)
+        assert opened.console_errors == []
+
+
+def test_it_follows_the_system_into_the_dark(tmp_path):
+    path = tmp_path / "handle.html"
+    path.write_text(html_page(next(f for f in LISTED if f.name == "handle").exhibit()))
+    theme = "document.querySelector('.stage').dataset.theme === '%s'"
+    with page() as opened:
+        opened.emulate_media(color_scheme="light", reduced_motion="reduce")
+        opened.goto(path.as_uri())
+        for scheme in ("light", "dark", "light"):
+            opened.emulate_media(color_scheme=scheme)
+            opened.wait_for_function(theme % scheme)
+        assert opened.evaluate("stage.clock.time") == 0, "it began by itself"
+
+
+@pytest.mark.parametrize(("name", "scrolled"), [("impulse", True), ("handle", False)])
+def test_a_finger_scrolls_past_a_flat_picture_and_turns_one_in_space(
+    name, scrolled, tmp_path
+):
+    path = tmp_path / "film.html"
+    path.write_text(html_page(next(f for f in LISTED if f.name == name).exhibit()))
+    with page(390, 800) as opened:
+        phone = opened.context.browser.new_context(
+            viewport={"width": 390, "height": 500}, has_touch=True, is_mobile=True
+        )
+        tab = phone.new_page()
+        tab.goto(path.as_uri())
+        tab.wait_for_function("window.stage && window.stage.root.paints > 0")
+        before = tab.evaluate("stage.pictures[0].camera?.yaw ?? 0")
+        box = tab.locator(".stage canvas").first.bounding_box()
+        x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+        touch = phone.new_cdp_session(tab)
+        for kind, part in (("Start", 0.0), *(("Move", k / 8) for k in range(1, 9))):
+            point = {"x": x + 40 * part, "y": y - 120 * part}
+            touch.send(
+                "Input.dispatchTouchEvent",
+                {"type": f"touch{kind}", "touchPoints": [point]},
+            )
+        touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        tab.wait_for_timeout(500)
+        assert (tab.evaluate("scrollY") > 50) == scrolled
+        assert (
+            tab.evaluate("stage.pictures[0].camera?.yaw ?? 0") != before
+        ) != scrolled
+        phone.close()

@@ -1,6 +1,7 @@
 """A film with a kernel behind it: what is dragged stays under the pointer, keys act, errors are shown."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -26,7 +27,8 @@ DRAGS = {
     "pushed_table": (0, [(-40, 6), (60, -12), (-120, 10)]),
 }
 RAISES = """\
-from course.workbook import demos
+from course.workbook import stage
+from course.workbook.films.central_impacts import impulse
 
 
 def impulse_of_mine(mass_1, mass_2, velocity_1, velocity_2, normal, restitution):
@@ -35,8 +37,12 @@ def impulse_of_mine(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
     return 1.0
 
 
-demos.impulse(against=impulse_of_mine)
+stage.show(impulse(against=impulse_of_mine))
 """
+
+#: A page of another colour, whatever lies on it: the body comes last, and is looked at.
+PAPER = """color => { for (let node = document.querySelector(".stage").parentElement; node; node = node.parentElement) {
+  node.style.background = color; if (node === document.body) return; } }"""
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +76,7 @@ class Played:
     def __init__(self, opened, address):
         self.page = opened
         opened.goto(address, timeout=240_000)
-        opened.wait_for_selector(".stage canvas", timeout=240_000)
+        opened.wait_for_selector(".stage canvas", timeout=60_000)
         opened.wait_for_function("document.querySelector('.stage').paints > 0")
         self.root = opened.locator(".stage").first
 
@@ -93,6 +99,13 @@ class Played:
 
     def knobs(self):
         return self.page.locator(".stage .knobs output").all_inner_texts()
+
+    def now(self):
+        self.page.wait_for_timeout(100)  # two frames
+        return self.page.locator(".stage .now").inner_text()
+
+    def numbers(self):
+        return self.page.locator(".stage .numbers").inner_text()
 
     def press(self, key):
         self.root.focus()
@@ -143,3 +156,79 @@ def test_what_a_students_function_raises_is_shown_and_ends_nothing(voila):
         opened.wait_for_function(
             "document.querySelector('.stage .now').innerText.startsWith('0.520')"
         )
+
+
+def test_the_keyboard_alone_does_everything(voila):
+    with page() as opened:
+        cut_off(opened)
+        opened.emulate_media(reduced_motion="reduce")
+        played = Played(opened, f"{voila}/impulse.ipynb")
+        opened.wait_for_timeout(500)
+        assert played.now() == "0.000 s", "it began by itself"
+        played.press(" ")
+        opened.wait_for_function(
+            "document.querySelector('.stage .now').innerText === '0.520 s'"
+        )
+        played.press("r")
+        played.press("ArrowRight")
+        played.press("ArrowRight")
+        assert played.now() == "0.013 s"
+        played.press("ArrowLeft")
+        assert played.now() == "0.007 s"
+        answer = opened.locator(".stage .answer")
+        assert not answer.is_visible()
+        played.press("a")
+        assert answer.is_visible()
+        for key, masses in (("1", ["1 kg", "1 kg"]), ("3", ["0.1 kg", "10 kg"])):
+            played.press(key)
+            assert played.knobs()[:2] == masses
+        played.settled()
+        before = played.numbers()
+        _tab_to(opened, "restitution e")
+        opened.keyboard.press("ArrowLeft")
+        played.settled()
+        assert played.knobs()[-1] == "0.95" and played.numbers() != before
+        shown = opened.locator(".stage .overlays input")
+        shown.first.focus()
+        opened.keyboard.press("Space")
+        assert not shown.first.is_checked()
+        assert "velocity" in opened.locator(".stage .overlays label").first.inner_text()
+
+
+def _tab_to(opened, name):
+    """Press Tab until the control of this name has the focus."""
+    for _ in range(60):
+        opened.keyboard.press("Tab")
+        if opened.evaluate("document.activeElement.ariaLabel") == name:
+            return
+    raise AssertionError(f"no {name} on the way")
+
+
+def test_every_control_has_a_name(voila):
+    with page() as opened:
+        cut_off(opened)
+        Played(opened, f"{voila}/pushed_table.ipynb")
+        for role in ("button", "slider", "combobox", "checkbox", "img"):
+            every = opened.locator(".stage").get_by_role(role)
+            # A name with a letter in it: those without one are missing here.
+            named = opened.locator(".stage").get_by_role(role, name=re.compile(r"\w"))
+            assert every.count() == named.count() > 0, role
+
+
+def test_it_follows_the_page_into_the_dark(voila):
+    with page() as opened:
+        cut_off(opened)
+        opened.emulate_media(color_scheme="light")
+        played = Played(opened, f"{voila}/plank.ipynb")
+        theme = "document.querySelector('.stage').dataset.theme === '%s'"
+        opened.wait_for_function(theme % "light")
+        opened.evaluate(PAPER, "#111")
+        opened.wait_for_function(theme % "dark")
+        played.settled()
+        corner = (
+            "c => [...c.getContext('2d').getImageData(2, 2, 1, 1).data].slice(0, 3)"
+        )
+        paper = opened.locator(".stage canvas").first.evaluate(corner)
+        assert max(paper) < 60
+        opened.evaluate(PAPER, "#fff")
+        opened.wait_for_function(theme % "light")

@@ -34,6 +34,7 @@ COLORS = ("blue", "vermillion")
 WINDOW = (-2.9, -0.95, 2.9, 1.25)
 SCALE = 0.45  # metres drawn for 1 m/s
 PUSHED = 0.14  # for which the impulse is seen [s]
+ROWS = (0.42, 0.12)  # of the velocities above the balls [m]
 BELOW = -0.77  # where the centre of mass is shown [m]
 KNOBS = (
     Knob("mass_1", "mass 1 (right)", 1.0, 0.01, 100.0, unit="kg", logarithmic=True),
@@ -122,7 +123,8 @@ def _pane(title: str, motion: CentralMotion, times: Any) -> Pane:
     velocity[..., 0] = _at(motion, motion.velocity, times)
     push = np.zeros((len(times), 2, 3))
     push[2:4, :, 0] = motion.impulse * np.array([1.0, -1.0])
-    lifted = motion.radius + 0.12
+    # One row each, or they would cover each other while the balls approach.
+    lifted = motion.radius.max() + np.array(ROWS)
     balls = [
         labelled(ball(r, color=color), str(k + 1))
         for k, (r, color) in enumerate(zip(motion.radius, COLORS, strict=True))

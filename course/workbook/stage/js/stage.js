@@ -67,6 +67,7 @@ export class Stage {
   /** Another film: the answer to a question, or a preset's. */
   receive(film, id) {
     const before = this.film;
+    this.films = (this.films || 0) + 1;
     this.film = decoded(film);
     this.clock.load(this.film);
     if (this.clock.last <= this.clock.first) this.told = true;
@@ -343,6 +344,7 @@ export class Stage {
     root.labels = [...this.pictures.map((p) => p.labels), ...this.charts.map((c) => c.texts)];
     root.hands = this.pictures.map((p) => p.hands);
     root.paints = (root.paints || 0) + 1;
+    root.films = this.films;
     root.now = clock.time;
     if (this.startsAgain && !this.questions.busy) { this.startsAgain = false; this.clock.play(); }
   }
@@ -361,7 +363,7 @@ export class Stage {
     const least = LEAST_CHART * font;
     // Where that makes several panes larger, the charts stand beside them after all.
     const each = parts.pictures.clientWidth / this.pictures.length / this.#aspect();
-    const under = Math.max(least, 0.4 * left);
+    const under = Math.max(least, (this.wide ? 0.47 : 0.4) * left);
     const below = this.below && Math.min(each, left - titles - under) > 0.6 * each;
     parts.pictures.classList.toggle("below", below);
     if (!this.wide && !below) {
