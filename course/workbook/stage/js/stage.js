@@ -10,6 +10,7 @@ import { SpaceView, cameraOf, drawAbove, spaceFrame } from "./space.js";
 
 const LEAST_PANE = 240; // pixels, before a room
 const LEAST_CHART = 10; // lines of text
+const REST = 150; // milliseconds without a picture, after which one is drawn finely
 const MOST_TRIES = 5; // films until what is held has come to where the pointer stands
 const SPEEDS = [1, 0.5, 0.25, 0.1];
 
@@ -87,6 +88,7 @@ export class Stage {
 
   destroy() {
     this.clock.pause();
+    clearTimeout(this.later);
     this.sizes.disconnect();
     this.sight.disconnect();
     this.themes.disconnect();
@@ -303,10 +305,20 @@ export class Stage {
   paintSoon() {
     if (this.painting) return;
     this.painting = true;
-    requestAnimationFrame(() => { this.painting = false; this.paint(); });
+    requestAnimationFrame(() => { this.painting = false; this.paint(this.#hurried()); });
   }
 
-  paint() {
+  /** Whether pictures come so fast that they may be a little coarser; a fine one follows when they rest. */
+  #hurried() {
+    const now = performance.now();
+    const soon = now - (this.painted ?? -Infinity) < REST;
+    this.painted = now;
+    clearTimeout(this.later);
+    if (soon && !this.clock.playing && this.film.view.kind === "space") this.later = setTimeout(() => this.paintSoon(), 1.3 * REST);
+    return soon;
+  }
+
+  paint(hurried = false) {
     // What is out of sight is painted when it is seen again.
     if (!this.root.isConnected || !this.seen) return;
     const { film, clock, root, parts } = this;
@@ -317,7 +329,7 @@ export class Stage {
     for (const key of root.querySelectorAll("[data-color]")) key.style.background = this.theme.palette[key.dataset.color];
     parts.numbers.style.visibility = this.told ? "" : "hidden";
     const until = this.told ? Infinity : this.reached ?? clock.first;
-    const options = { playing: clock.playing, until, theme: this.theme, font, hidden: this.hidden, trails: this.trails };
+    const options = { hurried: hurried || clock.playing, until, theme: this.theme, font, hidden: this.hidden, trails: this.trails };
     const room = this.#room(font);
     for (const picture of this.pictures) this.#paintPane(picture, film.panes[picture.k], Object.assign({ most: room.pane }, options));
     const count = this.charts.length;
@@ -407,7 +419,8 @@ export class Stage {
       .map((hand) => {
         const arrows = hand.body === null && pane.arrows.find((a) => a.name === hand.arrows);
         const place = arrows ? arrowTip(arrows, hand.index, view, moment) : between(pane.position, moment, 3 * hand.body, 3);
-        return { hand, frame, place, at: frame.screen(place), scale: arrows ? arrows.scale : 1 };
+        // Each film counts from a middle of its own: what is compared between films is in the world.
+        return { hand, frame, place: place.map((v, i) => v + view.middle[i]), at: frame.screen(place), scale: arrows ? arrows.scale : 1 };
       });
   }
 
@@ -485,7 +498,7 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = picture.canvas;
     const { view } = this.film;
     const frame = view.kind === "flat" ? flatFrame(view, width, height) : spaceFrame(picture.camera, width, height);
-    const moved = frame.dragged(place, hand.knobs.map((k) => k.direction), point);
+    const moved = frame.dragged(place.map((v, i) => v - view.middle[i]), hand.knobs.map((k) => k.direction), point);
     const before = Object.assign({}, this.values);
     hand.knobs.forEach(({ knob: name, direction }, k) => {
       const { knob } = this.sliders[name];
