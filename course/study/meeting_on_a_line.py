@@ -12,8 +12,9 @@ from course import formulas
 from course.arrays import Array
 from course.study.asking import asked, one_number
 
-#: The moment at which balls that approach meet [s].
-MEETING = 1.0
+#: The moment at which balls that approach meet, and the end [s]. So little that they come
+#: from near by: a velocity that is another moves the start by less than its arrow grows.
+MEETING, LAST = 0.2, 0.52
 #: p_hat(mass_1, mass_2, velocity_1, velocity_2, normal, restitution), as lesson 10 asks.
 ImpulseLaw = Callable[..., Array]
 #: Velocities of both after the impact, of the same arguments, (2, 3) [m/s].
@@ -72,9 +73,9 @@ def central_motion(
     *,
     law: ImpulseLaw = formulas.impulse_central,
     outcome: Outcome | None = None,
-    duration: float = 2.6,
+    duration: float = LAST,
 ) -> CentralMotion:
-    """The balls until they meet, one second after the start, and after it.
+    """The balls until they meet, MEETING after the start, and after it.
 
     Balls that do not approach stand side by side at the start, and no law is asked.
 

@@ -141,6 +141,12 @@ def lab(tmp_path):
 
 def test_in_jupyterlab(lab):
     plays_and_scrubs(lab.page)
+    # Keys that in JupyterLab make a heading, a raw cell, a cell above, and run a cell.
+    for key in ("1", "r", "a", " ", "ArrowRight"):
+        Stage(lab.page).press(key)
+    lab.page.wait_for_timeout(500)
+    assert lab.page.locator(".jp-CodeCell").count() == 1
+    assert lab.page.locator(".jp-Cell").count() == 1
     said = lab.page.locator(".stage canvas").first.get_attribute("aria-label")
     assert "A box slides and turns. " in said and "m for 1 rad/s" in said
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from course.study.meeting_on_a_line import (
+    LAST,
     MEETING,
     CentralMotion,
     by_impulse,
@@ -35,8 +36,11 @@ from course.workbook.stage import (
 
 COLORS = ("blue", "vermillion")
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
-WINDOW = (-5.0, -1.15, 5.0, 1.65)
-SCALE = 0.3  # metres drawn for 1 m/s
+WINDOW = (-2.9, -0.95, 2.9, 1.25)
+SCALE = 0.45  # metres drawn for 1 m/s
+PUSHED = 0.14  # for which the impulse is seen [s]
+ROWS = (0.42, 0.12)  # of the velocities above the balls [m]
+BELOW = -0.77  # where the centre of mass is shown [m]
 KNOBS = (
     Knob("mass_1", "mass 1 (right)", 1.0, 0.01, 100.0, unit="kg", logarithmic=True),
     Knob("mass_2", "mass 2 (left)", 2.0, 0.01, 100.0, unit="kg", logarithmic=True),
@@ -99,7 +103,8 @@ def impulse(against: Any = None, exercise: str = "impulse_central") -> Exhibit:
 def _film(laws: list[tuple[str, Any]], attempt: Attempt | None = None) -> Film:
     title, right = laws[0]
     other = laws[-1][1]
-    times = np.array([0.0, MEETING, MEETING, MEETING + 0.7, MEETING + 0.7, 2.6])
+    pushed = MEETING + PUSHED
+    times = np.array([0.0, MEETING, MEETING, pushed, pushed, LAST])
     motions = moved(*(motion for _, motion in laws))
 
     def pane(title: str, motion: CentralMotion) -> Pane:
@@ -117,6 +122,7 @@ def _film(laws: list[tuple[str, Any]], attempt: Attempt | None = None) -> Film:
         charts=_charts(motions, times),
         numbers=_numbers(motions),
         events=(MEETING,),
+        speed=0.2,
     )
 
 
@@ -133,24 +139,25 @@ def _pane(title: str, motion: CentralMotion, times: Any) -> Pane:
     place[:, :2, 0] = line
     place[:, :2, 2] = np.maximum(times - MEETING, 0.0)[:, None] * motion.aside
     place[:, 2, 0] = _at(motion, motion.centre, times)
-    place[:, 2, 2] = -0.85
+    place[:, 2, 2] = BELOW
     velocity = np.zeros((len(times), 2, 3))
     velocity[..., 0] = _at(motion, motion.velocity, times)
     push = np.zeros((len(times), 2, 3))
     push[2:4, :, 0] = motion.push
-    lifted = motion.radius + 0.2
+    # One row each, or they would cover each other while the balls approach.
+    lifted = motion.radius.max() + np.array(ROWS)
     balls = [
         labelled(ball(r, color=color), str(k + 1))
         for k, (r, color) in enumerate(zip(motion.radius, COLORS, strict=True))
     ]
     return Pane(
-        [*balls, ball(0.07, color="black")],
+        [*balls, ball(0.045, color="black")],
         place,
         title=title,
         arrows=[
             Arrows("velocity", velocity, "m/s", at=place[:, :2], scale=SCALE, color=COLORS, lift=lifted, numbers=True),
             Arrows("impulse p̂", push, "N s", at=place[:, :2], scale=_push_scale(motion), color="green"),
-            Arrows("normal n", [[1.0, 0.0, 0.0]], at=[[0.0, 0.0, -0.85]], scale=0.7, color="black", shown=False),
+            Arrows("normal n", [[1.0, 0.0, 0.0]], at=[[0.0, 0.0, BELOW]], scale=0.4, color="black", shown=False),
         ],
         trails=[2],
     )  # fmt: skip
@@ -161,7 +168,7 @@ def _push_scale(motion: CentralMotion) -> float:
     largest = float(np.abs(motion.push).max())
     if not largest:
         return 1.0
-    wanted = 2.2 / largest
+    wanted = 1.6 / largest
     power = 10.0 ** np.floor(np.log10(wanted))
     return float(power * max(s for s in (1, 2, 5) if s * power <= wanted))
 

@@ -47,7 +47,7 @@ LISTED = (
         (15, 16, 17),
         5,
         "1: they swap. 2: the heavy ball is a wall. Then e to 0, and look at the grey area.",
-        still=0.5,
+        still=0.1,
     ),
     Listed(
         "handle",

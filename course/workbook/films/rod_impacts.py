@@ -197,7 +197,8 @@ def _charts(
     return [
         Path("impulse, by where it is hit", "place (0 middle, 1 end)", "p̂ [N s]",
              np.full(len(times), landing.place), np.full(len(times), landing.impulse),
-             guides={"hit elsewhere": impulse}, equal=False, limits=(-1.1, 0.0, 1.1, 2.2)),
+             guides={"hit elsewhere": impulse}, equal=False, limits=(-1.1, 0.0, 1.1, 2.2),
+             answers=True),
         Curves("kinetic energy", "J", {"moving": moving, "turning": turning, "lost": lost}, stacked=True,
                limits=(0.0, 0.55), colors=["blue", "orange", "grey"]),
     ]  # fmt: skip

@@ -46,7 +46,7 @@ PRESETS = (
 
 
 def wall(against: Any = None) -> Exhibit:
-    """A ball and a wall; its velocity can be taken by the tip of its arrow.
+    """A ball and a wall; the ball can be taken and thrown from elsewhere.
 
     Args:
         against: plays a second bounce beside the right one: "printed", v - 2 (v.n) n of
@@ -68,16 +68,12 @@ def wall(against: Any = None) -> Exhibit:
         shown = [("v − (1 + e) (v·n) n", right), (attempt.title, other)]
         return _film(shown, values["wall_angle"], attempt)
 
-    grows = {"velocity_x": (1.0, 0.0, 0.0), "velocity_y": (0.0, 1.0, 0.0)}
     # It is to arrive at the same place and time: from farther away it has to be faster.
     away = {"velocity_x": (-1.0, 0.0, 0.0), "velocity_y": (0.0, -1.0, 0.0)}
     return Exhibit(
         film,
         KNOBS,
-        [
-            Hand(grows, arrows="velocity", until=MEETING - 1e-9),
-            Hand(away, body=0, until=MEETING - 1e-9),
-        ],
+        [Hand(away, body=0, until=0.6 * MEETING)],
         PRESETS,
         question="A ball comes at 45° onto a level wall, and half of the speed comes back, e = 0.5. "
         "Does it leave flatter or steeper than it came?",
@@ -101,7 +97,7 @@ def _film(
         Flat("xy", WINDOW),
         title="A ball and a wall",
         caption="The velocity is the sum of a part along n and a part along the wall. "
-        "Before they meet, take its arrow by the tip, or the ball itself.",
+        "Drag the ball before they meet: from farther away it comes faster.",
         ending=attempt.sentence(other)
         if attempt and isinstance(other, Stopped)
         else _ending(right),

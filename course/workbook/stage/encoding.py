@@ -220,6 +220,7 @@ def _chart(chart: Curves | Path) -> dict[str, Any]:
         "across": chart.across,
         "up": chart.up,
         "equal": chart.equal,
+        "answers": chart.answers,
         "limits": chart.limits,
         "x": _array(np.asarray(chart.x, dtype=float), np.float64),
         "y": _array(np.asarray(chart.y, dtype=float), np.float64),

@@ -217,6 +217,8 @@ class Path:
         guides: other lines in the same plane by name, each (k, 2): the circle itself.
         equal: whether both axes have the same scale.
         limits: left, bottom, right, top of the axes; none: all that ever shows.
+        answers: whether it answers the exhibit's question at once: it then waits until
+            the film has been played, or the answer is shown.
     """
 
     title: str
@@ -227,6 +229,7 @@ class Path:
     guides: Mapping[str, ArrayLike] = field(default_factory=dict)
     equal: bool = True
     limits: tuple[float, float, float, float] | None = None
+    answers: bool = False
 
 
 @dataclass(frozen=True)

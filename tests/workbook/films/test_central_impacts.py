@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from course.study.meeting_on_a_line import central_motion, printed_law
-from course.workbook.films.central_impacts import KNOBS, impulse
+from course.workbook.films.central_impacts import KNOBS, WINDOW, impulse
 
 RIGHT = {"mass_1": 1.0, "mass_2": 2.0, "velocity_1": -2.0, "velocity_2": 2.0}
 
@@ -66,7 +66,7 @@ def test_the_film_can_be_made_at_both_ends_of_every_knob(knob, end):
     exhibit = impulse("printed")
     value = next(getattr(k, end) for k in KNOBS if k.name == knob)
     film = exhibit.made(**{knob: value})
-    assert len(film.panes) == 2 and film.view.window == (-5.0, -1.15, 5.0, 1.65)
+    assert len(film.panes) == 2 and film.view.window == WINDOW
 
 
 def test_a_function_of_ones_own_plays_beside_the_right_one():

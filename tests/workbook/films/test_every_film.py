@@ -92,15 +92,8 @@ def test_what_a_hand_holds_goes_with_it(name):
             moved = sign * 0.02 * way
             film = exhibit.made(**{knob: value + moved @ direction / scale})
             after, _ = held(film, hand)
-            # An arrow that starts elsewhere when its value is another follows at its own pace.
-            start = (0.0, 0.0)
-            if hand.body is None:
-                start = tuple(
-                    next(a for a in f.panes[0].arrows if a.name == hand.arrows).at[
-                        0, hand.index
-                    ]
-                    @ way
-                    for f in (first, film)
-                )
-            along = (after - before) @ way - (start[1] - start[0])
-            assert along == pytest.approx(sign * 0.02, rel=0.35)
+            along = (after - before) @ way
+            # It goes the same way; an arrow whose start moves against it goes less far, and
+            # the stage learns by how much.
+            least = 0.65 if hand.body is not None else 0.5
+            assert least <= along / (sign * 0.02) <= 1.35

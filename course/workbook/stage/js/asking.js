@@ -2,12 +2,13 @@
 
 /** @param {(values: object, id: number) => void} send */
 export function asker(send) {
-  let [busy, wanted, id] = [false, null, 0];
+  let [busy, wanted, id, sent] = [false, null, 0, null];
   const go = () => {
     if (busy || wanted === null) return;
     const values = wanted;
     [busy, wanted] = [true, null];
     id += 1;
+    sent = values;
     send(values, id);
   };
   return {
@@ -15,13 +16,29 @@ export function asker(send) {
     /** An answer came, or none will: the next question may go. */
     answered(which) { if (which === id) { busy = false; go(); } },
     get busy() { return busy; },
+    /** The values of the last question: those of its answer. */
+    get sent() { return sent; },
   };
 }
 
+const along = (moved, direction) => moved[0] * direction[0] + moved[1] * direction[1] + moved[2] * direction[2];
+
 /** A knob's value after a hand moved by so much of the world along its direction. */
-export function draggedValue(knob, value, moved, direction, scale) {
-  const along = moved[0] * direction[0] + moved[1] * direction[1] + moved[2] * direction[2];
-  return rounded(knob, value + along / scale);
+export function draggedValue(knob, value, moved, direction, scale, gain = 1) {
+  return rounded(knob, value + (gain * along(moved, direction)) / scale);
+}
+
+/**
+ * What a knob has to change for what is held to follow, over what the hand's direction says: an
+ * arrow that starts elsewhere when it is longer moves less than it grows. Learned from two films.
+ * @param {number} gain as it is known @param {number} changed of the knob between the films
+ * @param {number[]} moved of what is held @param {number} least change of the knob that tells anything
+ */
+export function learnedGain(gain, changed, moved, direction, scale, least) {
+  const followed = along(moved, direction) / scale;
+  // What does not follow, or runs the other way, teaches nothing.
+  if (Math.abs(changed) < least || changed * followed <= 0) return gain;
+  return Math.min(8, Math.max(0.125, changed / followed));
 }
 
 /** Within the knob's range, on its steps. */

@@ -87,8 +87,19 @@ export function drawChart(context, chart, film, time, options) {
   context.beginPath();
   context.rect(box.left, box.top - 2, box.right - box.left, box.bottom - box.top + 4);
   context.clip();
-  if (path) drawPath(context, chart, film, time, at, theme);
-  else drawCurves(context, chart, film, time, at, box, theme);
+  const { until = Infinity } = options;
+  if (path) drawPath(context, chart, film, time, at, theme, until);
+  else {
+    context.save();
+    if (until < axes.x[1]) {
+      context.beginPath(); // curves end where nothing has been played yet
+      context.rect(0, 0, at.x(Math.max(until, time)) + 1, height);
+      context.clip();
+    }
+    drawCurves(context, chart, film, at, theme);
+    context.restore();
+    drawCursor(context, chart, film, time, at, box, theme);
+  }
   context.restore();
   return { texts, timeAt: path ? null : (x) => axes.x[0]
     + ((x - box.left) / (box.right - box.left)) * (axes.x[1] - axes.x[0]) };
@@ -185,25 +196,27 @@ function drawLegend(context, rows, theme, font, text) {
   });
 }
 
-function drawCurves(context, chart, film, time, at, box, theme) {
+function drawCurves(context, chart, film, at, theme) {
   const times = film.times;
-  if (chart.stacked) drawAreas(context, chart, times, at, theme);
-  else {
-    chart.curves.forEach((curve, k) => {
-      context.strokeStyle = theme.palette[colorOf(chart, k)];
-      context.lineWidth = 2.2;
-      context.setLineDash(DASHES[k % DASHES.length]);
-      context.beginPath();
-      let drawing = false;
-      curve.values.values.forEach((v, i) => {
-        if (!Number.isFinite(at.y(v))) { drawing = false; return; }
-        if (drawing) context.lineTo(at.x(times[i]), at.y(v)); else context.moveTo(at.x(times[i]), at.y(v));
-        drawing = true;
-      });
-      context.stroke();
-      context.setLineDash([]);
+  if (chart.stacked) { drawAreas(context, chart, times, at, theme); return; }
+  chart.curves.forEach((curve, k) => {
+    context.strokeStyle = theme.palette[colorOf(chart, k)];
+    context.lineWidth = 2.2;
+    context.setLineDash(DASHES[k % DASHES.length]);
+    context.beginPath();
+    let drawing = false;
+    curve.values.values.forEach((v, i) => {
+      if (!Number.isFinite(at.y(v))) { drawing = false; return; }
+      if (drawing) context.lineTo(at.x(times[i]), at.y(v)); else context.moveTo(at.x(times[i]), at.y(v));
+      drawing = true;
     });
-  }
+    context.stroke();
+    context.setLineDash([]);
+  });
+}
+
+/** The line at the present time, and a dot on each curve. */
+function drawCursor(context, chart, film, time, at, box, theme) {
   context.strokeStyle = theme.ink;
   context.lineWidth = 1.5;
   context.beginPath();
@@ -211,7 +224,7 @@ function drawCurves(context, chart, film, time, at, box, theme) {
   context.lineTo(at.x(time), box.bottom);
   context.stroke();
   if (chart.stacked) return;
-  const { index, part } = momentAt(times, time);
+  const { index, part } = momentAt(film.times, time);
   chart.curves.forEach((curve, k) => {
     const v = curve.values.values;
     const here = v[index] + (part ? part * (v[index + 1] - v[index]) : 0);
@@ -235,10 +248,11 @@ function drawAreas(context, chart, times, at, theme) {
   });
 }
 
-function drawPath(context, chart, film, time, at, theme) {
+function drawPath(context, chart, film, time, at, theme, until) {
   context.lineWidth = 1.4;
   context.strokeStyle = theme.soft;
-  chart.guides.forEach((guide, k) => {
+  const closed = chart.answers && until < Infinity;
+  if (!closed) chart.guides.forEach((guide, k) => {
     context.setLineDash(DASHES[k % DASHES.length]);
     context.beginPath();
     for (const [x, y] of guide.points) context.lineTo(at.x(x), at.y(y));
@@ -254,7 +268,7 @@ function drawPath(context, chart, film, time, at, theme) {
   const here = [x, y].map((v) => v[index] + (part ? part * (v[index + 1] - v[index]) : 0));
   context.lineTo(at.x(here[0]), at.y(here[1]));
   context.stroke();
-  disc(context, at.x(here[0]), at.y(here[1]), 5, theme.palette.vermillion);
+  if (!closed) disc(context, at.x(here[0]), at.y(here[1]), 5, theme.palette.vermillion);
 }
 
 function disc(context, x, y, radius, color) {

@@ -260,11 +260,11 @@ export class SpaceView {
   }
 
   /** Paints a time onto a canvas; returns the matrix from the world to the screen. */
-  draw(context, film, pane, time, { theme, hidden, camera, width, height, playing }) {
+  draw(context, film, pane, time, { theme, hidden, camera, width, height, hurried }) {
     const { drawing } = this;
     const { gl } = drawing;
     const eye = eyeOf(camera, width / height);
-    const dense = drawing.slow && !playing ? 2 : 1;
+    const dense = drawing.slow && !hurried ? 2 : 1;
     const [w, h] = [context.canvas.width, context.canvas.height].map((v) => dense * v);
     if (!gl || gl.isContextLost()) { sheet(context, theme, width, height, gl ? "" : "This browser draws no WebGL2."); return eye; }
     this.#load(film.view, pane, theme);

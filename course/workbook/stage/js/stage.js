@@ -1,6 +1,6 @@
 // The stage in a page: pictures, charts, controls, hands and keys around one clock.
 
-import { asker, draggedValue, slid, unslid } from "./asking.js";
+import { asker, draggedValue, learnedGain, slid, unslid } from "./asking.js";
 import { drawChart } from "./charts.js";
 import { Clock } from "./clock.js";
 import { between, decoded, momentAt, written } from "./film.js";
@@ -10,7 +10,9 @@ import { SpaceView, cameraOf, drawAbove, spaceFrame } from "./space.js";
 
 const LEAST_PANE = 240; // pixels, before a room
 const LEAST_CHART = 10; // lines of text
-const SPEEDS = [[1, "real time"], [0.5, "half speed"], [0.25, "quarter speed"], [0.1, "a tenth"]];
+const REST = 150; // milliseconds without a picture, after which one is drawn finely
+const MOST_TRIES = 5; // films until what is held has come to where the pointer stands
+const SPEEDS = [1, 0.5, 0.25, 0.1];
 
 // Drawn, since not every machine's fonts have these signs.
 const ICONS = {
@@ -40,7 +42,9 @@ export class Stage {
   constructor(root, exhibit, ask = null) {
     Object.assign(this, { root, exhibit, hidden: new Set(), trails: true, pictures: [], charts: [], painting: false, seen: true });
     this.values = Object.fromEntries((exhibit.knobs || []).map((k) => [k.name, k.value]));
-    this.clock = new Clock(() => this.paintSoon());
+    this.clock = new Clock((time) => { this.#passed(time); this.paintSoon(); });
+    // Where there is a question, curves and numbers wait until it has been voted on and played.
+    this.told = !exhibit.question;
     this.questions = ask && asker(ask);
     this.#build();
     this.receive(exhibit.film, null);
@@ -64,8 +68,10 @@ export class Stage {
   /** Another film: the answer to a question, or a preset's. */
   receive(film, id) {
     const before = this.film;
+    this.films = (this.films || 0) + 1;
     this.film = decoded(film);
     this.clock.load(this.film);
+    if (this.clock.last <= this.clock.first) this.told = true;
     if (!before || before.panes.length !== this.film.panes.length || before.charts.length !== this.film.charts.length) {
       this.#pictures();
     }
@@ -75,11 +81,14 @@ export class Stage {
     }
     this.#words();
     this.paintSoon();
-    if (this.questions && id !== null) this.questions.answered(id);
+    if (!this.questions || id === null) return;
+    if (this.held) this.#follow(this.questions.sent);
+    this.questions.answered(id);
   }
 
   destroy() {
     this.clock.pause();
+    clearTimeout(this.later);
     this.sizes.disconnect();
     this.sight.disconnect();
     this.themes.disconnect();
@@ -117,7 +126,18 @@ export class Stage {
     this.parts.question.append(made("span", {}, question), " ", answer ? show : null, " ", this.answer);
   }
 
-  showAnswer() { if (this.answer) this.answer.hidden = !this.answer.hidden; }
+  showAnswer() {
+    if (!this.answer) return;
+    this.answer.hidden = !this.answer.hidden;
+    this.told = true;
+    this.paintSoon();
+  }
+
+  /** Charts are drawn as far as the film has been seen; at its end all is told. */
+  #passed(time) {
+    this.reached = Math.max(this.reached ?? time, time);
+    if (time >= this.clock.last && this.clock.last > this.clock.first) this.told = true;
+  }
 
   #presets() {
     (this.exhibit.presets || []).forEach((preset, k) => {
@@ -132,6 +152,7 @@ export class Stage {
     if (!preset) return;
     this.#set(preset.values || {});
     this.clock.reset();
+    this.reached = this.clock.first;
     if (preset.film) { this.receive(preset.film, null); this.clock.play(); } else { this.startsAgain = true; this.#ask(); }
   }
 
@@ -142,15 +163,15 @@ export class Stage {
     this.scrub = made("input", { type: "range", min: 0, max: 1000, step: 1, value: 0, class: "time", "aria-label": "time",
       oninput: () => { this.clock.pause(); this.clock.seek(this.clock.first + (this.scrub.value / 1000) * (this.clock.last - this.clock.first)); } });
     this.now = made("output", { class: "now" });
-    const slow = made("select", { "aria-label": "speed", onchange: (e) => { this.clock.slow = Number(e.target.value); } },
-      ...SPEEDS.map(([value, words]) => made("option", { value }, words)));
+    this.slow = made("select", { "aria-label": "speed", onchange: (e) => { this.clock.slow = Number(e.target.value); } },
+      ...SPEEDS.map((value) => made("option", { value }, "")));
     this.cameras = made("select", { "aria-label": "view from", hidden: true,
       onchange: () => this.look(this.cameras.value) });
     const full = button("full screen", "full", () => this.fullScreen(), "f");
     this.more = made("button", { type: "button", title: "another chart (c)", hidden: true, onclick: () => this.nextChart() }, "chart");
     this.parts.clock.append(button("back to the start", "start", () => this.clock.reset(), "r"),
       button("a step back", "back", () => this.clock.step(-1), "left arrow"), this.playButton,
-      button("a step on", "on", () => this.clock.step(1), "right arrow"), this.scrub, this.now, slow, this.cameras, this.more, full);
+      button("a step on", "on", () => this.clock.step(1), "right arrow"), this.scrub, this.now, this.slow, this.cameras, this.more, full);
   }
 
   look(preset) {
@@ -170,7 +191,7 @@ export class Stage {
       const step = knob.log ? 10 : Math.max(1, Math.round((1000 * knob.step) / (knob.high - knob.low)));
       const slider = made("input", { type: "range", min: 0, max: 1000, step,
         "aria-label": `${knob.label}${knob.unit ? `, ${knob.unit}` : ""}`, disabled: !this.questions,
-        oninput: () => { this.#set({ [knob.name]: unslid(knob, Number(slider.value)) }); this.#ask(); } });
+        oninput: () => { this.told = true; this.#set({ [knob.name]: unslid(knob, Number(slider.value)) }); this.#ask(); } });
       this.sliders[knob.name] = { knob, slider, said };
       this.parts.knobs.append(made("label", {}, made("span", {}, knob.label), slider, said));
     }
@@ -218,7 +239,7 @@ export class Stage {
     for (const picture of this.pictures) if (picture.space) picture.space.release();
     const space = this.film.view.kind === "space";
     this.pictures = this.film.panes.map((pane, k) => {
-      const canvas = made("canvas", { role: "img" });
+      const canvas = made("canvas", { role: "img", class: space ? "turns" : null });
       const caption = made("figcaption", {});
       const frame = made("div", { class: "picture" }, canvas);
       const picture = { k, canvas, caption, frame, figure: made("figure", {}, caption, frame), labels: [] };
@@ -261,6 +282,7 @@ export class Stage {
     const { parts, film, root } = this;
     parts.title.textContent = film.title;
     parts.caption.textContent = film.caption;
+    for (const option of this.slow.options) option.textContent = speedInWords(film.speed * Number(option.value));
     root.setAttribute("aria-label", film.title || "film");
     for (const picture of this.pictures) {
       const pane = film.panes[picture.k];
@@ -283,19 +305,31 @@ export class Stage {
   paintSoon() {
     if (this.painting) return;
     this.painting = true;
-    requestAnimationFrame(() => { this.painting = false; this.paint(); });
+    requestAnimationFrame(() => { this.painting = false; this.paint(this.#hurried()); });
   }
 
-  paint() {
+  /** Whether pictures come so fast that they may be a little coarser; a fine one follows when they rest. */
+  #hurried() {
+    const now = performance.now();
+    const soon = now - (this.painted ?? -Infinity) < REST;
+    this.painted = now;
+    clearTimeout(this.later);
+    if (soon && !this.clock.playing && this.film.view.kind === "space") this.later = setTimeout(() => this.paintSoon(), 1.3 * REST);
+    return soon;
+  }
+
+  paint(hurried = false) {
     // What is out of sight is painted when it is seen again.
     if (!this.root.isConnected || !this.seen) return;
-    const { film, clock, root } = this;
+    const { film, clock, root, parts } = this;
     const dark = onDark(root.parentElement || document.body);
     if (!this.theme || this.theme.dark !== dark) this.theme = themeOf(dark, film.palette);
     root.dataset.theme = dark ? "dark" : "light";
     const font = parseFloat(getComputedStyle(root).fontSize);
     for (const key of root.querySelectorAll("[data-color]")) key.style.background = this.theme.palette[key.dataset.color];
-    const options = { playing: clock.playing, theme: this.theme, font, hidden: this.hidden, trails: this.trails };
+    parts.numbers.style.visibility = this.told ? "" : "hidden";
+    const until = this.told ? Infinity : this.reached ?? clock.first;
+    const options = { hurried: hurried || clock.playing, until, theme: this.theme, font, hidden: this.hidden, trails: this.trails };
     const room = this.#room(font);
     for (const picture of this.pictures) this.#paintPane(picture, film.panes[picture.k], Object.assign({ most: room.pane }, options));
     const count = this.charts.length;
@@ -308,10 +342,11 @@ export class Stage {
         Object.assign({}, options, size, { font: room.large ? font : 0.9 * font })));
     });
     const counted = film.counters.map((c) => `${c.name} ${written(between(c.values, { index: momentAt(film.times, clock.time).index, part: 0 }, 0, 1)[0], 6)}`);
-    this.now.textContent = [`${clock.time.toFixed(2)} s`, ...counted].join("   ");
     const span = clock.last - clock.first;
+    const digits = span && span < 0.6 ? 3 : 2;
+    this.now.textContent = [`${clock.time.toFixed(digits)} s`, ...counted].join("   ");
     this.scrub.value = span ? Math.round((1000 * (clock.time - clock.first)) / span) : 0;
-    this.scrub.setAttribute("aria-valuetext", `${clock.time.toFixed(2)} s of ${clock.last.toFixed(2)} s`);
+    this.scrub.setAttribute("aria-valuetext", `${clock.time.toFixed(digits)} s of ${clock.last.toFixed(digits)} s`);
     const sign = clock.playing ? "pause" : "play";
     if (this.playButton.getAttribute("aria-label") !== sign) {
       this.playButton.innerHTML = icon(sign);
@@ -319,7 +354,9 @@ export class Stage {
       this.playButton.title = `${sign} (space)`;
     }
     root.labels = [...this.pictures.map((p) => p.labels), ...this.charts.map((c) => c.texts)];
+    root.hands = this.pictures.map((p) => p.hands);
     root.paints = (root.paints || 0) + 1;
+    root.films = this.films;
     root.now = clock.time;
     if (this.startsAgain && !this.questions.busy) { this.startsAgain = false; this.clock.play(); }
   }
@@ -338,7 +375,7 @@ export class Stage {
     const least = LEAST_CHART * font;
     // Where that makes several panes larger, the charts stand beside them after all.
     const each = parts.pictures.clientWidth / this.pictures.length / this.#aspect();
-    const under = Math.max(least, 0.4 * left);
+    const under = Math.max(least, (this.wide ? 0.47 : 0.4) * left);
     const below = this.below && Math.min(each, left - titles - under) > 0.6 * each;
     parts.pictures.classList.toggle("below", below);
     if (!this.wide && !below) {
@@ -382,13 +419,16 @@ export class Stage {
       .map((hand) => {
         const arrows = hand.body === null && pane.arrows.find((a) => a.name === hand.arrows);
         const place = arrows ? arrowTip(arrows, hand.index, view, moment) : between(pane.position, moment, 3 * hand.body, 3);
-        return { hand, frame, place, at: frame.screen(place), scale: arrows ? arrows.scale : 1 };
+        // Each film counts from a middle of its own: what is compared between films is in the world.
+        return { hand, frame, place: place.map((v, i) => v + view.middle[i]), at: frame.screen(place), scale: arrows ? arrows.scale : 1 };
       });
   }
 
   #paintHands(picture, size, { theme, font }) {
     const { context } = size;
-    for (const { hand, at } of this.#handles(picture, size)) {
+    const handles = this.#handles(picture, size);
+    picture.hands = handles.map((h) => h.at);
+    for (const { hand, at } of handles) {
       const held = this.held && this.held.hand === hand;
       context.beginPath();
       context.arc(at[0], at[1], 0.5 * font + (held ? 3 : 0), 0, 7);
@@ -405,12 +445,21 @@ export class Stage {
     const nearest = (event) => this.#handles(picture, size())
       .map((h) => Object.assign(h, { far: Math.hypot(h.at[0] - event.offsetX, h.at[1] - event.offsetY) }))
       .filter((h) => h.far < 26).sort((a, b) => a.far - b.far)[0];
+    // A finger on a flat picture scrolls the page, unless it takes hold of something.
+    canvas.addEventListener("touchstart", (event) => {
+      const { left, top } = canvas.getBoundingClientRect();
+      const [{ clientX, clientY }] = event.touches;
+      if (nearest({ offsetX: clientX - left, offsetY: clientY - top })) event.preventDefault();
+    }, { passive: false });
     canvas.addEventListener("pointerdown", (event) => {
       const found = nearest(event);
       if (found) {
         this.clock.pause();
-        this.held = { hand: found.hand, scale: found.scale, place: found.place, off: [event.offsetX - found.at[0], event.offsetY - found.at[1]],
-          values: Object.assign({}, this.values) };
+        this.told = true;
+        const { hand, place, at } = found;
+        hand.gains = hand.gains || hand.knobs.map(() => 1);
+        this.held = { hand, picture, place, off: [event.offsetX - at[0], event.offsetY - at[1]], point: at,
+          scale: found.scale, values: Object.assign({}, this.values) };
       } else if (picture.camera) this.turning = { x: event.offsetX, y: event.offsetY };
       else return;
       event.preventDefault();
@@ -419,7 +468,7 @@ export class Stage {
       this.paintSoon();
     });
     canvas.addEventListener("pointermove", (event) => {
-      if (this.held) this.#drag(picture, size(), event);
+      if (this.held) this.#drag(event);
       else if (this.turning && picture.camera) this.#turn(event);
       else canvas.style.cursor = nearest(event) ? "grab" : picture.camera ? "move" : "default";
     });
@@ -434,17 +483,44 @@ export class Stage {
     }, { passive: false });
   }
 
-  #drag(picture, { width, height }, event) {
-    const { hand, scale, place, off, values } = this.held;
-    const { view } = this.film;
-    const frame = view.kind === "flat" ? flatFrame(view, width, height) : spaceFrame(picture.camera, width, height);
-    const moved = frame.dragged(place, hand.knobs.map((k) => k.direction), [event.offsetX - off[0], event.offsetY - off[1]]);
-    for (const { knob: name, direction } of hand.knobs) {
-      const { knob } = this.sliders[name];
-      this.#set({ [name]: draggedValue(knob, values[name], moved, direction, scale) });
-    }
+  #drag(event) {
+    const { off } = this.held;
+    this.held.point = [event.offsetX - off[0], event.offsetY - off[1]];
+    this.held.tries = 0;
+    this.#pull();
     this.#ask();
     this.paintSoon();
+  }
+
+  /** Knobs for which what is held comes to lie under the pointer; whether they are others than before. */
+  #pull() {
+    const { hand, picture, place, point, scale, values } = this.held;
+    const { clientWidth: width, clientHeight: height } = picture.canvas;
+    const { view } = this.film;
+    const frame = view.kind === "flat" ? flatFrame(view, width, height) : spaceFrame(picture.camera, width, height);
+    const moved = frame.dragged(place.map((v, i) => v - view.middle[i]), hand.knobs.map((k) => k.direction), point);
+    const before = Object.assign({}, this.values);
+    hand.knobs.forEach(({ knob: name, direction }, k) => {
+      const { knob } = this.sliders[name];
+      this.#set({ [name]: draggedValue(knob, values[name], moved, direction, scale, hand.gains[k]) });
+    });
+    return hand.knobs.some(({ knob: name }) => this.values[name] !== before[name]);
+  }
+
+  /** A film came while something is held: how well it followed, and a question more where it did not. */
+  #follow(values) {
+    const { held } = this;
+    const { clientWidth: width, clientHeight: height } = held.picture.canvas;
+    const now = this.#handles(held.picture, { width, height }).find((h) => h.hand === held.hand);
+    if (!now) return;
+    const moved = now.place.map((v, i) => v - held.place[i]);
+    held.hand.knobs.forEach(({ knob: name, direction }, k) => {
+      const { knob } = this.sliders[name];
+      held.hand.gains[k] = learnedGain(held.hand.gains[k], values[name] - held.values[name], moved, direction, held.scale, knob.step);
+    });
+    Object.assign(held, { place: now.place, scale: now.scale, values });
+    held.tries += 1;
+    if (this.#pull() && held.tries < MOST_TRIES) this.#ask();
   }
 
   /** All panes are seen from the same side. */
@@ -473,6 +549,12 @@ export class Stage {
     event.preventDefault();
     act();
   }
+}
+
+/** Seconds of motion in one of playing, as it is said: "real time", "5 times slower". */
+export function speedInWords(speed) {
+  if (Math.abs(speed - 1) < 1e-9) return "real time";
+  return speed < 1 ? `${written(1 / speed, 2)} times slower` : `${written(speed, 2)} times faster`;
 }
 
 /** A canvas as wide as its frame, sharp on this display; its size in the page's pixels. */

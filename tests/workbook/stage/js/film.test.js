@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { asker, draggedValue, rounded, slid, unslid } from "../../../../course/workbook/stage/js/asking.js";
+import { asker, draggedValue, learnedGain, rounded, slid, unslid } from "../../../../course/workbook/stage/js/asking.js";
 import { Clock } from "../../../../course/workbook/stage/js/clock.js";
 import {
   between, hull, momentAt, placedLabels, slerp, stepped, ticks, turned, turnedBetween, unpack, written,
@@ -147,6 +147,7 @@ test("a hand moves a knob along its direction, within its ends, on its steps", (
   const knob = { low: -4, high: 4, step: 0.1, log: false };
   assert.equal(draggedValue(knob, 1, [0.3, 5, 0], [1, 0, 0], 0.3), 2);
   assert.equal(draggedValue(knob, 1, [9, 0, 0], [1, 0, 0], 0.3), 4);
+  assert.equal(draggedValue(knob, 1, [0.3, 5, 0], [1, 0, 0], 0.3, 2), 3);
   assert.equal(rounded(knob, 0.3499), 0.3);
 });
 
@@ -179,4 +180,12 @@ test("the clock plays at its speed, ends at the end, and plays again from the st
   assert.equal(clock.playing, false);
   clock.play();
   assert.equal(clock.time, 0);
+});
+
+test("what moves less than its arrow grows is learned from a film", () => {
+  const x = [1, 0, 0];
+  assert.equal(learnedGain(1, 1, [0.15, 7, 0], x, 0.3, 0.1), 2); // half as far as the direction says
+  assert.equal(learnedGain(1.5, 0.05, [0.15, 0, 0], x, 0.3, 0.1), 1.5); // too little to tell
+  assert.equal(learnedGain(1.5, 1, [-0.15, 0, 0], x, 0.3, 0.1), 1.5); // it runs away
+  assert.equal(learnedGain(1, 1, [1e-6, 0, 0], x, 0.3, 0.1), 8);
 });
