@@ -31,6 +31,7 @@ def _drops(rng: np.random.Generator) -> Sequence[Case]:
         Case("only the first impact", drop((), 1), "edge"),
         Case("it stays down, e = 0", {**text, "restitution": 0.0}, "edge"),
         Case("it bounces for ever, e = 1", {**text, "restitution": 1.0}, "edge"),
+        Case("forty impacts", {**text, "restitution": 0.9, "count": 40}),
         Case("three balls, three impacts", drop((3,), 3), "batch"),
         Case("four balls", drop((4,), 3), "batch"),
         Case("a 2 by 3 batch", drop((2, 3), 6), "batch"),
