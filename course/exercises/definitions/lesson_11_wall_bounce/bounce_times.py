@@ -105,6 +105,12 @@ BOUNCE_TIMES = Exercise(
             "You count 2 t_0 for the first fall. The ball starts at the top: only the way down is there.",
         ),
         Mistake(
+            "powers from e^0",
+            slip(formulas.bounce_times, " - 1)", " + 1)"),
+            "Each of your times is 2 t_0 too late, as if a flight as long as 2 t_0 followed the first fall. The "
+            "flights last 2 e t_0, 2 e^2 t_0, ...: their powers begin with e^1.",
+        ),
+        Mistake(
             "closed sum",
             slip(
                 formulas.bounce_times,
