@@ -286,7 +286,14 @@ def test_rates_multiplied_are_told_as_the_product_rule():
             "normal_rate",
             'omega = omega_a if face == "face_a" else omega_b\n'
             "    return omega - np.sum(omega * n, axis=-1, keepdims=True) * n",
-            "an expression of two vectors, where their cross product belongs",
+            "an expression, where the cross product of two vectors in it belongs",
+        ),
+        # size is no vector
+        (
+            "speed_along",
+            "size = np.linalg.norm(velocity, axis=-1)\n"
+            "    return size * np.sign(np.sum(velocity * normal, axis=-1))",
+            "an expression, where the dot product of two vectors in it belongs",
         ),
         # no brackets alone make it right: n has to move
         (

@@ -339,11 +339,11 @@ def clipped_impulse(v1, v2, n, mass_felt, e):
     return (1 + e) * u * mass_felt
 
 
-def bias_with_a_term_that_is_always_zero(p, body_a, body_b, n, face):
+def bias_with_a_term_that_is_always_zero(p, n, face, body_a, body_b):
     (x_a, v_a, w_a, *_), (x_b, v_b, w_b, *_) = body_a, body_b
     n_dot = np.cross(w_b if face == "face_b" else w_a, n)
     slide = v_a + np.cross(w_a, p - x_a) - v_b - np.cross(w_b, p - x_b)
-    whole = formulas.contact_bias(p, body_a, body_b, n, face)
+    whole = formulas.contact_bias(p, n, face, body_a, body_b)
     along = np.sum(slide * n, axis=-1) * np.sum(n * n_dot, axis=-1)
     return whole - 2 * np.sum(slide * n_dot, axis=-1) + 2 * along
 

@@ -57,17 +57,16 @@ def other_name(code: Code, place: Place) -> Iterator[Change]:
         inside = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)} & set(scope)
         vectors = sorted(n for n in inside if code.axes.get(n, 1) == 1)
         if 2 <= len(vectors) <= 3:
-            of = "two vectors" if len(vectors) == 2 else "two of three vectors"
             for one in vectors:
                 for two in vectors:
                     if one != two:
                         yield (
-                            f"another expression than the cross product of {of}",
+                            "another expression than the cross product",
                             f"np.cross({one}, {two})",
                         )
                     if one < two:
                         yield (
-                            f"another expression than the dot product of {of}",
+                            "another expression than the dot product",
                             dot(one, two),
                         )
 

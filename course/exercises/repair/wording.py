@@ -23,14 +23,8 @@ _WORDS = {
     "the names of another pair": "two names in a difference or product, where two others belong",
     "dot() where the dot product of vectors belongs": "dot(), which pairs whole arrays, where a sum of products over "
     "axis=-1 belongs",
-    "another expression than the cross product of two vectors": "an expression of two vectors, where their cross "
-    "product belongs",
-    "another expression than the dot product of two vectors": "an expression of two vectors, where their dot product "
-    "belongs, for each of a batch",
-    "another expression than the cross product of two of three vectors": "an expression of three vectors, where the "
-    "cross product of two of them belongs",
-    "another expression than the dot product of two of three vectors": "an expression of three vectors, where the "
-    "dot product of two of them belongs",
+    "another expression than the cross product": "an expression, where the cross product of two vectors in it belongs",
+    "another expression than the dot product": "an expression, where the dot product of two vectors in it belongs",
     "a condition of another kind": "a comparison, which is the wrong one",
     "one over it missing": "one over it (1/...), which is missing",
     "the shape of the result": "the shape of the result, which has an axis too many or too few",
