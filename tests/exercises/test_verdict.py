@@ -392,3 +392,16 @@ def test_the_foots_formula_at_the_top_is_told_by_the_rate_it_is():
     mistakes = find_exercise("top_acceleration")[1].mistakes
     (message,) = (m.message for m in mistakes if m.name == "pattern of the foot")
     assert "the rate of omega cos(theta)" in message and "gap has" not in message
+
+
+def test_an_infeasible_programme_is_told_from_a_return_left_out():
+    def forces(a, b):
+        f = cp.Variable(len(b))
+        q = cp.quad_form(f, cp.psd_wrap(a)) / 2 + cp.sum(cp.multiply(f, b))
+        cp.Problem(cp.Minimize(q), [cp.min(f) >= 0, a @ f <= b]).solve(
+            solver=cp.CLARABEL
+        )
+        return f.value
+
+    mistake = verdict_of("solve_contact_qp", forces).mistake
+    assert mistake is not None and "no f meets all your limits" in mistake.message
