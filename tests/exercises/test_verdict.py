@@ -405,3 +405,40 @@ def test_an_infeasible_programme_is_told_from_a_return_left_out():
 
     mistake = verdict_of("solve_contact_qp", forces).mistake
     assert mistake is not None and "no f meets all your limits" in mistake.message
+
+
+def test_where_an_answer_holds_is_said_by_the_names_of_the_cases():
+    def along_omega(acceleration, alpha, omega, r):
+        turn = np.cross(alpha, r) - np.linalg.norm(omega) ** 3 * r
+        return acceleration + turn
+
+    (reason,) = verdict_of("free_point_acceleration", along_omega).reason
+    assert reason == "Right in: nothing turns. What is special there?"
+
+
+def test_no_answer_is_said_to_be_wrong_in_few_cases_only_where_batches_fail_too():
+    def third(velocity, normal):
+        return np.asarray(velocity)[..., 2]
+
+    exercise = find_exercise("speed_along")[1]
+    for seed in (None, 1, 2, 3):
+        cases = exercise.draw(seed)
+        outcomes = answers_of(third, exercise, cases)
+        wrong = {
+            c.label
+            for c, o in zip(cases, outcomes, strict=True)
+            if not judge(exercise, [c], [o]).passed
+        }
+        said = [
+            r for r in verdict_of("speed_along", third, seed).reason if "only in" in r
+        ]
+        assert all(label in reason for reason in said for label in wrong)
+
+    def wrong_for_five(a, b):
+        f = formulas.pivot(a, b)
+        return f if len(b) != 5 else 2 * f
+
+    (reason,) = verdict_of("pivot", wrong_for_five).reason
+    assert reason.startswith(
+        "Wrong only in: five drawn contacts; five contacts, strongly coupled;"
+    )
