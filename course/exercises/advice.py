@@ -90,7 +90,7 @@ def general_advice(
         advice.append(
             "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
         )
-    elif exercise.kind == "function" and not advice:
+    elif exercise.kind == "function" and not advice and _all_compared(outcomes, wrongs):
         advice += _where_it_holds(cases, wrongs)
     if _cut_off(exercise, outcomes, wrongs):
         advice.append(
@@ -101,6 +101,14 @@ def general_advice(
             "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
         )
     return tuple(advice)
+
+
+def _all_compared(
+    outcomes: Sequence[Outcome], wrongs: Sequence[Difference | None]
+) -> bool:
+    """Whether numbers of the right shape came in every case: else that is what has to be said."""
+    values = all(o.kind == "value" for o in outcomes)
+    return values and not any(w is not None and w.fault for w in wrongs)
 
 
 def _where_it_holds(
