@@ -14,6 +14,9 @@ from course.exercises.definition import Case, Exercise
 #: What NumPy says where one True or False is wanted of many.
 AMBIGUOUS = "truth value of an array"
 
+#: So many cases are named, no more.
+FEW = 3
+
 
 def general_advice(
     exercise: Exercise,
@@ -87,6 +90,8 @@ def general_advice(
         advice.append(
             "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
         )
+    elif exercise.kind == "function" and not advice and _all_compared(outcomes, wrongs):
+        advice += _where_it_holds(cases, wrongs)
     if _cut_off(exercise, outcomes, wrongs):
         advice.append(
             "Your numbers are whole: an array of dtype int cuts off the decimals of all that is put into it."
@@ -96,6 +101,28 @@ def general_advice(
             "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
         )
     return tuple(advice)
+
+
+def _all_compared(
+    outcomes: Sequence[Outcome], wrongs: Sequence[Difference | None]
+) -> bool:
+    """Whether numbers of the right shape came in every case: else that is what has to be said."""
+    values = all(o.kind == "value" for o in outcomes)
+    return values and not any(w is not None and w.fault for w in wrongs)
+
+
+def _where_it_holds(
+    cases: Sequence[Case], wrongs: Sequence[Difference | None]
+) -> list[str]:
+    """Of an answer that is right in a few single cases, or wrong in a few of all, which they are."""
+    judged = list(zip(cases, wrongs, strict=True))
+    right = [c.label for c, w in judged if w is None and c.kind != "batch"]
+    wrong = [c.label for c, w in judged if w is not None]
+    if 0 < len(right) <= min(FEW, len(wrong)):
+        return [f"Right in: {'; '.join(right)}. What is special there?"]
+    if right and len(wrong) <= FEW:
+        return [f"Wrong only in: {'; '.join(wrong)}. What is special there?"]
+    return []
 
 
 def _other_order(

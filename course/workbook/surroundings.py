@@ -21,10 +21,12 @@ def with_surroundings(
 ) -> Verdict:
     """A failed answer's verdict with what it takes from its notebook and what its source shows, before and after.
 
-    Of one that borrows variables nothing is said of properties: it was not the answer's own number.
+    Of one that borrows variables nothing is said of properties: it was not the answer's own number. Of one that calls
+    an answer that is not right yet, nothing is said of what came: it may be the other's.
     """
     before, after = facts
-    reason = (*unfinished, *before, *verdict.reason, *after)
+    came = () if unfinished else verdict.reason
+    reason = (*unfinished, *before, *came, *after)
     own = not borrowed or verdict.mistake is not None
     return replace(verdict, reason=reason, violated=verdict.violated if own else ())
 

@@ -143,6 +143,22 @@ def test_too_few_rounds_do_not_pass_for_a_row(seed, rounds):
     assert not right("simultaneous_impulses", few, seed)
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("flights", [49, 100, 1000, 10_000])
+def test_a_sum_of_flights_that_is_cut_off_is_no_time_to_rest(flights, seed):
+    """The sum itself, in closed form: 2 (e + ... + e^n) = 2 e (1 - e^n)/(1 - e)."""
+    edits = "2 * e / (1 - e)", f"2 * e * (1 - e**{flights}) / (1 - e)"
+    assert not right("rest_time", slip(formulas.rest_time, *edits), seed)
+
+
+@pytest.mark.parametrize("most", [10, 30])
+def test_times_of_so_many_impacts_at_most_are_not_those_asked_for(most):
+    few = slip(
+        formulas.bounce_times, "np.arange(count)", f"np.arange(min(count, {most}))"
+    )
+    assert not right("bounce_times", few, None)
+
+
 # Pivoting.
 
 
@@ -152,6 +168,12 @@ def test_too_few_rounds_do_not_pass_for_a_row(seed, rounds):
     [
         ("for i in range(k) if i", "for i in range(len(b)) if i"),
         (" and (k in pushing or f[k] == 0)", ""),
+        (
+            " and (k in pushing or f[k] == 0)",
+            "",
+            "min(stops)",
+            "min(stops, key=lambda stop: stop[0])",
+        ),
     ],
 )
 def test_stops_of_contacts_not_dealt_with_and_two_at_once(edits, seed):

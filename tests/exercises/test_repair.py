@@ -12,6 +12,7 @@ from course.exercises.repair.changes import ChangedSource
 from course.exercises.repair.edits import Code, edits_of
 from course.exercises.repair.recipe import expression_recipe
 from course.exercises.repair.search import Search
+from course.exercises.repair.wording import in_words
 
 HEAD = "def speed_along(velocity, normal):\n    return "
 AXES = {"velocity": 1, "normal": 1}
@@ -257,3 +258,91 @@ def test_rates_multiplied_are_told_as_the_product_rule():
     )
     (step,) = repair_of_source("edge_normal_rate", source, {}).steps
     assert step.kind == "a product of two rates where the product rule belongs"
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "words"),
+    [
+        # the right two vectors, and letters that fit one shape of batch only
+        (
+            "speed_along",
+            'return np.einsum("ij,ij->i", velocity, normal)',
+            "the letters of einsum()",
+        ),
+        # the slip is the helper's: of np.dot nothing is said
+        (
+            "speed_along",
+            "def dot(a, b):\n        return np.einsum('...i,...j->...', a, b)\n"
+            "    return dot(velocity, normal)",
+            "the letters of einsum()",
+        ),
+        (
+            "speed_along",
+            "def dot(a, b):\n        return np.hypot(a, b)\n    return dot(velocity, normal)",
+            "what comes of dot() where the dot product of vectors belongs",
+        ),
+        # a difference of the same two vectors, which is no product of others
+        (
+            "normal_rate",
+            'omega = omega_a if face == "face_a" else omega_b\n'
+            "    return omega - np.sum(omega * n, axis=-1, keepdims=True) * n",
+            "an expression, where the cross product of two vectors in it belongs",
+        ),
+        # size is no vector
+        (
+            "speed_along",
+            "size = np.linalg.norm(velocity, axis=-1)\n"
+            "    return size * np.sign(np.sum(velocity * normal, axis=-1))",
+            "an expression, where the dot product of two vectors in it belongs",
+        ),
+        # no brackets alone make it right: n has to move
+        (
+            "separation",
+            "return np.sum(p_a * n - p_b, axis=-1)",
+            "something done to a part of an expression that belongs to the whole of it, or the other way round",
+        ),
+        # I is the matrix: the sign between is the slip
+        (
+            "angular_acceleration",
+            "w = np.linalg.solve(I, L[..., None])[..., 0]\n"
+            "    return np.linalg.solve(I, (torque + np.cross(I * w, w))[..., None])[..., 0]",
+            "* where @ belongs",
+        ),
+    ],
+)
+def test_what_is_said_of_a_repair_holds_of_the_answer(name, body, words):
+    exercise = find_exercise(name)[1]
+    axes = {a.name: a.own_axes for a in exercise.arguments if a.dtype == "float"}
+    source = f"def {exercise.signature}:\n    {body}\n"
+    repair = repair_of_source(name, source, axes)
+    assert [in_words(step.kind) for step in repair.steps] == [words]
+
+
+def test_a_condition_made_narrower_is_not_said_to_be_turned_round():
+    def kind(wrong, right):
+        head = "def f(i, k):\n    return np.where("
+        changed = _changed(f"{head}{wrong}, i, k)\n")
+        return next(e.kind for text, e in changed if f"({right})" in text)
+
+    assert kind("i != k", "i < k") == "a condition of another kind"
+    assert kind("i == k", "i >= k") == "a condition of another kind"
+    assert kind("i < k", "i <= k") == "a condition at its edge"
+    assert (
+        kind("i < k", "i > k") == kind("i == k", "i != k") == "a condition turned round"
+    )
+
+
+def test_more_terms_are_no_repair_of_a_sum_that_is_cut_off():
+    """Fewer than ten may be those of a vector: range(2) for range(3) is a slip."""
+    head = "def f(e):\n    return "
+    long = "sum(e**k for k in range(1, 50))"
+    assert all(
+        "50" in text for text, e in _changed(head + long) if e.kind == "a number"
+    )
+    short = "sum(e[k] for k in range(2))"
+    assert any("(3)" in text for text, _ in _changed(head + short))
+
+
+def _changed(source):
+    edits = edits_of(Code(source))
+    return [(e.applied(source), e) for e in edits]

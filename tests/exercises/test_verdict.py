@@ -6,6 +6,7 @@ import cvxpy as cp
 import numpy as np
 import pytest
 
+from course import formulas
 from course.exercises.definition import find_exercise
 from course.exercises.inputs import answers_of
 from course.exercises.verdict import judge
@@ -331,3 +332,113 @@ def test_an_array_of_whole_numbers_is_told_where_decimals_are_lost():
     assert "whole" in reasons("projected_gauss_seidel", cut)
     zeros = reasons("projected_gauss_seidel", lambda a, b, s, n: 0 * s)
     assert "whole" not in zeros
+
+
+def clipped_impulse(v1, v2, n, mass_felt, e):
+    u = np.clip(np.sum((v1 - v2) * n, axis=-1), 0, None)
+    return (1 + e) * u * mass_felt
+
+
+def bias_with_a_term_that_is_always_zero(p, n, face, body_a, body_b):
+    (x_a, v_a, w_a, *_), (x_b, v_b, w_b, *_) = body_a, body_b
+    n_dot = np.cross(w_b if face == "face_b" else w_a, n)
+    slide = v_a + np.cross(w_a, p - x_a) - v_b - np.cross(w_b, p - x_b)
+    whole = formulas.contact_bias(p, n, face, body_a, body_b)
+    along = np.sum(slide * n, axis=-1) * np.sum(n * n_dot, axis=-1)
+    return whole - 2 * np.sum(slide * n_dot, axis=-1) + 2 * along
+
+
+def energy_by_vdot(L, omega):
+    return 0.5 * np.vdot(L, omega)
+
+
+@pytest.mark.parametrize(
+    ("name", "answer", "said", "false"),
+    [
+        (
+            "impulse_at_point",
+            clipped_impulse,
+            "It gives what v2 - v1 for v1 - v2 would give",
+            ("Your u", "u < 0 picks"),
+        ),
+        (
+            "contact_bias",
+            bias_with_a_term_that_is_always_zero,
+            "What you give lacks 2 (p_A_dot - p_B_dot).N_dot.",
+            ("term with N_dot is missing", "only if"),
+        ),
+        ("angular_kinetic_energy", energy_by_vdot, "whole batch", ("np.sum",)),
+    ],
+)
+def test_what_is_said_of_a_slip_holds_of_every_answer_with_its_numbers(
+    name, answer, said, false
+):
+    mistake = verdict_of(name, answer).mistake
+    assert mistake is not None and said in mistake.message
+    assert not any(words in mistake.message for words in false)
+
+
+def test_powers_that_begin_with_one_are_told_by_what_they_give():
+    def times(height, e, count, gravity):
+        fall = np.sqrt(2 * np.asarray(height) / gravity)[..., None]
+        powers = np.asarray(e)[..., None] ** np.arange(count)
+        return fall + 2 * fall * np.cumsum(powers, axis=-1)
+
+    mistake = verdict_of("bounce_times", times).mistake
+    assert mistake is not None and "2 t_0 too late" in mistake.message
+
+
+def test_the_foots_formula_at_the_top_is_told_by_the_rate_it_is():
+    mistakes = find_exercise("top_acceleration")[1].mistakes
+    (message,) = (m.message for m in mistakes if m.name == "pattern of the foot")
+    assert "the rate of omega cos(theta)" in message and "gap has" not in message
+
+
+def test_an_infeasible_programme_is_told_from_a_return_left_out():
+    def forces(a, b):
+        f = cp.Variable(len(b))
+        q = cp.quad_form(f, cp.psd_wrap(a)) / 2 + cp.sum(cp.multiply(f, b))
+        cp.Problem(cp.Minimize(q), [cp.min(f) >= 0, a @ f <= b]).solve(
+            solver=cp.CLARABEL
+        )
+        return f.value
+
+    mistake = verdict_of("solve_contact_qp", forces).mistake
+    assert mistake is not None and "no f meets all your limits" in mistake.message
+
+
+def test_where_an_answer_holds_is_said_by_the_names_of_the_cases():
+    def along_omega(acceleration, alpha, omega, r):
+        turn = np.cross(alpha, r) - np.linalg.norm(omega) ** 3 * r
+        return acceleration + turn
+
+    (reason,) = verdict_of("free_point_acceleration", along_omega).reason
+    assert reason == "Right in: nothing turns. What is special there?"
+
+
+def test_no_answer_is_said_to_be_wrong_in_few_cases_only_where_batches_fail_too():
+    def third(velocity, normal):
+        return np.asarray(velocity)[..., 2]
+
+    exercise = find_exercise("speed_along")[1]
+    for seed in (None, 1, 2, 3):
+        cases = exercise.draw(seed)
+        outcomes = answers_of(third, exercise, cases)
+        wrong = {
+            c.label
+            for c, o in zip(cases, outcomes, strict=True)
+            if not judge(exercise, [c], [o]).passed
+        }
+        said = [
+            r for r in verdict_of("speed_along", third, seed).reason if "only in" in r
+        ]
+        assert all(label in reason for reason in said for label in wrong)
+
+    def wrong_for_five(a, b):
+        f = formulas.pivot(a, b)
+        return f if len(b) != 5 else 2 * f
+
+    (reason,) = verdict_of("pivot", wrong_for_five).reason
+    assert reason.startswith(
+        "Wrong only in: five drawn contacts; five contacts, strongly coupled;"
+    )

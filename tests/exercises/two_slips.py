@@ -4,6 +4,7 @@ python tests/exercises/two_slips.py SEED [COUNT]      every message, and what is
 """
 
 import ast
+import re
 import signal
 import sys
 from collections.abc import Callable, Sequence
@@ -209,9 +210,17 @@ def _of_the_repair(told: Told) -> list[str]:
     lines = "\n".join(step.line for step in repair.steps).splitlines()
     there = [s.strip() for s in told.recipe.source.splitlines()]
     false += [f"no such line: {line}" for line in lines if line not in there]
+    for step in repair.steps:
+        if step.kind == "brackets" and _operands(step.old) != _operands(step.new):
+            false.append(f"no brackets alone: {step.old} -> {step.new}")
     if not _right(told, repair.changed):
         false.append("the changed answer is not right")
     return false
+
+
+def _operands(text: str) -> str:
+    """A text without its brackets."""
+    return re.sub(r"[()\s]", "", text)
 
 
 def _right(told: Told, source: str) -> bool:

@@ -67,7 +67,7 @@ SPEED_ALONG = Exercise(
         Mistake(
             "no axis",
             slip(formulas.speed_along, ", axis=-1", ""),
-            "np.sum without an axis adds up the whole batch: one number for all boxes together. Sum over the last "
+            "Your sum goes over the whole batch: one number for all boxes together. Take it over the last "
             "axis only, axis=-1.",
         ),
         Mistake(

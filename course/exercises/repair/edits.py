@@ -52,8 +52,18 @@ def _expression_edits(code: Code) -> Iterator[Edit]:
                     or stage == 2
                     and text.isidentifier()
                 )
+                if kind == "brackets" and not _only_brackets(
+                    code.source[start:end], text
+                ):
+                    kind = "brackets around another part"
                 new = text if bare else f"({text})"
                 yield Edit(kind, stage, ((start, end, new),), place.node.lineno)
+
+
+def _only_brackets(old: str, new: str) -> bool:
+    """Whether two texts are the same but for brackets."""
+    one, other = (re.sub(r"[()\s]", "", text) for text in (old, new))
+    return one == other
 
 
 def _in_each(code: Code, singles: list[Edit]) -> Iterator[Edit]:

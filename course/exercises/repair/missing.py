@@ -119,8 +119,16 @@ def _with_vector(code: Code, place: Place, text: str) -> Iterator[Change]:
             yield "a matrix missing", f"{name} @ {text} @ {turned}"
             node = place.node
             if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
-                for factor in (node.left, node.right):
-                    kind = "a factor where a matrix belongs"
+                for factor, second in (
+                    (node.left, node.right),
+                    (node.right, node.left),
+                ):
+                    is_it = code.text(second) == name
+                    kind = (
+                        "* where @ belongs"
+                        if is_it
+                        else "a factor where a matrix belongs"
+                    )
                     yield kind, times(name, code.closed(factor))
 
 

@@ -110,6 +110,15 @@ class Code:
         return frozenset(names)
 
     @cached_property
+    def terms_counted(self) -> frozenset[ast.Constant]:
+        """The numbers above 9 that say how many terms a sum written out in one expression has."""
+        loops = [
+            n.iter for n in ast.walk(self.tree) if isinstance(n, ast.comprehension)
+        ]
+        numbers = [n for i in loops for n in ast.walk(i) if isinstance(n, ast.Constant)]
+        return frozenset(n for n in numbers if type(n.value) is int and n.value > 9)
+
+    @cached_property
     def functions(self) -> list[ast.FunctionDef]:
         """The functions at the top of the source; inner ones are parts of theirs."""
         return [n for n in self.tree.body if isinstance(n, ast.FunctionDef)]

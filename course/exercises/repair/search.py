@@ -26,10 +26,10 @@ SIGNS = ("a sign", "the sign of a term", "a difference turned round")
 #: Of two kinds of change that both make it right, the one whose words come first is told.
 _ORDER = (
     "a second name", "a term too many", "a factor too many", "a divisor too many", "a power too many",
-    "too many", "in place", "argument", "wrong place", "order of", "without axis", "axis",
+    "too many", "in place", "letters", "argument", "wrong place", "order of", "without axis", "axis",
     "axes", "keepdims", "brackets", "condition", "a number$", "belongs", "sign of a term",
     "turned round", "names of another", "exchanged", "twin", "upside", "a sign",
-    "an index", "another name", "another product", "number", "missing",
+    "an index", "another name", "another expression", "number", "missing",
 )  # fmt: skip
 
 

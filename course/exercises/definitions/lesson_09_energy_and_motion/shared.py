@@ -38,8 +38,7 @@ def energy_mistakes(
         Mistake(
             "summed over the batch",
             slip(formula, total, f"np.sum({product})"),
-            "np.sum without an axis adds up the whole batch. Sum over the last axis only, axis=-1: one energy for "
-            "each body.",
+            "Your sum goes over the whole batch. Take it over the last axis only, axis=-1: one energy for each body.",
         ),
         Mistake(
             "np.dot",

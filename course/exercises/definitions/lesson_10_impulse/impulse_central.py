@@ -70,7 +70,8 @@ IMPULSE_CENTRAL = Exercise(
         Mistake(
             "guard the wrong way round",
             slip(formulas.impulse_central, "closing > 0", "closing < 0"),
-            "Your condition picks the bodies that part. They approach where (v1 - v2).n < 0.",
+            "Bodies that part get an impulse from you, and those that approach none. They approach where "
+            "(v1 - v2).n < 0.",
         ),
         Mistake(
             "sum of masses",

@@ -107,7 +107,8 @@ KINETIC_ENERGY_LOST = Exercise(
         Mistake(
             "guard the wrong way round",
             slip(formulas.kinetic_energy_lost, "closing > 0", "closing < 0"),
-            "Your condition picks the pairs that part. They approach where (v1 - v2).n < 0.",
+            "Pairs that part lose energy in your answer, and those that approach none. They approach where "
+            "(v1 - v2).n < 0.",
         ),
         Mistake(
             "whole speed",

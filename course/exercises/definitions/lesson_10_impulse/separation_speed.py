@@ -56,14 +56,14 @@ SEPARATION_SPEED = Exercise(
                 "velocity_1 - velocity_2",
                 "velocity_2 - velocity_1",
             ),
-            "Your u is (v2 - v1).n, which is positive while they approach. Then u < 0 picks the pairs that part. Take "
-            "(v1 - v2).n.",
+            "It gives what u = (v2 - v1).n would give. That is positive while they approach, and u < 0 would pick the "
+            "pairs that part: it takes (v1 - v2).n.",
         ),
         Mistake(
             "guard the wrong way round",
             slip(formulas.separation_speed, "u < 0", "u > 0"),
-            "Your condition picks the pairs that part and leaves those that approach as they are. They approach where "
-            "(v1 - v2).n < 0.",
+            "Pairs that part are turned back in your answer, and those that approach go on as they are. They approach "
+            "where (v1 - v2).n < 0.",
         ),
         Mistake(
             "0 for those that part",

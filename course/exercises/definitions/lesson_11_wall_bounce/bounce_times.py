@@ -31,6 +31,7 @@ def _drops(rng: np.random.Generator) -> Sequence[Case]:
         Case("only the first impact", drop((), 1), "edge"),
         Case("it stays down, e = 0", {**text, "restitution": 0.0}, "edge"),
         Case("it bounces for ever, e = 1", {**text, "restitution": 1.0}, "edge"),
+        Case("forty impacts", {**text, "restitution": 0.9, "count": 40}),
         Case("three balls, three impacts", drop((3,), 3), "batch"),
         Case("four balls", drop((4,), 3), "batch"),
         Case("a 2 by 3 batch", drop((2, 3), 6), "batch"),
@@ -102,6 +103,12 @@ BOUNCE_TIMES = Exercise(
             "the first fall counted as a flight",
             slip(formulas.bounce_times, " - 1)", ")"),
             "You count 2 t_0 for the first fall. The ball starts at the top: only the way down is there.",
+        ),
+        Mistake(
+            "powers from e^0",
+            slip(formulas.bounce_times, " - 1)", " + 1)"),
+            "Each of your times is 2 t_0 too late, as if a flight as long as 2 t_0 followed the first fall. The "
+            "flights last 2 e t_0, 2 e^2 t_0, ...: their powers begin with e^1.",
         ),
         Mistake(
             "closed sum",

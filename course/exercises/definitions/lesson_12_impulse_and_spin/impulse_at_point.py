@@ -126,7 +126,8 @@ IMPULSE_AT_POINT = Exercise(
         Mistake(
             "guard the wrong way round",
             slip(formulas.impulse_at_point, "u < 0", "u > 0"),
-            "Your condition picks the points that part. They approach where u = (v1 - v2).n < 0.",
+            "Points that part get an impulse from you, and those that approach none. They approach where "
+            "u = (v1 - v2).n < 0.",
         ),
         Mistake(
             "v2 - v1",
@@ -135,8 +136,8 @@ IMPULSE_AT_POINT = Exercise(
                 "point_velocity_1 - point_velocity_2",
                 "point_velocity_2 - point_velocity_1",
             ),
-            "Your u is reversed, v2 - v1 where it should be v1 - v2. So u < 0 picks the points that part, and they "
-            "get the impulse.",
+            "It gives what v2 - v1 for v1 - v2 would give: points that part are pushed, and those that approach are "
+            "not. They approach where u = (v1 - v2).n < 0, and get -(1 + e) u mu.",
         ),
         Mistake(
             "sign",

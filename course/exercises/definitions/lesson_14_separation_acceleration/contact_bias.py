@@ -98,7 +98,8 @@ CONTACT_BIAS = Exercise(
         Mistake(
             "N_dot lost",
             slip(formulas.contact_bias, " + 2 * (p_a_dot - p_b_dot) * n_dot", ""),
-            "The term with N_dot is missing. It is zero only if the normal stands still or the points move as one.",
+            "What you give lacks 2 (p_A_dot - p_B_dot).N_dot. That is zero only where N stands still, the points move "
+            "as one, or one moves past the other at right angles to N_dot.",
         ),
         Mistake(
             "sign of N_dot",

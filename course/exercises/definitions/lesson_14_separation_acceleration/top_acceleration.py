@@ -86,7 +86,7 @@ TOP_ACCELERATION = Exercise(
         Mistake(
             "sine kept",
             slip(formulas.top_acceleration, "sp.cos", "sp.sin"),
-            "In the last term you left the sine standing. Its derivative is the cosine.",
+            "The term with omega^2 has a sine. It comes from the rate of sin(theta), which has the cosine.",
         ),
         Mistake(
             "whole length",
@@ -110,8 +110,8 @@ TOP_ACCELERATION = Exercise(
                 "alpha * sp.sin(theta) + omega**2 * sp.cos(theta)",
                 "alpha * sp.cos(theta) - omega**2 * sp.sin(theta)",
             ),
-            "In the bracket stands what belongs to the foot, where the gap has a cosine. Here it has a sine: "
-            "differentiate omega sin(theta).",
+            "What you add to -a_y is (ell/2) times the rate of omega cos(theta), which belongs to the foot. At the top "
+            "d_2_dot has omega sin(theta): differentiate that.",
         ),
         Mistake(
             "pattern of the foot with its minus",
@@ -120,14 +120,14 @@ TOP_ACCELERATION = Exercise(
                 "alpha * sp.sin(theta) + omega**2 * sp.cos(theta)",
                 "omega**2 * sp.sin(theta) - alpha * sp.cos(theta)",
             ),
-            "From -(ell/2) on this is the formula of the foot. The gap at the top has + (ell/2) omega sin(theta): "
-            "differentiate that.",
+            "What you add to -a_y is -(ell/2) times the rate of omega cos(theta), which belongs to the foot. At the "
+            "top d_2_dot has + (ell/2) omega sin(theta): differentiate that.",
         ),
         Mistake(
             "minus before the bracket",
             slip(formulas.top_acceleration, "+ ell", "- ell"),
-            "There is a minus before the bracket, as at the foot. At the top d_2_dot has + (ell/2) omega sin(theta), "
-            "and the plus stays.",
+            "All that stands with ell has the wrong sign. At the top d_2_dot has + (ell/2) omega sin(theta), and the "
+            "plus stays.",
         ),
         Mistake(
             "product of the rates",

@@ -43,6 +43,19 @@ def _scaled(
     return {"a": a * d[:, None] * d, "b": b * d}
 
 
+def _nearly_tied(rng: np.random.Generator) -> dict[str, np.ndarray]:
+    """The first force reaches 0 a rounding error before w of the second: b_2 = b_1 a_22/a_12 but for that.
+
+    So it leaves first whatever the order in which the stops are compared, and the second force has to be
+    listed, or the third lifts its contact.
+    """
+    a_12 = rng.choice([0.25, 0.5])
+    a_13, a_23, a_22 = rng.uniform([-0.3, 0.2, 1.0], [-0.1, 0.4, 1.5]).round(2)
+    a = np.array([[1, a_12, a_13], [a_12, a_22, a_23], [a_13, a_23, 1]])
+    b_1 = -float(rng.integers(1, 4))
+    return {"a": a, "b": np.array([b_1, b_1 * a_22 / a_12 - 1e-13, 3 * b_1 - 6])}
+
+
 #: What ends the loop for k besides its d_ddot.
 LISTED = " and (k in pushing or f[k] == 0)"
 
@@ -70,6 +83,7 @@ def _pivot_systems(rng: np.random.Generator) -> Sequence[Case]:
         Case("six contacts, strongly coupled", _scaled(rng, *SIX)),
         Case("five contacts that no exchange of all at once solves", _scaled(rng, *CYCLING)),
         Case("two stops at once", _scaled(rng, *TIED), "edge"),
+        Case("two stops all but at once", _nearly_tied(rng), "edge"),
     ]  # fmt: skip
 
 
@@ -142,6 +156,11 @@ PIVOT = Exercise(
                 "Right unless two stops coincide. Where d_ddot_k and the force of another reach 0 together, the other "
                 "leaves and k is done without being listed: nobody keeps its d_ddot at 0 from then on. Go on until "
                 "k is in the list, or has no force."),
+        Mistake("two stops all but at once",
+                slip(formulas.pivot, LISTED, "", "min(stops)", "min(stops, key=lambda stop: stop[0])"),
+                "Right unless two stops come so close together that d_ddot_k, at the force that leaves first, is "
+                "already 0 but for rounding. k is then done without being listed: nobody keeps its d_ddot at 0 from "
+                "then on. Go on until k is in the list, or has no force."),
         Mistake("contacts that part are pressed",
                 slip(formulas.pivot, "w[k] >= -1e-12", "abs(w[k]) <= 1e-12"),
                 "You bring d_ddot_k to 0 also where it is above 0. A contact that parts takes no force: leave it "

@@ -146,6 +146,10 @@ SOLVE_CONTACT_QP = Exercise(
         Mistake("A and b of the contacts in the limit", _limited_by_contacts,
                 "The limit is A f <= b with the A and b of the contacts. The slide's letters mean two things: the "
                 "limit on the forces is -f <= 0."),
+        Mistake("A and b of the contacts in a second limit",
+                slip(formulas.solve_contact_qp, "[f >= 0]", "[f >= 0, a @ f <= b]"),
+                "Where None came, no f meets all your limits: cvxpy then leaves None in f.value. f >= 0 is the only "
+                "limit. The slide's A x <= b says that as -f <= 0: its letters are not those of the contacts."),
         Mistake("as printed", lambda a, b: np.zeros(len(b)),
                 "f = 0 everywhere: it satisfies f >= 0 and f d_ddot = 0, and all that lies on something falls through. "
                 "A constraint f <= 0 may end here too."),
