@@ -9,7 +9,7 @@ from jupyter_server.services.kernels.connection.channels import (
 )
 
 
-class PromptChannel(ZMQChannelsWebsocketConnection):  # type: ignore[misc]
+class PromptChannel(ZMQChannelsWebsocketConnection):
     """Jupyter's own, with Nagle's algorithm off (RFC 896).
 
     A kernel says that it is busy, and then what it found. With Nagle's algorithm the
