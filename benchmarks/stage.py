@@ -17,6 +17,7 @@ import numpy as np
 
 from benchmarks.measure import Row
 from course import rotations
+from course.workbook.demos.full_screen import CHANNEL
 from course.workbook.films.listing import find_film
 from course.workbook.stage import Arrows, Film, Flat, Pane, Space, as_exhibit, ball, box
 from course.workbook.stage import page as html_page
@@ -208,6 +209,7 @@ def _voila(opened: Any, folder: Path) -> Iterator[None]:
         "--no-browser",
         f"--port={port}",
     ]
+    given.append(f"--Voila.kernel_websocket_connection_class={CHANNEL}")
     with _served("voila", given, folder):
         _goto(opened, f"http://localhost:{port}/")
         yield
@@ -225,6 +227,7 @@ def _lab(opened: Any, folder: Path) -> Iterator[None]:
         "--IdentityProvider.token=",
         "--allow-root",
     ]
+    given.append(f"--ServerApp.kernel_websocket_connection_class={CHANNEL}")
     with _served("jupyterlab", given, folder):
         address = f"http://localhost:{port}/lab/tree/impulse.ipynb"
         _goto(opened, address)

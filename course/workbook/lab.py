@@ -83,6 +83,7 @@ def options(
         "ServerApp.root_dir": root,
         "ServerApp.open_browser": browser,
         "ServerApp.kernel_spec_manager_class": f"{__name__}.{ThisPython.__name__}",
+        "ServerApp.kernel_websocket_connection_class": "course.workbook.prompt_channel.PromptChannel",
         "LabApp.news_url": None,
         "LabApp.check_for_updates_class": "jupyterlab.handlers.announcements.NeverCheckForUpdate",
         "LabApp.workspaces_dir": root / "work" / ".jupyter" / "workspaces",

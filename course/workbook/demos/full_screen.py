@@ -12,6 +12,8 @@ import nbformat
 
 from course.workbook.films.listing import Listed, find_film
 
+#: Sends at once what a kernel answers.
+CHANNEL = "course.workbook.prompt_channel.PromptChannel"
 SHARE = Path(__file__).with_name(
     "share"
 )  # the page template, which fetches nothing from outside
@@ -48,6 +50,7 @@ def serve(name: str, *, browser: bool = True, port: int | None = None) -> int:
             str(path),
             "--theme=light",
             "--template=course",
+            f"--Voila.kernel_websocket_connection_class={CHANNEL}",
         ]
         command += [] if browser else ["--no-browser"]
         command += [f"--port={port}"] if port else []
