@@ -2,7 +2,7 @@
 
 It offers this Python's kernel only. The folder ``jupyter`` beside this file turns off
 the rest (the question about news, Voila's button). Nothing of ours is written outside
-work/: the arrangement of tabs is kept in work/.jupyter, so that tabs of other projects
+work/: the arrangement of tabs is kept in work/.course, so that tabs of other projects
 do not appear here. Jupyter's own files (the student's settings, runtime files) stay
 where they are.
 """
@@ -17,6 +17,8 @@ from urllib.parse import quote
 
 from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from traitlets import default
+
+from course.workbook.course_folder import kept
 
 CONFIGURATION = Path(__file__).with_name("jupyter")
 
@@ -85,7 +87,7 @@ def options(
         "ServerApp.kernel_spec_manager_class": f"{__name__}.{ThisPython.__name__}",
         "LabApp.news_url": None,
         "LabApp.check_for_updates_class": "jupyterlab.handlers.announcements.NeverCheckForUpdate",
-        "LabApp.workspaces_dir": root / "work" / ".jupyter" / "workspaces",
+        "LabApp.workspaces_dir": kept(root / "work", "workspaces"),
     }
     if port is not None:
         chosen["ServerApp.port"] = port

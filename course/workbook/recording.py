@@ -1,4 +1,5 @@
-"""What a student has done: events appended to one file in work/, and their summary.
+"""What a student has done: events appended to one file in work/.course/, and their
+summary.
 
 Events are only ever appended, one JSON line each, so two notebooks open at once cannot
 lose each other's. They are recorded only by a notebook that lies in work/; tests and
@@ -9,7 +10,6 @@ are also kept in memory, so that a lesson opened elsewhere still knows what pass
 from __future__ import annotations
 
 import json
-import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from course.exercises.definition import Exercise, Lesson, all_lessons
+from course.workbook.course_folder import append_line, kept_text
 
 FILE_NAME = "progress.jsonl"
 UNRECOGNISED = "unrecognised.jsonl"
@@ -56,7 +57,7 @@ def record(kind: str, name: str, **details: Any) -> None:
     _session.append(event)
     folder = recording_folder()
     if folder is not None:
-        _append(folder / FILE_NAME, event)
+        append_line(folder, FILE_NAME, json.dumps(event))
 
 
 def record_unrecognised(name: str, source: str, message: str) -> None:
@@ -66,17 +67,15 @@ def record_unrecognised(name: str, source: str, message: str) -> None:
     It stays on this machine.
     """
     folder = recording_folder()
-    kept = {"exercise": name, "source": source, "message": message}
-    if folder is not None and json.dumps(kept) not in _lines(
-        folder / UNRECOGNISED
-    ):  # a cell is run more than once
-        _append(folder / UNRECOGNISED, kept)
+    line = json.dumps({"exercise": name, "source": source, "message": message})
+    if folder is not None and line not in kept_text(folder, UNRECOGNISED).splitlines():
+        append_line(folder, UNRECOGNISED, line)  # once: a cell is run more than once
 
 
 def state(folder: Path | None = None) -> State:
     """Fold the recorded events, and this session's, into a state."""
     folder = folder or recording_folder()
-    events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
+    events = [*(_events(folder) if folder else ()), *_session]
     hints: dict[str, int] = {}
     for event in events:
         tier = event.get("tier")
@@ -100,7 +99,7 @@ def predicted(name: str, folder: Path | None = None) -> Any:
     None if none was.
     """
     folder = folder or recording_folder()
-    events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
+    events = [*(_events(folder) if folder else ()), *_session]
     return next(
         (
             e.get("answer")
@@ -184,40 +183,11 @@ def progress(folder: Path | None = None) -> Table:
     return Table(tuple(rows))
 
 
-def _append(path: Path, event: dict[str, Any]) -> None:
-    """Add a line in one write; after an incomplete line (a crash, a full disk) begin a
-    new one.
-
-    Under a lock: another notebook's half-written line looks like an incomplete one.
+def _events(folder: Path) -> Iterator[dict[str, Any]]:
+    """The events kept in a folder; a line cut off by a crash is skipped, the others
+    count.
     """
-    line = (json.dumps(event) + "\n").encode()
-    try:
-        with path.open("a+b", buffering=0) as file:
-            _wait_for_others(file.fileno())
-            if file.seek(0, os.SEEK_END):
-                file.seek(-1, os.SEEK_END)
-                line = line if file.read(1) == b"\n" else b"\n" + line
-            file.write(line)
-    except OSError:
-        pass
-
-
-def _wait_for_others(number: int) -> None:
-    """Lock an open file until it is closed, where the system can."""
-    try:
-        import fcntl
-    except ImportError:  # Windows
-        return
-    fcntl.flock(number, fcntl.LOCK_EX)
-
-
-def _read(path: Path) -> Iterator[dict[str, Any]]:
-    """The events in a file; a line cut off by a crash is skipped, the others count."""
-    try:
-        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError:
-        return
-    for line in lines:
+    for line in kept_text(folder, FILE_NAME).splitlines():
         try:
             event = json.loads(line)
         except (ValueError, RecursionError):
@@ -228,10 +198,3 @@ def _read(path: Path) -> Iterator[dict[str, Any]]:
             and "kind" in event
         ):
             yield event
-
-
-def _lines(path: Path) -> list[str]:
-    try:
-        return path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError:
-        return []

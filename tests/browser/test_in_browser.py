@@ -73,7 +73,9 @@ def test_a_wrong_answer_is_answered_usefully_and_a_right_one_is_passed(lab):
     assert "✓ Right: impulse_central" in told
     events = [
         json.loads(line)
-        for line in (lab.root / "work" / "progress.jsonl").read_text().splitlines()
+        for line in (lab.root / "work" / ".course" / "progress.jsonl")
+        .read_text()
+        .splitlines()
     ]
     assert [e["state"] for e in events if e["name"] == "impulse_central"][-2:] == [
         "wrong",

@@ -47,7 +47,7 @@ def a_session_of_its_own(monkeypatch, tmp_path):
 def work(tmp_path, monkeypatch):
     (tmp_path / "lessons").mkdir()
     folder = tmp_path / "work"
-    folder.mkdir()
+    (folder / ".course").mkdir(parents=True)
     monkeypatch.chdir(folder)
     return folder
 
@@ -293,7 +293,8 @@ def test_hints_go_up_in_three_tiers_then_the_reference(work, capsys):
         seen[:3]
     )
     events = [
-        json.loads(line) for line in (work / "progress.jsonl").read_text().splitlines()
+        json.loads(line)
+        for line in (work / ".course" / "progress.jsonl").read_text().splitlines()
     ]
     assert [e["tier"] for e in events] == [1, 2, 3, 4]
 
@@ -346,22 +347,22 @@ def test_a_prediction_that_was_not_made_keeps_its_outcome(capsys):
 def test_progress_is_recorded_only_in_work(work, tmp_path, monkeypatch, capsys):
     check(named(right))
     assert "1/5" in str(progress()).split("10  ")[1].split("\n")[0]
-    before = (work / "progress.jsonl").read_bytes()
+    before = (work / ".course" / "progress.jsonl").read_bytes()
     monkeypatch.chdir(tmp_path)
     check(named(right))
-    assert (work / "progress.jsonl").read_bytes() == before
+    assert (work / ".course" / "progress.jsonl").read_bytes() == before
     assert sorted(p.name for p in tmp_path.iterdir()) == ["lessons", "work"]
 
 
 def test_a_cut_off_line_loses_nothing_else(work, capsys):
     check(named(right))
-    with (work / "progress.jsonl").open("a") as file:
+    with (work / ".course" / "progress.jsonl").open("a") as file:
         file.write('{"kind": "check", "na')
     assert "1/5" in str(progress())
 
 
 def test_what_follows_a_cut_off_line_is_kept(work, monkeypatch, capsys):
-    (work / "progress.jsonl").write_text('{"kind": "check", "na')
+    (work / ".course" / "progress.jsonl").write_text('{"kind": "check", "na')
     check(named(right))
     monkeypatch.setattr(progress_module_itself(), "_session", [])
     assert "1/5" in str(progress())
@@ -371,13 +372,15 @@ def test_what_follows_a_cut_off_line_is_kept(work, monkeypatch, capsys):
 def test_a_damaged_file_stops_nothing(work, tier, capsys):
     event = f'{{"kind": "hint", "name": "{NAME}", "tier": {tier}}}'
     lines = [event, "[" * 100_000, "\xff", "3", '{"name": 1, "kind": 2}']
-    (work / "progress.jsonl").write_text("\n".join(lines), encoding="latin-1")
+    (work / ".course" / "progress.jsonl").write_text(
+        "\n".join(lines), encoding="latin-1"
+    )
     check(named(right))
     assert "1/5" in str(progress())
 
 
 def test_a_folder_that_cannot_be_written_stops_nothing(work, capsys):
-    (work / "progress.jsonl").mkdir()
+    (work / ".course" / "progress.jsonl").mkdir()
     check(named(right))
     assert said(capsys).startswith("✓") and "1/5" in str(progress())
 
@@ -392,7 +395,7 @@ def test_two_kernels_lose_nothing_of_each_other(work):
     assert [p.wait(60) for p in both] == [0, 0]
     names = [
         json.loads(line)["name"]
-        for line in (work / "progress.jsonl").read_text().splitlines()
+        for line in (work / ".course" / "progress.jsonl").read_text().splitlines()
     ]
     assert sorted(names) == sorted(f"{who}{i}" for who in "ab" for i in range(200))
 
@@ -402,7 +405,7 @@ def test_wrong_answers_that_match_nothing_are_kept_here(work, capsys):
     check(named(lambda a, b, c, d, n, e: e * right(a, b, c, d, n, 0.0)))
     kept = [
         json.loads(line)
-        for line in (work / "unrecognised.jsonl").read_text().splitlines()
+        for line in (work / ".course" / "unrecognised.jsonl").read_text().splitlines()
     ]
     assert [k["exercise"] for k in kept] == [NAME]
     assert "17.0" in kept[0]["source"]
