@@ -18,6 +18,7 @@ from typing import Any
 
 from course.exercises.definition import Exercise, Lesson, all_lessons
 from course.workbook.course_folder import append_line, kept_text
+from course.workbook.overview import Table, table, write_page
 
 FILE_NAME = "progress.jsonl"
 UNRECOGNISED = "unrecognised.jsonl"
@@ -58,6 +59,7 @@ def record(kind: str, name: str, **details: Any) -> None:
     folder = recording_folder()
     if folder is not None:
         append_line(folder, FILE_NAME, json.dumps(event))
+        write_page(folder, state(folder).passed)
 
 
 def record_unrecognised(name: str, source: str, message: str) -> None:
@@ -127,11 +129,6 @@ def next_exercise(
     return next((e for e in order if e.name not in passed and e.level == "core"), None)
 
 
-def minutes_left(lesson: Lesson, passed: frozenset[str]) -> int:
-    """The estimated minutes of the core exercises not yet passed."""
-    return sum(e.minutes for e in lesson.core if e.name not in passed)
-
-
 def first_unfinished(folder: Path | None = None) -> Lesson | None:
     """The first lesson with a core exercise that has not passed.
 
@@ -143,44 +140,11 @@ def first_unfinished(folder: Path | None = None) -> Lesson | None:
     )
 
 
-@dataclass(frozen=True)
-class Table:
-    """Progress by lesson; displays itself as a table."""
-
-    rows: tuple[tuple[str, str, int, int, int, str], ...]
-
-    def __str__(self) -> str:
-        width = max((len(r[1]) for r in self.rows), default=0)
-        lines = [
-            f"{number}  {title:<{width}}  {'█' * done}{'░' * (total - done)} {done}/{total}"
-            + (f"  {minutes} min left  next: {following}" if following else "  done")
-            for number, title, done, total, minutes, following in self.rows
-        ]
-        return "\n".join(lines) if lines else "no lessons yet"
-
-    __repr__ = __str__
-
-
 def progress(folder: Path | None = None) -> Table:
     """How far you are: core exercises done by lesson, minutes left, and what comes
     next.
     """
-    passed = state(folder).passed
-    rows = []
-    for lesson in all_lessons():
-        following = next((e.name for e in lesson.core if e.name not in passed), "")
-        done = sum(e.name in passed for e in lesson.core)
-        rows.append(
-            (
-                lesson.number,
-                lesson.title,
-                done,
-                len(lesson.core),
-                minutes_left(lesson, passed),
-                following,
-            )
-        )
-    return Table(tuple(rows))
+    return table(state(folder).passed)
 
 
 def _events(folder: Path) -> Iterator[dict[str, Any]]:

@@ -21,6 +21,8 @@ from course.workbook.course_folder import append_line, kept_text
 
 ROOT = Path(__file__).resolve().parents[2]
 RECORD = "started-from"
+#: What is handed out: read there, never written.
+READ_ONLY = ("lessons", "solutions")
 
 
 @dataclass(frozen=True)
