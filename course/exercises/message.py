@@ -121,7 +121,7 @@ _HTML = """\
 <td style="text-align: left; border: none; padding: 0.15em 0; overflow-wrap: anywhere">\
 {% if part.style == "code" %}\
 <pre style="margin: 0; white-space: pre-wrap; color: inherit; background: none">{{ part.text }}</pre>\
-{% else %}{{ part.text }}{% endif %}</td></tr>
+{% else %}<div style="max-width: 66ch">{{ part.text }}</div>{% endif %}</td></tr>
 {% endfor %}
 </table>
 {% endif %}

@@ -97,6 +97,7 @@ def options(
             "static_custom_path": [str(CONFIGURATION / "custom")]
         },
         "LabApp.custom_css": True,
+        "LabApp.extra_labextensions_path": CONFIGURATION / "labextensions",
         "LabApp.news_url": None,
         "LabApp.check_for_updates_class": "jupyterlab.handlers.announcements.NeverCheckForUpdate",
         "LabApp.workspaces_dir": kept(root / "work", "workspaces"),

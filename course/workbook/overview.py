@@ -147,7 +147,7 @@ def _link(row: Row) -> str:
 
 
 def _left(row: Row) -> str:
-    return f"{row.minutes} min" if row.following else "done"
+    return f"{row.minutes}\N{NO-BREAK SPACE}min" if row.following else "done"
 
 
 def _bar(row: Row) -> str:
@@ -163,4 +163,5 @@ def _cell(
 ) -> str:
     extra = f' scope="{scope}"' if tag == "th" else ""
     inner = f"<code>{inner}</code>" if code and inner else inner
-    return f'<{tag}{extra} style="text-align: left">{inner}</{tag}>'
+    nowrap = "" if tag == "th" else "; white-space: nowrap"
+    return f'<{tag}{extra} style="text-align: left{nowrap}">{inner}</{tag}>'

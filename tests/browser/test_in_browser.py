@@ -69,6 +69,9 @@ def test_a_wrong_answer_is_answered_usefully_and_a_right_one_is_passed(lab):
         and "expected" in told
         and "4 N s" in told
     )
+    cell = lab.cell("def impulse_central")
+    cell.get_by_role("button", name="see it move").click()
+    cell.locator("canvas").first.wait_for()
     told = lab.write_and_run("def impulse_central", RIGHT).inner_text()
     assert "✓ Right: impulse_central" in told
     events = [

@@ -29,7 +29,11 @@ def test_text_html_and_page_say_the_same():
     line = next(t for t in str(shown).splitlines() if t.startswith("10"))
     assert "█░░░░ 1/5" in line and f"{row.minutes} min left" in line
     html, markdown = shown._repr_html_(), page({TEN.file_name}, {FIRST})
-    for said in ('<progress max="5" value="1">', "1 of 5", f"{row.minutes} min"):
+    for said in (
+        '<progress max="5" value="1">',
+        "1 of 5",
+        f"{row.minutes}\N{NO-BREAK SPACE}min",
+    ):
         assert said in html and said in markdown
     assert f"[10 Impulse]({TEN.file_name})" in markdown
     assert f"exercise `{row.following}`" in markdown
