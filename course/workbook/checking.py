@@ -66,13 +66,18 @@ def check(answer: Any, name: str | None = None) -> None:
     if verdict.unexplained and not borrowed and repair is None:
         recording.record_unrecognised(name, _source(answer), str(message))
     say_that_nothing_is_kept()
+    show_buttons(_actions(name, answer, passed=verdict.passed, moves=bool(seen)))
+
+
+def _actions(name: str, answer: Any, *, passed: bool, moves: bool) -> list[Action]:
+    """What the buttons below a verdict do."""
     actions: list[Action] = []
-    if not verdict.passed:
+    if not passed:
         actions.append(("hint", f"the next hint for {name}", partial(hint, name)))
-    if seen:
+    if moves:
         beside = f"{name} beside the right one"
         actions.append(("see it move", beside, lambda: display_value(watch(answer))))
-    show_buttons(actions)
+    return actions
 
 
 @cache  # once a session
