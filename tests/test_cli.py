@@ -80,7 +80,9 @@ def test_afterwards_the_first_unfinished_lesson_is_opened(project, started):
         json.dumps({"kind": "check", "name": name, "state": "passed"})
         for name in passed
     ]
-    (project / "work" / "progress.jsonl").write_text("\n".join(lines) + "\n")
+    (project / "work" / ".course" / "progress.jsonl").write_text(
+        "\n".join(lines) + "\n"
+    )
     cli.run([])
     assert [call.notebook for call in started] == [
         "work/00-start-here.ipynb",
@@ -98,7 +100,9 @@ def test_when_the_unfinished_lesson_is_not_there_the_first_is_opened(project, st
         json.dumps({"kind": "check", "name": name, "state": "passed"})
         for name in everything
     ]
-    (project / "work" / "progress.jsonl").write_text("\n".join(lines) + "\n")
+    (project / "work" / ".course" / "progress.jsonl").write_text(
+        "\n".join(lines) + "\n"
+    )
     cli.run([])
     assert started[1].notebook == "work/00-start-here.ipynb"
 
@@ -195,9 +199,9 @@ def test_check_by_number_reads_the_copy_in_work(project, monkeypatch):
 
 
 def test_progress_reads_the_place_to_work(project, capsys):
-    (project / "work").mkdir()
+    (project / "work" / ".course").mkdir(parents=True)
     line = json.dumps({"kind": "check", "name": "impulse_central", "state": "passed"})
-    (project / "work" / "progress.jsonl").write_text(line + "\n")
+    (project / "work" / ".course" / "progress.jsonl").write_text(line + "\n")
     assert cli.run(["progress"]) == 0
     ten = next(
         line for line in capsys.readouterr().out.splitlines() if line.startswith("10")

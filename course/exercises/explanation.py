@@ -30,6 +30,8 @@ def verdict_message(exercise: Exercise, verdict: Verdict) -> Message:
         advice = Part(
             "next",
             f"write your answer where the ... stands, then run the cell again. {exercise.task}",
+            # an expression is written in the symbols that its task names
+            "text" if exercise.kind == "expression" else "prose",
         )
         return Message("not attempted", headline, (advice,))
     parts = []
@@ -54,10 +56,16 @@ def verdict_message(exercise: Exercise, verdict: Verdict) -> Message:
 
 
 def _why(verdict: Verdict) -> list[Part]:
-    causes = [verdict.mistake.message] if verdict.mistake else []
-    causes += [*verdict.reason, *verdict.violated]
+    """The causes; what is said of the code as it stands is no prose."""
+    prose = [verdict.mistake.message] if verdict.mistake else []
+    causes = [*prose, *verdict.reason, *verdict.violated]
     return [
-        Part("also" if i else "look at", cause, about="cause")
+        Part(
+            "also" if i else "look at",
+            cause,
+            "text" if cause in verdict.reason else "prose",
+            about="cause",
+        )
         for i, cause in enumerate(causes)
     ]
 

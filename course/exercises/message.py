@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Literal
 
+from course.exercises.letters import with_letters
 from course.exercises.verdict import State
 
 SYMBOLS: dict[State, str] = {
@@ -36,14 +37,15 @@ COLOURS: dict[State, str] = {
 
 @dataclass(frozen=True)
 class Part:
-    """One labelled part of a message; code keeps its line breaks and can be pasted.
+    """One labelled part of a message; code keeps its line breaks and can be pasted, prose
+    is shown with real letters (``letters``).
 
     ``about`` says what a table of marks makes of it: what one "run" gave, or a "cause", which is counted.
     """
 
     label: str
     text: str
-    style: Literal["text", "code"] = "text"
+    style: Literal["text", "prose", "code"] = "text"
     about: Literal["", "run", "cause"] = ""
 
 
@@ -62,10 +64,17 @@ class Message:
         """The message with more parts at its end."""
         return replace(self, parts=(*self.parts, *parts))
 
+    def _shown(self) -> tuple[Part, ...]:
+        """The parts, prose with its letters."""
+        return tuple(
+            replace(p, text=with_letters(p.text)) if p.style == "prose" else p
+            for p in self.parts
+        )
+
     def __str__(self) -> str:
         lines = [f"{SYMBOLS[self.state]} {self.headline}"]
         width = max((len(p.label) for p in self.parts), default=0)
-        for part in self.parts:
+        for part in self._shown():
             text = part.text if part.style == "code" else textwrap.fill(part.text, 96)
             lines.append(
                 f"  {part.label:<{width}}  "
@@ -83,7 +92,7 @@ class Message:
             colour=COLOURS[self.state],
             symbol=SYMBOLS[self.state],
             headline=self.headline,
-            parts=self.parts,
+            parts=self._shown(),
         )
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
@@ -112,7 +121,7 @@ _HTML = """\
 <td style="text-align: left; border: none; padding: 0.15em 0; overflow-wrap: anywhere">\
 {% if part.style == "code" %}\
 <pre style="margin: 0; white-space: pre-wrap; color: inherit; background: none">{{ part.text }}</pre>\
-{% else %}{{ part.text }}{% endif %}</td></tr>
+{% else %}<div style="max-width: 66ch">{{ part.text }}</div>{% endif %}</td></tr>
 {% endfor %}
 </table>
 {% endif %}

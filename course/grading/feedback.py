@@ -95,7 +95,7 @@ def _points(row: Row) -> str:
 def _after(row: Row) -> tuple[Part, ...]:
     """The first hint, where an answer is wrong and nothing says yet how."""
     if row.verdict.failed and row.verdict.mistake is None and row.repair is None:
-        return (Part("hint", row.exercise.hints[0]),)
+        return (Part("hint", row.exercise.hints[0], "prose"),)
     return ()
 
 

@@ -2,7 +2,8 @@
 
 ``solutions/NN-name.ipynb`` is the one source. What stands between ``# BEGIN SOLUTION``
 and ``# END SOLUTION`` in a code cell becomes a single ``...`` at the marker's
-indentation.
+indentation. Links to the lessons around it are added at its beginning and end, and a
+page of all lessons beside them.
 """
 
 from __future__ import annotations
@@ -12,6 +13,9 @@ import re
 import tempfile
 from pathlib import Path
 from typing import Any
+
+from course.workbook.links import link_line, title_of, with_links
+from course.workbook.overview import PAGE, page
 
 BEGIN = re.compile(r"^(\s*)# BEGIN SOLUTION\s*$")
 END = re.compile(r"^\s*# END SOLUTION\s*$")
@@ -36,15 +40,21 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
     """
     drift = []
     sources = sorted((root / "solutions").glob("*.ipynb"))
-    for source in sources:
-        target = root / "lessons" / source.name
-        wanted = lesson_text(source)
-        if target.exists() and target.read_text(encoding="utf-8") == wanted:
+    titles = {source.name: _title(source) for source in sources}
+    wanted = {
+        source.name: lesson_text(source, link_line(titles, source.name))
+        for source in sources
+    }
+    if sources:
+        wanted[PAGE] = page(titles)
+    for name, text in wanted.items():
+        target = root / "lessons" / name
+        if target.exists() and target.read_text(encoding="utf-8") == text:
             continue
         what = "differs from what its solution makes" if target.exists() else "missing"
-        drift.append(f"lessons/{source.name}: {what}")
+        drift.append(f"lessons/{name}: {what}")
         if not check:
-            _write(target, wanted)
+            _write(target, text)
     orphans = {p.name for p in (root / "lessons").glob("*.ipynb")} - {
         p.name for p in sources
     }
@@ -53,8 +63,16 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
     ]
 
 
-def lesson_text(source: Path) -> str:
-    """The lesson that a solution makes, as the text of its file."""
+def _title(source: Path) -> str:
+    import nbformat
+
+    return title_of(nbformat.read(source, as_version=4).cells, source.stem)
+
+
+def lesson_text(source: Path, links: str = "") -> str:
+    """The lesson that a solution makes, as the text of its file; ``links`` stand at its
+    beginning and end.
+    """
     import nbformat  # takes seconds, and every lesson's import cell would wait for it
 
     notebook = nbformat.read(source, as_version=4)
@@ -70,6 +88,8 @@ def lesson_text(source: Path) -> str:
         cell.outputs, cell.execution_count = [], None
         cell.metadata.pop("execution", None)
         cell.source = blank(cell.source, where=f"{source.name}, cell {index}")
+    if links:
+        notebook.cells = with_links(notebook.cells, links)
     return str(nbformat.writes(notebook)) + "\n"
 
 

@@ -3,20 +3,31 @@
 from __future__ import annotations
 
 import inspect
+from functools import cache, partial
+from pathlib import Path
 from typing import Any
 
 from course.exercises.definition import Exercise, Lesson, find_exercise
 from course.exercises.explanation import verdict_message
 from course.exercises.inputs import inputs_of
-from course.exercises.message import Part
+from course.exercises.message import Message, Part
 from course.workbook import recording
+from course.workbook.buttons import Action, show_buttons
 from course.workbook.facts import borrowed_variables, facts_told
+from course.workbook.hints import hint
 from course.workbook.judging import judge_on
 from course.workbook.lending import name_of, refuse_lent
-from course.workbook.notebook import display_message, in_notebook
+from course.workbook.notebook import (
+    display_message,
+    display_value,
+    in_notebook,
+    in_our_lab,
+)
+from course.workbook.overview import minutes_left
 from course.workbook.repairing import look_for_repair
 from course.workbook.surroundings import unfinished_before, with_surroundings
-from course.workbook.watching import WATCHED
+from course.workbook.watching import WATCHED, watch
+from course.workbook.work_folder import READ_ONLY
 
 
 def check(answer: Any, name: str | None = None) -> None:
@@ -54,6 +65,30 @@ def check(answer: Any, name: str | None = None) -> None:
             display_message(repair)
     if verdict.unexplained and not borrowed and repair is None:
         recording.record_unrecognised(name, _source(answer), str(message))
+    say_that_nothing_is_kept()
+    show_buttons(_actions(name, answer, passed=verdict.passed, moves=bool(seen)))
+
+
+def _actions(name: str, answer: Any, *, passed: bool, moves: bool) -> list[Action]:
+    """What the buttons below a verdict do."""
+    actions: list[Action] = []
+    if not passed:
+        actions.append(("hint", f"the next hint for {name}", partial(hint, name)))
+    if moves:
+        beside = f"{name} beside the right one"
+        actions.append(("see it move", beside, lambda: display_value(watch(answer))))
+    return actions
+
+
+@cache  # once a session
+def say_that_nothing_is_kept() -> None:
+    """In a notebook that is handed out, opened where it lies: say that it keeps nothing."""
+    folder = Path.cwd()
+    if folder.name not in READ_ONLY or not in_our_lab():
+        return
+    what = f"This notebook lies in {folder.name}/: nothing of it is saved or recorded"
+    part = Part("instead", "open the one of the same name in work/ and write there")
+    display_message(Message("not attempted", what, (part,)))
 
 
 def _next_help(name: str) -> str:
@@ -72,7 +107,7 @@ def whats_next(
     """
     following = recording.next_exercise(lesson, exercise.name, passed)
     if following is not None:
-        left = recording.minutes_left(lesson, passed)
+        left = minutes_left(lesson, passed)
         return (
             f"{following.name}; about {left} minutes of exercises left in this lesson"
         )

@@ -43,7 +43,7 @@ def hint(name_or_function: str | Callable[..., Any]) -> None:
     recording.record("hint", name, tier=tier)
     shown = range(1, min(tier, 3) + 1)
     parts = [
-        Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "text")
+        Part(TIERS[t - 1], exercise.hints[t - 1], "code" if t == 3 else "prose")
         for t in shown
     ]
     parts += change_parts(name)

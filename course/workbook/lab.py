@@ -1,14 +1,17 @@
 """JupyterLab for this workbook: rooted at the project, opened at a notebook, quiet.
 
 It offers this Python's kernel only. The folder ``jupyter`` beside this file turns off
-the rest (the question about news, Voila's button). Nothing of ours is written outside
-work/: the arrangement of tabs is kept in work/.jupyter, so that tabs of other projects
+the rest (the question about news, Voila's button), renders a page of text that is opened,
+and keeps lines to a width that can be read. The files are served by ``contents``: a link
+to a lesson makes its working copy. Nothing of ours is written outside
+work/: the arrangement of tabs is kept in work/.course, so that tabs of other projects
 do not appear here. Jupyter's own files (the student's settings, runtime files) stay
 where they are.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 from pathlib import Path
@@ -17,6 +20,9 @@ from urllib.parse import quote
 
 from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from traitlets import default
+
+from course.workbook.course_folder import kept
+from course.workbook.notebook import OURS
 
 CONFIGURATION = Path(__file__).with_name("jupyter")
 
@@ -55,6 +61,9 @@ def start(
         "PYTHONPATH", root
     )  # kernels start in the notebook's folder, not in the project's
     put_first("JUPYTER_CONFIG_PATH", CONFIGURATION)
+    os.environ[OURS] = "1"
+    with contextlib.suppress(OSError):
+        (root / "work").mkdir(exist_ok=True)  # the file browser opens there
     server = LabApp.initialize_server(
         argv=options(root, notebook, port=port, browser=browser)
     )
@@ -84,10 +93,18 @@ def options(
         "ServerApp.open_browser": browser,
         "ServerApp.kernel_spec_manager_class": f"{__name__}.{ThisPython.__name__}",
         "ServerApp.kernel_websocket_connection_class": "course.workbook.prompt_channel.PromptChannel",
+        "ServerApp.contents_manager_class": "course.workbook.contents.WorkbookContents",
+        "ServerApp.tornado_settings": {
+            "static_custom_path": [str(CONFIGURATION / "custom")]
+        },
+        "LabApp.custom_css": True,
+        "LabApp.extra_labextensions_path": CONFIGURATION / "labextensions",
         "LabApp.news_url": None,
         "LabApp.check_for_updates_class": "jupyterlab.handlers.announcements.NeverCheckForUpdate",
-        "LabApp.workspaces_dir": root / "work" / ".jupyter" / "workspaces",
+        "LabApp.workspaces_dir": kept(root / "work", "workspaces"),
     }
+    if (root / "work").is_dir():
+        chosen["FileContentsManager.preferred_dir"] = "work"
     if port is not None:
         chosen["ServerApp.port"] = port
     if hasattr(os, "geteuid") and os.geteuid() == 0:

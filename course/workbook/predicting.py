@@ -8,6 +8,7 @@ import numpy as np
 
 from course.arrays import written
 from course.exercises.definition import Prediction, find_prediction
+from course.exercises.letters import with_letters
 from course.exercises.message import Message, Part
 from course.workbook import recording
 from course.workbook.notebook import display_message
@@ -24,14 +25,16 @@ def predict(name: str, answer: Any = None) -> None:
     """
     _, prediction = find_prediction(name)
     if answer is Ellipsis or (answer is None and recording.predicted(name) is None):
-        choices = tuple(Part(key, text) for key, text in prediction.choices.items())
+        choices = tuple(
+            Part(key, text, "prose") for key, text in prediction.choices.items()
+        )
         way = f"put {_wanted(prediction)} where the ... stands, then run the cell again"
         first = f"commit first: predict({name!r}, ...) with {_wanted(prediction)}"
         ask = Part("answer", way if answer is Ellipsis else first)
         display_message(
             Message(
                 "not attempted",
-                f"Your prediction: {prediction.question}",
+                f"Your prediction: {with_letters(prediction.question)}",
                 (*choices, ask),
             )
         )
@@ -49,7 +52,9 @@ def predict(name: str, answer: Any = None) -> None:
             said = _said(prediction, given) + _unit(prediction)
             noted = Part("answer", f"in the section {prediction.later}")
             display_message(
-                Message("not attempted", f"Noted: you said {said}", (noted,))
+                Message(
+                    "not attempted", f"Noted: you said {with_letters(said)}", (noted,)
+                )
             )
             return
     display_message(_outcome_message(prediction, given))
@@ -60,8 +65,8 @@ def _outcome_message(prediction: Prediction, given: Any) -> Message:
     outcome, unit = prediction.outcome(), _unit(prediction)
     right = _close(prediction, given, outcome)
     parts = [
-        Part("you said", _said(prediction, given) + unit),
-        Part("it is", _said(prediction, outcome) + unit),
+        Part("you said", _said(prediction, given) + unit, "prose"),
+        Part("it is", _said(prediction, outcome) + unit, "prose"),
     ]
     if not right:
         tempting = next(
@@ -72,8 +77,8 @@ def _outcome_message(prediction: Prediction, given: Any) -> Message:
             ),
             "",
         )
-        parts += [Part("tempting", tempting)] if tempting else []
-    parts.append(Part("why", prediction.explanation))
+        parts += [Part("tempting", tempting, "prose")] if tempting else []
+    parts.append(Part("why", prediction.explanation, "prose"))
     headline = "As you predicted" if right else "Not what you predicted"
     return Message("passed" if right else "wrong", headline, tuple(parts))
 

@@ -1,4 +1,5 @@
-"""What a student has done: events appended to one file in work/, and their summary.
+"""What a student has done: events appended to one file in work/.course/, and their
+summary.
 
 Events are only ever appended, one JSON line each, so two notebooks open at once cannot
 lose each other's. They are recorded only by a notebook that lies in work/; tests and
@@ -9,7 +10,6 @@ are also kept in memory, so that a lesson opened elsewhere still knows what pass
 from __future__ import annotations
 
 import json
-import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -17,6 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from course.exercises.definition import Exercise, Lesson, all_lessons
+from course.workbook.course_folder import append_line, kept_text
+from course.workbook.overview import Table, table, write_page
 
 FILE_NAME = "progress.jsonl"
 UNRECOGNISED = "unrecognised.jsonl"
@@ -56,7 +58,8 @@ def record(kind: str, name: str, **details: Any) -> None:
     _session.append(event)
     folder = recording_folder()
     if folder is not None:
-        _append(folder / FILE_NAME, event)
+        append_line(folder, FILE_NAME, json.dumps(event))
+        write_page(folder, state(folder).passed)
 
 
 def record_unrecognised(name: str, source: str, message: str) -> None:
@@ -66,17 +69,15 @@ def record_unrecognised(name: str, source: str, message: str) -> None:
     It stays on this machine.
     """
     folder = recording_folder()
-    kept = {"exercise": name, "source": source, "message": message}
-    if folder is not None and json.dumps(kept) not in _lines(
-        folder / UNRECOGNISED
-    ):  # a cell is run more than once
-        _append(folder / UNRECOGNISED, kept)
+    line = json.dumps({"exercise": name, "source": source, "message": message})
+    if folder is not None and line not in kept_text(folder, UNRECOGNISED).splitlines():
+        append_line(folder, UNRECOGNISED, line)  # once: a cell is run more than once
 
 
 def state(folder: Path | None = None) -> State:
     """Fold the recorded events, and this session's, into a state."""
     folder = folder or recording_folder()
-    events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
+    events = [*(_events(folder) if folder else ()), *_session]
     hints: dict[str, int] = {}
     for event in events:
         tier = event.get("tier")
@@ -100,7 +101,7 @@ def predicted(name: str, folder: Path | None = None) -> Any:
     None if none was.
     """
     folder = folder or recording_folder()
-    events = [*(_read(folder / FILE_NAME) if folder else ()), *_session]
+    events = [*(_events(folder) if folder else ()), *_session]
     return next(
         (
             e.get("answer")
@@ -128,11 +129,6 @@ def next_exercise(
     return next((e for e in order if e.name not in passed and e.level == "core"), None)
 
 
-def minutes_left(lesson: Lesson, passed: frozenset[str]) -> int:
-    """The estimated minutes of the core exercises not yet passed."""
-    return sum(e.minutes for e in lesson.core if e.name not in passed)
-
-
 def first_unfinished(folder: Path | None = None) -> Lesson | None:
     """The first lesson with a core exercise that has not passed.
 
@@ -144,80 +140,18 @@ def first_unfinished(folder: Path | None = None) -> Lesson | None:
     )
 
 
-@dataclass(frozen=True)
-class Table:
-    """Progress by lesson; displays itself as a table."""
-
-    rows: tuple[tuple[str, str, int, int, int, str], ...]
-
-    def __str__(self) -> str:
-        width = max((len(r[1]) for r in self.rows), default=0)
-        lines = [
-            f"{number}  {title:<{width}}  {'█' * done}{'░' * (total - done)} {done}/{total}"
-            + (f"  {minutes} min left  next: {following}" if following else "  done")
-            for number, title, done, total, minutes, following in self.rows
-        ]
-        return "\n".join(lines) if lines else "no lessons yet"
-
-    __repr__ = __str__
-
-
 def progress(folder: Path | None = None) -> Table:
     """How far you are: core exercises done by lesson, minutes left, and what comes
     next.
     """
-    passed = state(folder).passed
-    rows = []
-    for lesson in all_lessons():
-        following = next((e.name for e in lesson.core if e.name not in passed), "")
-        done = sum(e.name in passed for e in lesson.core)
-        rows.append(
-            (
-                lesson.number,
-                lesson.title,
-                done,
-                len(lesson.core),
-                minutes_left(lesson, passed),
-                following,
-            )
-        )
-    return Table(tuple(rows))
+    return table(state(folder).passed)
 
 
-def _append(path: Path, event: dict[str, Any]) -> None:
-    """Add a line in one write; after an incomplete line (a crash, a full disk) begin a
-    new one.
-
-    Under a lock: another notebook's half-written line looks like an incomplete one.
+def _events(folder: Path) -> Iterator[dict[str, Any]]:
+    """The events kept in a folder; a line cut off by a crash is skipped, the others
+    count.
     """
-    line = (json.dumps(event) + "\n").encode()
-    try:
-        with path.open("a+b", buffering=0) as file:
-            _wait_for_others(file.fileno())
-            if file.seek(0, os.SEEK_END):
-                file.seek(-1, os.SEEK_END)
-                line = line if file.read(1) == b"\n" else b"\n" + line
-            file.write(line)
-    except OSError:
-        pass
-
-
-def _wait_for_others(number: int) -> None:
-    """Lock an open file until it is closed, where the system can."""
-    try:
-        import fcntl
-    except ImportError:  # Windows
-        return
-    fcntl.flock(number, fcntl.LOCK_EX)
-
-
-def _read(path: Path) -> Iterator[dict[str, Any]]:
-    """The events in a file; a line cut off by a crash is skipped, the others count."""
-    try:
-        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError:
-        return
-    for line in lines:
+    for line in kept_text(folder, FILE_NAME).splitlines():
         try:
             event = json.loads(line)
         except (ValueError, RecursionError):
@@ -228,10 +162,3 @@ def _read(path: Path) -> Iterator[dict[str, Any]]:
             and "kind" in event
         ):
             yield event
-
-
-def _lines(path: Path) -> list[str]:
-    try:
-        return path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError:
-        return []

@@ -2,7 +2,7 @@
 
 Nothing there is ever overwritten. Every file is created exclusively, whole or not at
 all, so that even two starts at once cannot replace what a student saved.
-``work/.started-from`` is only ever appended to: one line per copy, the SHA-256 of the
+``work/.course/started-from`` is only ever appended to: one line per copy, the SHA-256 of the
 lesson it was made from. A lesson counts as newer when its content is one that no copy
 was made from; dates and line endings do not matter.
 """
@@ -17,8 +17,12 @@ import secrets
 from dataclasses import dataclass
 from pathlib import Path
 
+from course.workbook.course_folder import append_line, kept_text
+
 ROOT = Path(__file__).resolve().parents[2]
-RECORD = ".started-from"
+RECORD = "started-from"
+#: What is handed out: read there, never written.
+READ_ONLY = ("lessons", "solutions")
 
 
 @dataclass(frozen=True)
@@ -162,18 +166,14 @@ def _version(content: bytes) -> str:
 
 
 def _note(work: Path, version: str, name: str) -> None:
-    with open(work / RECORD, "a", encoding="utf-8") as file:
-        file.write(f"{version}  {name}\n")
+    append_line(work, RECORD, f"{version}  {name}")
 
 
 def _versions(work: Path, stem: str) -> set[str]:
     """The versions of a lesson that copies were made from; unreadable lines are
     skipped.
     """
-    try:
-        text = (work / RECORD).read_text(encoding="utf-8", errors="replace")
-    except OSError:
-        return set()
+    text = kept_text(work, RECORD)
     form = re.compile(rf"([0-9a-f]{{64}})  {re.escape(stem)}(?: \(new \d+\))?\.ipynb")
     return {
         found.group(1) for line in text.splitlines() if (found := form.fullmatch(line))

@@ -169,8 +169,9 @@ class Lab:
         )
 
     def cell(self, text: str):
-        """The code cell that contains ``text``, scrolled into view."""
-        found = self.page.locator(".jp-CodeCell", has_text=text).first
+        """The code cell of the notebook in front that contains ``text``, scrolled into view."""
+        front = ".jp-NotebookPanel:not(.lm-mod-hidden) .jp-CodeCell"
+        found = self.page.locator(front, has_text=text).first
         found.scroll_into_view_if_needed()
         return found
 

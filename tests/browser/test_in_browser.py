@@ -69,11 +69,16 @@ def test_a_wrong_answer_is_answered_usefully_and_a_right_one_is_passed(lab):
         and "expected" in told
         and "4 N s" in told
     )
+    cell = lab.cell("def impulse_central")
+    cell.get_by_role("button", name="see it move").click()
+    cell.locator("canvas").first.wait_for()
     told = lab.write_and_run("def impulse_central", RIGHT).inner_text()
     assert "✓ Right: impulse_central" in told
     events = [
         json.loads(line)
-        for line in (lab.root / "work" / "progress.jsonl").read_text().splitlines()
+        for line in (lab.root / "work" / ".course" / "progress.jsonl")
+        .read_text()
+        .splitlines()
     ]
     assert [e["state"] for e in events if e["name"] == "impulse_central"][-2:] == [
         "wrong",

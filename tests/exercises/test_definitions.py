@@ -19,6 +19,7 @@ from course.exercises.definition import (
 from course.exercises.explanation import verdict_message
 from course.exercises.formula_source import source_of
 from course.exercises.inputs import answers_of
+from course.exercises.letters import with_letters
 from course.exercises.verdict import judge, violated
 
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
@@ -82,7 +83,7 @@ def test_each_mistake_fails_with_its_own_message(exercise, seed):
         assert verdict.mistake is mistake, (
             f"{mistake.name} is taken for {verdict.mistake and verdict.mistake.name}"
         )
-        assert mistake.message.split("\n")[0][:40] in str(
+        assert with_letters(mistake.message).split("\n")[0][:40] in str(
             verdict_message(exercise, verdict)
         ).replace("\n", " ")
 

@@ -13,6 +13,7 @@ from nbval.plugin import get_sanitize_patterns
 from course.exercises.definition import all_lessons
 from course.exercises.message import SYMBOLS, Message
 from course.workbook.building import BrokenSource, blank, build, lesson_text
+from course.workbook.links import is_link, link_line, title_of, with_links
 
 ROOT = Path(__file__).resolve().parents[2]
 SOLUTIONS = sorted((ROOT / "solutions").glob("*.ipynb"))
@@ -328,13 +329,17 @@ def test_drift_is_reported(tmp_path):
         "# BEGIN SOLUTION\n1\n# END SOLUTION", execution_count=3
     )
     source.write_text(nbformat.writes(nbformat.v4.new_notebook(cells=[cell])))
-    assert build(check=True, root=tmp_path) == ["lessons/00-x.ipynb: missing"]
+    assert build(check=True, root=tmp_path) == [
+        "lessons/00-x.ipynb: missing",
+        "lessons/Lessons.md: missing",
+    ]
     assert not (tmp_path / "lessons").exists()
     build(root=tmp_path)
     assert build(check=True, root=tmp_path) == []
     lesson = tmp_path / "lessons" / "00-x.ipynb"
     assert (
-        lesson.read_text() == lesson_text(source) and "BEGIN" not in lesson.read_text()
+        lesson.read_text() == lesson_text(source, "[all lessons](Lessons.md)")
+        and "BEGIN" not in lesson.read_text()
     )
     lesson.write_text(lesson.read_text().replace("...", "1"))
     (tmp_path / "lessons" / "99-y.ipynb").write_text("{}")
@@ -350,3 +355,25 @@ def _markdown(path) -> list[str]:
         for c in nbformat.read(path, as_version=4).cells
         if c.cell_type == "markdown"
     ]
+
+
+def test_every_lesson_begins_and_ends_with_the_same_links_and_each_leads_somewhere():
+    names = [path.name for path in SOLUTIONS]
+    for at, name in enumerate(names):
+        cells = nbformat.read(ROOT / "lessons" / name, as_version=4).cells
+        assert is_link(cells[0]) and is_link(cells[-1])
+        assert sum(is_link(cell) for cell in cells) == 2
+        assert cells[0].source == cells[-1].source
+        led = re.findall(r"\]\(([^)]+)\)", cells[0].source)
+        assert led == [*names[at - 1 : at], "Lessons.md", *names[at + 1 : at + 2]]
+        assert all((ROOT / "lessons" / file).is_file() for file in led)
+
+
+def test_links_of_an_earlier_build_are_replaced():
+    cells = [nbformat.v4.new_markdown_cell("# A [B] title")]
+    titles = {"00-a.ipynb": title_of(cells, "00-a"), "01-b.ipynb": "01 b"}
+    once = with_links(cells, "old")
+    line = link_line(titles, "01-b.ipynb")
+    assert line == r"[← A \[B\] title](00-a.ipynb) · [all lessons](Lessons.md)"
+    assert [c.source for c in with_links(once, line)] == [line, "# A [B] title", line]
+    assert title_of([], "00-a") == "00-a"

@@ -88,13 +88,18 @@ def test_what_it_leaves_out_is_named_as_jupyterlab_names_it():
     schemas = Path(sys.prefix) / "share" / "jupyter" / "lab" / "schemas"
     if not schemas.is_dir():
         pytest.skip("JupyterLab's settings are not in this interpreter's own folder")
-    known = json.loads(
-        (
-            schemas / "@jupyterlab" / "apputils-extension" / "notification.json"
-        ).read_text()
-    )["properties"]
-    assert set(settings) == {"@jupyterlab/apputils-extension:notification"}
-    assert set(settings["@jupyterlab/apputils-extension:notification"]) <= set(known)
+    for setting, values in settings.items():
+        package, _, plugin = setting.partition(":")
+        known = json.loads((schemas / package / f"{plugin}.json").read_text())
+        assert values and set(values) <= set(known["properties"]), setting
+
+
+def test_the_files_it_serves_are_the_workbook_s(tmp_path):
+    said = options(tmp_path)
+    assert said["ServerApp.contents_manager_class"].endswith(".WorkbookContents")
+    assert "FileContentsManager.preferred_dir" not in said  # there is no work/ yet
+    (tmp_path / "work").mkdir()
+    assert options(tmp_path)["FileContentsManager.preferred_dir"] == "work"
 
 
 @pytest.mark.slow
@@ -111,7 +116,7 @@ def test_all_that_ships_is_found_where_it_is_looked_for():
         text=True,
         check=True,
     ).stdout
-    assert "'fetchNews': 'false'" in out
+    assert "'fetchNews': 'false'" in out and "'Markdown Preview'" in out
 
 
 def asked(address):
@@ -139,7 +144,8 @@ def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
         shutil.copy(ROOT / name, root / name)
     (root / "lessons").mkdir()
     empty = '{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}'
-    (root / "lessons" / "10-impulse.ipynb").write_text(empty)
+    for name in ("10-impulse", "11-x"):
+        (root / "lessons" / f"{name}.ipynb").write_text(empty)
     wrong = home / ".local" / "share" / "jupyter" / "kernels" / "python3"
     wrong.mkdir(parents=True)
     (wrong / "kernel.json").write_text(
@@ -178,12 +184,17 @@ def test_a_real_start_on_a_taken_port_and_its_end(tmp_path):
         )
         specs = asked(f"{address[1]}/api/kernelspecs?token={address[4]}")
         content = asked(f"{address[1]}/api/contents/work?token={address[4]}")
+        other = asked(f"{address[1]}/api/contents/work/11-x.ipynb?token={address[4]}")
+        with urllib.request.urlopen(f"{address[1]}/custom/custom.css") as answer:
+            style = answer.read().decode()
     os.killpg(server.pid, signal.SIGINT)
     rest, _ = server.communicate(timeout=30)
     assert server.returncode == 0 and "Traceback" not in rest
     assert list(specs["kernelspecs"]) == ["python3"]
     assert specs["kernelspecs"]["python3"]["spec"]["argv"][0] == sys.executable
     assert [entry["name"] for entry in content["content"]] == ["10-impulse.ipynb"]
+    assert other["path"] == "work/11-x.ipynb" and other["writable"]
+    assert style == (lab.CONFIGURATION / "custom" / "custom.css").read_text()
     assert not (
         home / ".jupyter" / "lab"
     ).exists()  # no settings of ours in the user's home

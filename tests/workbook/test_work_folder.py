@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from course.workbook import work_folder
+from course.workbook.course_folder import FOLDER
 from course.workbook.work_folder import (
     RECORD,
     create_exclusively,
@@ -37,7 +38,7 @@ def files(root):
     return {
         path.name: path.read_text()
         for path in (root / "work").iterdir()
-        if path.name != RECORD
+        if path.name != FOLDER
     }
 
 
@@ -130,13 +131,13 @@ def test_a_copy_of_unknown_origin_is_kept_and_the_lesson_laid_beside(root):
 
 def test_a_copy_of_unknown_origin_that_equals_the_lesson_needs_no_other(root):
     open_lesson("10", root)
-    (root / "work" / RECORD).unlink()
+    (root / "work" / FOLDER / RECORD).unlink()
     assert open_lesson("10", root).newer is None
 
 
 def test_a_damaged_record_is_read_as_far_as_it_goes(root):
     open_lesson("10", root).path.write_text("mine")
-    record = root / "work" / RECORD
+    record = root / "work" / FOLDER / RECORD
     record.write_bytes(b"\xff\x00 garbage\n" + record.read_bytes() + b"cut o")
     assert open_lesson("10", root).newer is None
 
@@ -218,7 +219,7 @@ def test_git_ignores_the_place_to_work():
         ["git", "rev-parse"], cwd=ROOT, capture_output=True, check=False
     ).returncode:
         pytest.skip("no git checkout")
-    ignored = subprocess.run(["git", "check-ignore", "work/10-impulse.ipynb", f"work/{RECORD}"], cwd=ROOT,
+    ignored = subprocess.run(["git", "check-ignore", "work/10-impulse.ipynb", f"work/{FOLDER}/{RECORD}"], cwd=ROOT,
                              capture_output=True, text=True, check=False)  # fmt: skip
     assert len(ignored.stdout.split()) == 2
 

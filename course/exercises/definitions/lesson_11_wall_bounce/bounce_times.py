@@ -12,7 +12,7 @@ from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_11_wall_bounce.wall_bounce import RESTITUTION
 from course.exercises.slips import slip
 
-GRAVITY = Value("gravity", "(...)", "m/s^2", "g, positive")
+GRAVITY = Value("gravity", "(...)", "m/s²", "g, positive")
 
 
 COUNT = Value("count", "scalar", "", "how many impacts, at least 1", dtype="int")

@@ -71,7 +71,7 @@ BOUNCING_BALL_STEP = Exercise(
         Value("velocity", "(...)", "m/s", "upward"),
         Value("step", "scalar", "s", "length of the step"),
         Value("restitution", "scalar", "", "e, from 0 to 1"),
-        Value("gravity", "scalar", "m/s^2", "g, positive"),
+        Value("gravity", "scalar", "m/s²", "g, positive"),
     ),
     results=(Value("height", "(...)", "m"), Value("velocity", "(...)", "m/s")),
     reference=formulas.bouncing_ball_step,

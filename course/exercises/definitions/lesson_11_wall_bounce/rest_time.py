@@ -43,7 +43,7 @@ REST_TIME = Exercise(
     arguments=(
         Value("h", "scalar", "m", "height of the fall"),
         Value("e", "scalar", "", "restitution"),
-        Value("g", "scalar", "m/s^2", "gravity"),
+        Value("g", "scalar", "m/s²", "gravity"),
     ),
     results=(Value("rest_time", "(...)", "s"),),
     reference=formulas.rest_time,

@@ -76,7 +76,7 @@ APPLY_IMPULSE = Exercise(
         Value(
             "inverse_inertia",
             "(..., 3, 3)",
-            "1/(kg m^2)",
+            "1/(kg m²)",
             "I^-1 about the centre, world axes; zeros if fixed",
         ),
         Value("arm", "(..., 3)", "m", "r, from the centre of mass to the contact"),

@@ -119,11 +119,11 @@ EFFECTIVE_MASS = Exercise(
         Value(
             "inverse_inertia_1",
             "(..., 3, 3)",
-            "1/(kg m^2)",
+            "1/(kg m²)",
             "I^-1 of body 1, world axes; zeros if it is fixed",
         ),
         Value(
-            "inverse_inertia_2", "(..., 3, 3)", "1/(kg m^2)", "I^-1 of body 2, likewise"
+            "inverse_inertia_2", "(..., 3, 3)", "1/(kg m²)", "I^-1 of body 2, likewise"
         ),
         Value("arm_1", "(..., 3)", "m", "from the centre of body 1 to the contact"),
         Value("arm_2", "(..., 3)", "m", "from the centre of body 2 to the contact"),

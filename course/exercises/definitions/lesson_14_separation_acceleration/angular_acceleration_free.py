@@ -63,17 +63,17 @@ ANGULAR_ACCELERATION_FREE = Exercise(
     level="stretch",  # lesson 09 asks for the same in other words
     task="Return omega_dot without contact forces, I^-1 (tau + L x omega), for one body and for a batch.",
     arguments=(
-        Value("inverse_inertia", "(..., 3, 3)", "1/(kg m^2)", "I^-1 in world axes"),
+        Value("inverse_inertia", "(..., 3, 3)", "1/(kg m²)", "I^-1 in world axes"),
         Value(
             "angular_momentum",
             "(..., 3)",
-            "kg m^2/s",
+            "kg m²/s",
             "L about the centre of mass, world axes",
         ),
         Value("angular_velocity", "(..., 3)", "rad/s", "omega = I^-1 L"),
         Value("torque", "(..., 3)", "N m", "external torque about the centre of mass"),
     ),
-    results=(Value("omega_dot", "(..., 3)", "rad/s^2", "angular acceleration"),),
+    results=(Value("omega_dot", "(..., 3)", "rad/s²", "angular acceleration"),),
     reference=formulas.angular_acceleration_free,
     cases=_turning_bodies,
     mistakes=(

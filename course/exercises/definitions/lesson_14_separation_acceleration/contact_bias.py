@@ -85,7 +85,7 @@ CONTACT_BIAS = Exercise(
         Value("body_b", "five of (..., 3)", "", MOTION),
     ),
     results=(
-        Value("b", "(...)", "m/s^2", "second rate of the gap without contact forces"),
+        Value("b", "(...)", "m/s²", "second rate of the gap without contact forces"),
     ),
     reference=formulas.contact_bias,
     cases=_touching,

@@ -53,12 +53,12 @@ FREE_POINT_ACCELERATION = Exercise(
     minutes=6,
     task="Return p_ddot = v_dot + omega_dot x r + omega x (omega x r), for one point and for a batch.",
     arguments=(
-        Value("acceleration", "(..., 3)", "m/s^2", "v_dot, of the centre of mass"),
-        Value("angular_acceleration", "(..., 3)", "rad/s^2", "omega_dot"),
+        Value("acceleration", "(..., 3)", "m/s²", "v_dot, of the centre of mass"),
+        Value("angular_acceleration", "(..., 3)", "rad/s²", "omega_dot"),
         Value("angular_velocity", "(..., 3)", "rad/s", "omega"),
         Value("arm", "(..., 3)", "m", "r, from the centre of mass to the point"),
     ),
-    results=(Value("p_ddot", "(..., 3)", "m/s^2", "acceleration of the point"),),
+    results=(Value("p_ddot", "(..., 3)", "m/s²", "acceleration of the point"),),
     reference=formulas.free_point_acceleration,
     cases=_points,
     mistakes=(

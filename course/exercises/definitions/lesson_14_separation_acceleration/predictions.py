@@ -58,7 +58,7 @@ PREDICTIONS = (
         _ladder_top,
         "a_y = 0 and alpha = 0, so b_2 = (4/2) * 0.25 * cos(60 degrees) = 0.25 m/s^2: without forces the top would "
         "leave the wall.",
-        unit="m/s^2",
+        unit="m/s²",
         tolerance=1e-6,
         wrong={
             0: "Gravity acts along the wall, that is right. But the ladder turns: its top is drawn toward the centre.",

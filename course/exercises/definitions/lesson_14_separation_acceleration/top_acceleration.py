@@ -37,10 +37,10 @@ TOP_ACCELERATION = Exercise(
         Value(
             "a_y",
             "scalar",
-            "m/s^2",
+            "m/s²",
             "rate of v_y, the centre's acceleration toward the wall",
         ),
-        Value("alpha", "scalar", "rad/s^2", "rate of omega"),
+        Value("alpha", "scalar", "rad/s²", "rate of omega"),
         Value("omega", "scalar", "rad/s", "rate of theta"),
         Value("theta", "scalar", "rad", "angle between ladder and floor"),
         Value("ell", "scalar", "m", "length of the ladder"),
@@ -49,7 +49,7 @@ TOP_ACCELERATION = Exercise(
         Value(
             "top_acceleration",
             "(...)",
-            "m/s^2",
+            "m/s²",
             "second rate of the gap between top and wall",
         ),
     ),

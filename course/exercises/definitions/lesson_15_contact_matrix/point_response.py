@@ -70,12 +70,12 @@ POINT_RESPONSE = Exercise(
     task="Return the acceleration that a push at one point of a body gives another of its points.",
     arguments=(
         Value("mass", "(...)", "kg", "infinity for a fixed body"),
-        Value("inverse_inertia", "(..., 3, 3)", "1/(kg m^2)", "I^-1 in world axes, zero for a fixed body"),
+        Value("inverse_inertia", "(..., 3, 3)", "1/(kg m²)", "I^-1 in world axes, zero for a fixed body"),
         Value("arm", "(..., 3)", "m", "r_i, from the centre of mass to the point that answers"),
         Value("push_arm", "(..., 3)", "m", "r_j, from the centre of mass to the point that is pushed"),
         Value("push", "(..., 3)", "N", "force on the body"),
     ),
-    results=(Value("p_ddot", "(..., 3)", "m/s^2", "acceleration of the point that answers"),),
+    results=(Value("p_ddot", "(..., 3)", "m/s²", "acceleration of the point that answers"),),
     reference=formulas.point_response,
     cases=_responses,
     mistakes=(

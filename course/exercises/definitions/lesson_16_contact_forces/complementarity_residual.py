@@ -80,7 +80,7 @@ COMPLEMENTARITY_RESIDUAL = Exercise(
     arguments=(
         Value("a", "(..., c, c)", "1/kg", "contact matrices"),
         Value("f", "(..., c)", "N", "forces to be judged, at or above 0"),
-        Value("b", "(..., c)", "m/s^2", "d_ddot without contact forces"),
+        Value("b", "(..., c)", "m/s²", "d_ddot without contact forces"),
     ),
     results=(Value("residual", "(...)", "", "0 for a solution"),),
     reference=formulas.complementarity_residual,

@@ -15,7 +15,7 @@ WEDGE = np.array([[1.0, -0.6], [-0.6, 1.0]])
 ROW = np.array([[2.0, 1.0, 0.2], [1.0, 2.0, 1.0], [0.2, 1.0, 2.0]])
 
 A = Value("a", "(c, c)", "1/kg", "contact matrix, symmetric and positive semidefinite")
-B = Value("b", "(c,)", "m/s^2", "d_ddot without contact forces")
+B = Value("b", "(c,)", "m/s²", "d_ddot without contact forces")
 
 
 def apply(matrix: Any, vector: Any) -> Any:

@@ -30,9 +30,9 @@ SLOPE = Exercise(
         Value("a_12", "scalar", "1/kg", "entry of A, and its mirror image a_21"),
         Value("f_1", "scalar", "N", "force at contact 1"),
         Value("f_2", "scalar", "N", "force at contact 2"),
-        Value("b_1", "scalar", "m/s^2", "entry of b"),
+        Value("b_1", "scalar", "m/s²", "entry of b"),
     ),
-    results=(Value("slope_1", "(...)", "m/s^2", "how q changes with f_1"),),
+    results=(Value("slope_1", "(...)", "m/s²", "how q changes with f_1"),),
     reference=formulas.slope_1,
     cases=_slopes,
     mistakes=(
