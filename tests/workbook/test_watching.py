@@ -86,6 +86,7 @@ def test_an_exercise_that_moves_nothing_is_refused():
         watch(p_hat)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", WATCHED)
 def test_the_right_answer_moves_as_the_right_one_does(name):
     exercise = find_exercise(name)[1]
@@ -104,6 +105,7 @@ def test_a_planted_mistake_is_seen(name):
     assert apart(film_of(name, mistake.function)) > 0.02
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", WATCHED)
 def test_no_planted_mistake_breaks_the_film(name):
     """Whatever a mistake gives, the film is made, and says something."""

@@ -27,6 +27,7 @@ def ends(exhibit):
     return [*single, *corners]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mistaken", [False, True])
 @pytest.mark.parametrize("name", EACH)
 def test_it_stands_still_where_it_should_and_says_something(name, mistaken):
