@@ -181,7 +181,8 @@ EDGE_NORMAL_RATE = Exercise(
                 "+ np.cross(e_a, e_b_dot)",
                 "- np.cross(e_a, e_b_dot)",
             ),
-            "The second term of q_dot has the wrong sign: the product rule adds.",
+            "The second term of q_dot comes with the other sign: the product rule adds, and a cross product whose "
+            "factors change places changes its sign.",
         ),
     ),
     hints=(

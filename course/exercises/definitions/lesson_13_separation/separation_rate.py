@@ -134,7 +134,7 @@ SEPARATION_RATE = Exercise(
         Mistake(
             "p_A on both bodies",
             slip(formulas.separation_rate, "p_b - x_b", "p_a - x_b"),
-            "B's arm ends at p_A. That is the same while they touch; while they are apart, B's point is p_B.",
+            "B's arm ends at p_A. That is the same only where p_A and p_B are one point; B's own point is p_B.",
         ),
         Mistake(
             "spins swapped",

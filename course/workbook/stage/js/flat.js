@@ -179,10 +179,14 @@ function drawArrows(context, arrows, view, moment, frame, theme, labels, font) {
     const said = arrows.unit ? `${written(Math.hypot(...vector))} ${arrows.unit}` : arrows.name;
     const [ux, uy] = [(tip[0] - start[0]) / length, (tip[1] - start[1]) / length];
     const middle = [(start[0] + tip[0]) / 2, (start[1] + tip[1]) / 2];
+    // Beside the arrow, as far as its words reach in that direction.
     const off = 0.95 * font;
+    const [wide, high] = [0.3 * said.length * font + 0.6 * font, off];
+    const aside = (far) => [far * Math.abs(uy) * wide, -far * Math.abs(ux) * high];
+    const at = ([x, y], [dx, dy]) => [x + dx, y + dy];
     labels.push({ text: said, color: theme.palette[color], places: [
-      [middle[0] - off * 0.1, middle[1] - off], [middle[0], middle[1] + off],
-      [tip[0] + 3 * off * ux, tip[1] + off * uy], [middle[0], middle[1] - 2.2 * off], [middle[0], middle[1] + 2.2 * off]] });
+      at(middle, aside(1)), at(middle, aside(-1)), at(tip, [ux * wide, uy * high]),
+      at(tip, aside(1)), at(tip, aside(-1)), at(middle, aside(2.2)), at(middle, aside(-2.2))] });
   });
 }
 

@@ -327,7 +327,7 @@ export class Stage {
     root.dataset.theme = dark ? "dark" : "light";
     const font = parseFloat(getComputedStyle(root).fontSize);
     for (const key of root.querySelectorAll("[data-color]")) key.style.background = this.theme.palette[key.dataset.color];
-    parts.numbers.style.visibility = this.told ? "" : "hidden";
+    parts.numbers.classList.toggle("waiting", !this.told);
     const until = this.told ? Infinity : this.reached ?? clock.first;
     const options = { hurried: hurried || clock.playing, until, theme: this.theme, font, hidden: this.hidden, trails: this.trails };
     const room = this.#room(font);
