@@ -10,6 +10,7 @@ import contextlib
 import gc
 import os
 import shutil
+import signal
 import socket
 import sys
 from collections.abc import Mapping, Sequence
@@ -42,6 +43,8 @@ MOST_RUNS, MOST_NOTES = 10, 20
 def serve(where: Mapping[str, Any]) -> NoReturn:
     """Serve one submission to its end. ``where``: the folder to write in, packages, closed folders, whether boxed."""
     gc.disable()  # nothing that is loaded here is garbage
+    # A shell's background jobs ignore it, and an endless cell is interrupted by it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     inlet, outlet = _own_pipes()
     try:
         messages.send(outlet, messages.READY)

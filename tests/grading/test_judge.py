@@ -1,6 +1,7 @@
 """From a submission to its rows: right, wrong, blank, renamed, broken and hostile answers."""
 
 import json
+import signal
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
@@ -336,11 +337,18 @@ def test_cells_before_are_run_as_far_as_they_are_needed(rows_of):
 
 
 @pytest.mark.slow
-def test_an_endless_cell_is_interrupted_and_the_notebook_goes_on(rows_of):
+@pytest.mark.parametrize("background", [False, True])
+def test_an_endless_cell_is_interrupted_and_the_notebook_goes_on(rows_of, background):
+    """Where a shell has put the grader into the background, too: SIGINT is ignored there."""
     content = notebook(twice="def twice(x):\n    return 2 * x\nwhile True: pass",
                        split="def split(x):\n    return twice(x)[..., 0] / 2, x[..., 1:]",
                        area=RIGHT["area"] + "\nunused = twice")  # fmt: skip
-    rows = rows_of(content, seconds=1.0)
+    before = signal.getsignal(signal.SIGINT)
+    signal.signal(signal.SIGINT, signal.SIG_IGN if background else before)
+    try:
+        rows = rows_of(content, seconds=1.0)
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert "its cell, outside the function, did not finish" in rows["twice"].reason
     assert rows["split"].state == rows["area"].state == "passed"
 
