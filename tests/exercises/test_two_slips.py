@@ -26,12 +26,13 @@ pytestmark = pytest.mark.skipif(
 @pytest.mark.long
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_of_150_answers_nothing_false_is_said(seed):
-    told = [t for t in map(told_of, answers_with_two_slips(seed, 150)) if t]
-    assert len(told) > 130  # few of them are right, or stop the cell
+    """Fifty a seed: each is searched for as long as a student's."""
+    told = [t for t in map(told_of, answers_with_two_slips(seed, 50)) if t]
+    assert len(told) > 40  # few of them are right, or stop the cell
     false = {str(t): f for t in told if (f := falsehoods(t))}
     assert not false, "\n".join(f"{said}\n  {why}" for said, why in false.items())
     named = [t for t in told if t.verdict.mistake or t.repair]
-    assert len(named) > 40  # what is never said is never false
+    assert len(named) > 13  # what is never said is never false
 
 
 def test_what_is_false_is_found():
