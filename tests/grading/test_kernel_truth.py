@@ -42,6 +42,21 @@ def some(names, *, few=(), rest=pytest.mark.slow, one_in=DAILY):
     ]
 
 
+def often(names):
+    """One in DAILY in a minute's run, one in FOURTH in an everyday one, the rest in the long tests."""
+    return [
+        pytest.param(
+            name,
+            marks=()
+            if _number(name) % DAILY == 0
+            else pytest.mark.slow
+            if _number(name) % FOURTH == 1
+            else pytest.mark.long,
+        )
+        for name in names
+    ]
+
+
 #: Half a thousand kernels and more take a quarter of an hour: all of them where this says so.
 WHOLE = os.environ.get("COURSE_KERNELS") == "whole"
 
@@ -83,7 +98,7 @@ def green(name):
     return SAVED[name] if name in SAVED else written((GREEN | PERSON)[name])
 
 
-@pytest.mark.parametrize("name", some([*GREEN, *SAVED, *range(DRAWN)]))
+@pytest.mark.parametrize("name", often([*GREEN, *SAVED, *range(DRAWN)]))
 def test_what_is_green_in_the_kernel_passes(name):
     row = judged(green(name), boxed=not NO_BOX, seconds=4.0)["thrice"]
     assert (row.state, row.points) == ("passed", 1), row.reason
