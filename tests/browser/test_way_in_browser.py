@@ -3,7 +3,6 @@
 import nbformat
 import pytest
 from browser.session import Lab, checkout, chromium, free_port, page, served
-from playwright.sync_api import expect
 
 pytestmark = [
     pytest.mark.browser,
@@ -11,7 +10,9 @@ pytestmark = [
         chromium() is None, reason="no Chromium or Chrome on this machine"
     ),
 ]
-pytest.importorskip("playwright", reason="the extra 'browser' is not installed")
+expect = pytest.importorskip(
+    "playwright.sync_api", reason="the extra 'browser' is not installed"
+).expect
 
 RIGHT = """\
 def speed_along(velocity, normal):
