@@ -94,6 +94,23 @@ def test_figures_have_alternative_text_on_the_page(lab):
     assert texts and all(len(text) > 40 for text in texts)
 
 
+def test_the_stage_answers_when_a_slider_is_moved_by_keys(lab):
+    """The notebook, in its command mode, does not take the arrows: they would fold a section."""
+    cell = lab.cell("demos.impulse()")
+    stage = cell.locator(".stage").first.element_handle()
+    slider = cell.locator(".stage .knobs input").nth(2)
+    slider.scroll_into_view_if_needed()
+    words = "root => root.labels.flat().map(label => label.text).join()"
+    before = lab.page.evaluate(words, stage)
+    slider.focus()
+    for _ in range(5):
+        lab.page.keyboard.press("ArrowRight")
+    changed = f"([root, was]) => ({words})(root) !== was"
+    lab.page.wait_for_function(changed, arg=[stage, before], timeout=30_000)
+    assert "2 m/s" in before
+    assert slider.evaluate("e => document.activeElement === e")
+
+
 def test_saving_writes_to_work_and_leaves_the_lesson(lab):
     handed_out = (lab.root / "lessons" / "10-impulse.ipynb").read_bytes()
     lab.write_and_run("def impulse_central", RIGHT)

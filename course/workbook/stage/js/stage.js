@@ -25,9 +25,14 @@ function icon(name) {
   return `<svg viewBox="0 0 20 20" width="1em" height="1em" aria-hidden="true"><path fill="currentColor" d="${ICONS[name]}"/></svg>`;
 }
 
+// What takes the keys of whoever works it. JupyterLab looks from the element that has the focus
+// upward for who wants a key, and takes it itself before it comes to our root: each has to say so.
+const KEYED = new Set(["button", "input", "select"]);
+
 /** An element with attributes, properties that begin with a dot, and children. */
 export function made(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
+  if (KEYED.has(tag)) element.setAttribute("data-lm-suppress-shortcuts", "true");
   for (const [name, value] of Object.entries(attributes)) {
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else if (name.startsWith(".")) element[name.slice(1)] = value;
