@@ -25,6 +25,7 @@ from course.workbook.stage import (
     labelled,
     standing,
 )
+from course.workbook.stage.words import shown_number
 
 LEAST, MOST = 5.0, 10.0  # of the film [s]; a last graze may come later than that
 START = (0.4, 2.0)  # distances from the wall [m]
@@ -160,11 +161,11 @@ def _ending(motion: TwoBlocks, last: float) -> str:
     v_1, v_2 = motion.velocity[-1]
     later = motion.time[-1]
     late = (
-        f", the last of them, a graze, {later:.3g} s from the start,"
+        f", the last of them, a graze, {shown_number(later, 3)} s from the start,"
         if later > last
         else ""
     )
     return (
-        f"After {motion.count} collisions{late} block 2 leaves with {v_2:.3g} m/s, "
-        f"and block 1, with {v_1:.3g} m/s, does not catch up with it"
+        f"After {motion.count} collisions{late} block 2 leaves with {shown_number(v_2, 3)} m/s, "
+        f"and block 1, with {shown_number(v_1, 3)} m/s, does not catch up with it"
     )

@@ -25,6 +25,7 @@ from course.workbook.stage import (
     joined,
     standing,
 )
+from course.workbook.stage.words import shown_number
 
 #: What is seen, whatever the step: left, bottom, right, top [m].
 WINDOW = (-6.3, -0.35, 6.3, 7.6)
@@ -123,6 +124,6 @@ def _numbers(energy: dict[str, Array], step: float) -> list[Number]:
 def _ending(energy: dict[str, Array], step: float) -> str:
     _, ode, bullet = (float(e[-1]) for e in energy.values())
     return (
-        f"With a step of {1000 * step:.3g} ms Bullet's loop ends with {bullet:.1f} % of its energy "
+        f"With a step of {shown_number(1000 * step, 3)} ms Bullet's loop ends with {bullet:.1f} % of its energy "
         f"after 20 s, and ODE's with {ode:.1f} %"
     )

@@ -27,6 +27,7 @@ from course.workbook.stage import (
     Space,
     ball,
 )
+from course.workbook.stage.words import shown_number
 
 SECONDS, MOMENTS = 3.0, 241
 #: What is seen, whatever the knob says, and where the shadow falls [m].
@@ -126,4 +127,4 @@ def _ending(motions: list[_Marked], attempt: Attempt | None, other: Any) -> str:
     whose = attempt.title if attempt else "the formula"
     if last < 1e-4:
         return f"With {whose} the mark stays on the handle"
-    return f"With {whose} the mark comes up to {100 * last:.3g} cm away from its place"
+    return f"With {whose} the mark comes up to {shown_number(100 * last, 3)} cm away from its place"

@@ -33,6 +33,7 @@ from course.workbook.stage import (
     ball,
     labelled,
 )
+from course.workbook.stage.words import shown_number
 
 COLORS = ("blue", "vermillion")
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
@@ -232,4 +233,4 @@ def _ending(motion: CentralMotion) -> str:
         return f"They do not approach: nothing happens, and they go on with {v1:.2f} and {v2:.2f} m/s"
     if abs(v1 - v2) < 1e-9:
         return f"They go on together with {v1:.2f} m/s"
-    return f"After an impulse of {motion.impulse:.3g} N s ball 1 has {v1:.2f} m/s and ball 2 {v2:.2f} m/s"
+    return f"After an impulse of {shown_number(motion.impulse, 3)} N s ball 1 has {v1:.2f} m/s and ball 2 {v2:.2f} m/s"

@@ -19,6 +19,7 @@ from course.workbook.stage import (
     ball,
     standing,
 )
+from course.workbook.stage.words import shown_number
 
 LAST = 0.2  # of the film [s]
 #: What is seen, wherever the particle is let go: left, bottom, right, top [m].
@@ -127,10 +128,9 @@ def _ending(scene: Dome, theta: float) -> str:
     true = scene.gap(theta, times)
     deep, out = 1000 * float(-true.min()), times[np.argmin(true) :][true[np.argmin(true) :] >= 0]  # fmt: skip
     then = (
-        f"and is out of it again after {1000 * out[0]:.2g} ms"
+        f"and is out of it again after {shown_number(1000 * out[0], 2)} ms"
         if out.size
         else f"and is still in it after {1000 * LAST:.0f} ms"
     )
-    return (
-        f"{start}the particle sinks into the dome, {deep:.2g} mm deep, {then}; {other}"
-    )
+    size = f"{shown_number(deep, 2)} mm" if deep >= 0.001 else "less than 0.001 mm"
+    return f"{start}the particle sinks into the dome, {size} deep, {then}; {other}"

@@ -22,6 +22,7 @@ from course.workbook.stage import (
     Space,
     box,
 )
+from course.workbook.stage.words import shown_number
 
 MEETING, LAST = 0.3, 0.9  # [s]
 #: What is seen, whatever the knobs say [m].
@@ -121,5 +122,5 @@ def _ending(motions: list[LandedBox], attempt: Attempt | None, other: Any) -> st
         return "Here both boxes leave the floor alike"
     whose = "yours" if attempt else "the box"
     if slowest < -1e-6:
-        return f"A corner of {whose} goes on into the floor, with {-slowest:.2g} m/s"
-    return f"The slowest corner of {whose} leaves the floor with {slowest:.2g} m/s"
+        return f"A corner of {whose} goes on into the floor, with {shown_number(-slowest, 2)} m/s"
+    return f"The slowest corner of {whose} leaves the floor with {shown_number(slowest, 2)} m/s"

@@ -28,6 +28,7 @@ from course.workbook.stage import (
     capsule,
     standing,
 )
+from course.workbook.stage.words import shown_number
 
 MEETING, LAST, SPEED = 0.4, 1.0, 1.0  # [s], [s], of the fall [m/s]
 HALF, THICK = 0.5, 0.018  # of the rod [m]
@@ -216,4 +217,4 @@ def _ending(landing: RodLanding) -> str:
         else f"turns with {abs(landing.spin):.2f} rad/s, "
         f"{'clockwise' if landing.spin > 0 else 'against the clock'}"
     )
-    return f"After {landing.impulse:.3g} N s the middle {goes} and the rod {turns}"
+    return f"After {shown_number(landing.impulse, 3)} N s the middle {goes} and the rod {turns}"

@@ -29,6 +29,7 @@ from course.workbook.stage import (
     box,
     standing,
 )
+from course.workbook.stage.words import shown_number
 
 DROP, RADIUS, SECONDS, IMPACTS = 1.0, 0.08, 4.0, 6
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
@@ -136,7 +137,7 @@ def _ending(motions: list[SteppedBall], attempt: Attempt | None, other: Any) -> 
         return attempt.sentence(other)
     names = ("The right one", "yours") if attempt else ("It",)
     said = [
-        f"{name} is at most {max(0.0, -float(m.height.min())):.2g} m in the floor"
+        f"{name} is at most {shown_number(max(0.0, -float(m.height.min())), 2)} m in the floor"
         for name, m in zip(names, motions, strict=True)
     ]
     return ", ".join(said)

@@ -28,6 +28,7 @@ from course.workbook.stage import (
     Space,
     ball,
 )
+from course.workbook.stage.words import shown_number
 
 SECONDS, MOST = 4.0, 201  # and how many moments are played
 #: What is seen, whatever the knobs say, and where the shadow falls [m].
@@ -172,7 +173,7 @@ def _ending(motions: list[SteppedHandle], attempt: Attempt | None, other: Any) -
         return attempt.sentence(other)
     names = ("the right one", "yours") if attempt else ("it",)
     said = [
-        f"{name} has {100 * float(m.energy[-1] / motions[0].energy[0]):.4g} %"
+        f"{name} has {shown_number(100 * float(m.energy[-1] / motions[0].energy[0]), 4)} %"
         for name, m in zip(names, motions, strict=True)
     ]
     return f"Of its energy at the start {', '.join(said)} after {SECONDS:g} s"

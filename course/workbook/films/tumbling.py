@@ -29,6 +29,7 @@ from course.workbook.stage import (
     box,
     joined,
 )
+from course.workbook.stage.words import shown_number
 
 SECONDS, MOMENTS = 10.0, 301
 COLORS = ("blue", "orange", "purple")
@@ -169,4 +170,4 @@ def _ending(motion: Tumble, about: int) -> str:
     l_body = motion.seen_from_body
     cosine = l_body[:, about] / np.linalg.norm(l_body, axis=1)
     widest = np.degrees(np.arccos(np.clip(cosine.min(), -1.0, 1.0)))
-    return f"It goes on spinning about the {name}, which leans at most {widest:.3g}° from L"
+    return f"It goes on spinning about the {name}, which leans at most {shown_number(widest, 3)}° from L"

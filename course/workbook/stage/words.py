@@ -49,7 +49,13 @@ def shown_number(value: float, digits: int) -> str:
         return "∞" if value > 0 else "−∞"
     if abs(value) < 1e-12:
         return "0"
-    return f"{value:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+    if value and not 1e-4 <= abs(value) < 1e6:
+        text = f"{value:.{digits}g}"
+    else:  # an exponent is nothing to read aloud
+        text = np.format_float_positional(
+            value, precision=digits, unique=False, fractional=False, trim="-"
+        )
+    return text.replace("-", "\N{MINUS SIGN}")
 
 
 def _sentence(text: str) -> str:

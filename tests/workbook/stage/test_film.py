@@ -133,6 +133,9 @@ def test_the_description_says_what_moves_how_it_ends_and_the_numbers():
         (-np.inf, "−∞"),
         (np.nan, "–"),
         (-2.5, "−2.5"),
+        (1234.5, "1230"),
+        (100.0, "100"),
+        (0.00051, "0.00051"),
     ],
 )
 def test_numbers_are_written_for_reading(value, words):
