@@ -111,7 +111,8 @@ def _flat(film: Film, pane: Pane, index: int, width: float, height: float) -> st
             color = marks.FIXED if solid.fixed else PALETTE[part.color]
             out.append(marks.outline(points, part.radius * scale, color))
         if solid.label:
-            out.append(marks.text(screen(place[k]), solid.label, "#fff", "600"))
+            ink = marks.INK if solid.fixed else "#fff"  # what is fixed is light
+            out.append(marks.text(screen(place[k]), solid.label, ink, "600"))
     for s in pane.segments:
         if s.shown:
             out += marks.segments(s, index, screen)
