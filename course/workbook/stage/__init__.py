@@ -8,19 +8,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from course.workbook.stage.beside import Curves, Number, Path
 from course.workbook.stage.exhibit import Exhibit, Hand, Knob, Preset, as_exhibit
-from course.workbook.stage.film import (
-    Arrows,
-    Curves,
-    Film,
-    Flat,
-    Number,
-    Pane,
-    Path,
-    Segments,
-    Space,
-)
+from course.workbook.stage.film import Film
 from course.workbook.stage.html_page import page
+from course.workbook.stage.panes import Arrows, Pane, Segments
 from course.workbook.stage.solids import (
     Solid,
     ball,
@@ -32,6 +24,7 @@ from course.workbook.stage.solids import (
     standing,
 )
 from course.workbook.stage.still import image, svg
+from course.workbook.stage.views import Flat, Space
 
 __all__ = [
     "Arrows", "Curves", "Exhibit", "Film", "Flat", "Hand", "Knob", "Number", "Pane", "Path", "Preset", "Segments",

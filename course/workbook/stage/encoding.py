@@ -14,19 +14,11 @@ from typing import Any
 import numpy as np
 
 from course.workbook.plots.figure import PALETTE
-from course.workbook.stage.film import (
-    CAMERAS,
-    PLANES,
-    Arrows,
-    Curves,
-    Film,
-    Flat,
-    Pane,
-    Path,
-    Segments,
-    Space,
-)
+from course.workbook.stage.beside import Curves, Path
+from course.workbook.stage.film import Film
+from course.workbook.stage.panes import Arrows, Pane, Segments
 from course.workbook.stage.solids import Solid
+from course.workbook.stage.views import CAMERAS, PLANES, Flat, Space
 from course.workbook.stage.words import description, shown_number
 
 

@@ -14,8 +14,10 @@ from course import rotations
 from course.arrays import Array
 from course.workbook.plots.figure import PALETTE
 from course.workbook.stage import marks
-from course.workbook.stage.film import CAMERAS, Film, Pane, Space
+from course.workbook.stage.film import Film
+from course.workbook.stage.panes import Pane
 from course.workbook.stage.solids import Solid
+from course.workbook.stage.views import CAMERAS, Space
 
 # As in js/space.js: from foot to top of the picture, the way the light shines, room
 # around what is seen.

@@ -12,8 +12,10 @@ from course import rotations
 from course.arrays import Array
 from course.workbook.plots.figure import PALETTE
 from course.workbook.stage import marks
-from course.workbook.stage.film import PLANES, Film, Flat, Pane
+from course.workbook.stage.film import Film
+from course.workbook.stage.panes import Pane
 from course.workbook.stage.perspective import space_picture
+from course.workbook.stage.views import PLANES, Flat
 from course.workbook.stage.words import description, scale_in_words
 
 WIDTH = 720.0  # of the whole picture, and the least a pane is high

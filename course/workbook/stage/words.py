@@ -6,7 +6,8 @@ from collections import Counter
 
 import numpy as np
 
-from course.workbook.stage.film import Arrows, Film, Pane
+from course.workbook.stage.film import Film
+from course.workbook.stage.panes import Arrows, Pane
 
 
 def description(film: Film, time: float | None = None) -> str:

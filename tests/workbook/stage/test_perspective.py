@@ -9,8 +9,8 @@ import pytest
 
 from course.workbook import stage
 from course.workbook.stage.encoding import encoded
-from course.workbook.stage.film import CAMERAS
 from course.workbook.stage.perspective import LIGHT, eye_of, lit, space_picture
+from course.workbook.stage.views import CAMERAS
 
 SIZE = (600.0, 440.0)
 
