@@ -115,6 +115,20 @@ class Drawing {
     gl.drawElementsInstanced(lines ? gl.LINES : gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0, mesh.drawn);
   }
 
+  /** What is drawn here is seen only where something is before it, faintly. @param {number} part of its colour @param {() => void} act */
+  through(part, act) {
+    const { gl } = this;
+    gl.depthFunc(gl.GREATER);
+    gl.depthMask(false);
+    gl.enable(gl.BLEND);
+    gl.blendColor(0, 0, 0, part);
+    gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
+    act();
+    gl.disable(gl.BLEND);
+    gl.depthMask(true);
+    gl.depthFunc(gl.LESS);
+  }
+
   /** A clean sheet of so many pixels in the lower left corner. */
   begin(width, height, eye, paper) {
     const { gl, canvas, uniform } = this;

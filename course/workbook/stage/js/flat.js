@@ -59,14 +59,14 @@ function pose(pane, body, moment) {
 function drawBody(context, pane, body, moment, frame, theme, font, labels, bodies) {
   const solid = pane.solids[body];
   const [x, q] = pose(pane, body, moment);
-  const shapes = solid.parts.map((part) => ({ radius: part.radius * frame.scale,
+  const shapes = solid.parts.map((part) => ({ fixed: solid.fixed, radius: part.radius * frame.scale,
     points: hull(part.core.map((p) => frame.screen(turned(q, p).map((v, i) => v + x[i])))) }));
   const colors = solid.parts.map((part) => (solid.fixed ? theme.fixed : theme.palette[part.color]));
   shapes.forEach(({ points, radius }, k) => outline(context, points, radius, colors[k], theme, solid.fixed));
   if (!solid.fixed && solid.parts.length === 1 && solid.parts[0].core.length === 1) {
     mark(context, solid.parts[0].radius * frame.scale, frame, x, q, theme);
   }
-  if (!solid.fixed) bodies.push(...shapes);
+  bodies.push(...shapes);
   if (solid.label) labels.push(nameOf(solid, body, frame.screen(x), shapes, colors[0], theme, font));
 }
 

@@ -1,7 +1,7 @@
 // Words in a picture: they cover neither each other nor an arrow, and keep off bodies where there is room.
 
 /** @typedef {[number, number, number, number]} Box left, top, right, bottom */
-/** @typedef {{points: number[][], radius: number}} Shape a convex polygon, grown by a radius */
+/** @typedef {{points: number[][], radius: number, fixed?: boolean}} Shape a convex polygon, grown by a radius */
 /**
  * @typedef {{text: string, color: string, places: number[][], key: string, inside?: Shape,
  *   fill?: string, anchor?: number[]}} Label places: middles (x, y) in order of preference; inside, fill: the body it names, and
@@ -14,9 +14,10 @@
 const OVER_ARROW = 1000;
 const OVER_LINE = 30; // a thin one, which a veil interrupts
 const OVER_HANDLE = 200;
-const OVER_BODY = 8;
+const OVER_BODY = 40;
+const OVER_FIXED = 3; // a floor or a wall
 const FARTHER = 4; // for each height of a line of text, once all places of its own are bad
-const AS_BEFORE = 6; // less, for the place it had: a label that jumps to and fro cannot be read
+const AS_BEFORE = 1.5; // less, for the place it had: a label that jumps to and fro cannot be read
 const RING = 12;
 const THIN = 1; // pixels, half as wide as a line that is no arrow
 
@@ -67,7 +68,7 @@ export function within([left, top, right, bottom], { points, radius }) {
 
 /** The box of a label's letters, without what is kept free around them. */
 function letters({ width, height }, [x, y]) {
-  const [a, b] = [0.5 * width - 0.2 * height, 0.3 * height];
+  const [a, b] = [0.5 * width - 0.08 * height, 0.3 * height];
   return [x - a, y - b, x + a, y + b];
 }
 
@@ -107,12 +108,12 @@ export function placedLabels(labels, { lines, bodies, handles = [], taken = [], 
       const cost = liked + FARTHER * far
         + lines.filter((line) => crosses(box, line)).reduce((sum, [, , , , half]) => sum + (half > THIN ? OVER_ARROW : inside ? 1 : OVER_LINE), 0)
         + OVER_HANDLE * handles.filter((shape) => covers(box, shape)).length
-        + (inside ? 0 : OVER_BODY * bodies.filter((shape) => covers(box, shape)).length)
+        + (inside ? 0 : bodies.filter((shape) => covers(box, shape)).reduce((sum, { fixed }) => sum + (fixed ? OVER_FIXED : OVER_BODY), 0))
         - (before && before[0] === liked && before[1] === far ? AS_BEFORE : 0);
       if (!best || cost < best.cost) best = { x: middle[0], y: middle[1], box, cost, far, inside, choice: [liked, far] };
     };
     label.places.forEach((place, liked) => tried(place, liked, 0));
-    if (!best || best.cost >= OVER_HANDLE) {
+    if (!best || best.cost >= OVER_LINE) {
       around(label.places[0], height).forEach(([x, y, far], k) => tried([x, y], label.places.length + k % RING / RING, far));
     }
     if (!best) continue;
@@ -134,7 +135,7 @@ export function drawLabels(context, wanted, theme, font, surroundings) {
   context.textAlign = "center";
   context.textBaseline = "middle";
   const measured = wanted.map((label) => Object.assign({}, label,
-    { width: context.measureText(label.text).width + 0.5 * font, height: 1.25 * font }));
+    { width: context.measureText(label.text).width + (label.inside ? 0.2 : 0.5) * font, height: 1.25 * font }));
   const placed = placedLabels(measured, surroundings);
   for (const label of placed) {
     const { box, inside, fill } = label;

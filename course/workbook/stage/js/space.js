@@ -8,6 +8,7 @@ import { drawLabels } from "./labels.js";
 import { corners, cross, frameAlong, projected, putPlace, shadowOn, unit } from "./matrices.js";
 
 const TRAIL = 1.8; // pixels
+const THROUGH = 0.35; // how much is seen of an arrow that a body hides
 const MOST_OF_TRAIL = 1500; // pieces
 
 /** The colour of a palette as three numbers from 0 to 1. @param {string} hex "#rrggbb" @returns {number[]} */
@@ -137,7 +138,9 @@ export class SpaceView {
       });
     }
     if (!shafts.length) return;
-    [shafts, heads].forEach((values, which) => this.drawing.draw(this.drawing.arrows[which], new Float32Array(values)));
+    const { drawing } = this;
+    drawing.through(THROUGH, () => [shafts, heads].forEach((values, which) => drawing.draw(drawing.arrows[which], new Float32Array(values))));
+    for (const mesh of drawing.arrows) drawing.draw(mesh, null);
   }
 
   release() {

@@ -41,12 +41,19 @@ test("the first place that is free is taken, whatever else is free too", () => {
   assert.deepEqual([one.x, one.y, one.far], [200, 100, 0]);
 });
 
-test("a label goes off a body where it can, and stays on it rather than on an arrow", () => {
-  const body = { points: [[100, 100]], radius: 60 };
+test("a label goes off a body where it can, to a place farther away where all of its own are bad", () => {
+  const body = { points: [[100, 100]], radius: 30 };
   const [off] = placed([label([[100, 100], [200, 100]])], { bodies: [body] });
   assert.equal(off.x, 200);
-  const [on] = placed([label([[100, 100], [200, 100]])], { bodies: [body], lines: [[200, 0, 200, 300, 2]] });
-  assert.equal(on.x, 100);
+  const arrow = [200, 0, 200, 300, 2];
+  const [far] = placed([label([[100, 100], [200, 100]])], { bodies: [body], lines: [arrow] });
+  assert.ok(far.far > 0 && !covers(far.box, body) && !crosses(far.box, arrow));
+});
+
+test("on a floor there is room where there is no other", () => {
+  const floor = { points: [[0, 50], [400, 50], [400, 300], [0, 300]], radius: 0, fixed: true };
+  assert.equal(placed([label([[100, 100], [100, 20]])], { bodies: [floor] })[0].y, 20);
+  assert.equal(placed([label([[100, 100], [100, 150]])], { bodies: [floor] })[0].y, 100);
 });
 
 test("a body's name is in it where it has room, beside it where not", () => {
