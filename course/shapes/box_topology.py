@@ -50,7 +50,7 @@ def _topology(solid: int) -> Topology:
         flat = 3 - sum(wide)
         normal = np.eye(3)[flat]
         corners = np.array(_rectangle(flat, 1), dtype=np.intp)
-        return polygon_topology(corners, np.array([normal, -normal]))
+        return polygon_topology(corners, normal)
     if len(wide) == 1:
         return segment_topology(0, bits[wide[0]])
     return point_topology()

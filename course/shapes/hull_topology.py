@@ -11,14 +11,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, IntArray
+from course.arrays import Array, BoolArray, IntArray
 
 #: A hull thinner than this fraction of its width is flat.
 FLATNESS = 1e-10
 #: Triangles whose corners lie this close to one plane, in widths, are one face.
 COPLANAR = 1e-12
+#: A face with less area than this, in squares of its length, is too slender for a cross
+#: product to give its normal.
+SLENDER = 1e-6
 #: How much of the largest coordinate is taken for rounding of the input.
-ROUNDING = 32 * np.finfo(np.float64).eps
+ROUNDING = 8 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,8 +35,8 @@ class Topology:
         edges: (e, 2) the two corners of each edge.
         edge_faces: (e, 2) the face that runs along the edge, and the one that runs
             back; -1 where there is none.
-        normals: (f, 3) unit normals out of the faces in the shape's own axes, where
-            they are known beforehand (a box), else None.
+        normals: (f, 3) unit normals out of the faces, in the axes in which the topology
+            was found.
     """
 
     corners: IntArray
@@ -41,18 +44,18 @@ class Topology:
     loop_start: IntArray
     edges: IntArray
     edge_faces: IntArray
-    normals: Array | None = None
+    normals: Array
 
 
 def topology_of_faces(
-    corners: IntArray, faces: list[list[int]], normals: Array | None = None
+    corners: IntArray, faces: list[list[int]], normals: Array
 ) -> Topology:
     """The topology of a closed surface, from the loop of each face.
 
     Args:
         corners: (v,) which of the points are corners.
         faces: the corners of each face, counterclockwise seen from outside.
-        normals: (f, 3), if known.
+        normals: (f, 3).
     """
     runs = {
         (a, b): f
@@ -73,7 +76,7 @@ def topology_of_faces(
 
 def point_topology(corner: int = 0) -> Topology:
     """One corner, no edge, no face."""
-    return topology_of_faces(np.array([corner], dtype=np.intp), [])
+    return topology_of_faces(np.array([corner], dtype=np.intp), [], np.empty((0, 3)))
 
 
 def segment_topology(start: int = 0, end: int = 1) -> Topology:
@@ -81,13 +84,15 @@ def segment_topology(start: int = 0, end: int = 1) -> Topology:
     none = np.empty(0, dtype=np.intp)
     corners = np.array([start, end], dtype=np.intp)
     edge, faces = np.array([[0, 1]], dtype=np.intp), np.array([[-1, -1]], dtype=np.intp)
-    return Topology(corners, none, np.zeros(1, dtype=np.intp), edge, faces)
+    start_of_none = np.zeros(1, dtype=np.intp)
+    return Topology(corners, none, start_of_none, edge, faces, np.empty((0, 3)))
 
 
-def polygon_topology(corners: IntArray, normals: Array | None = None) -> Topology:
+def polygon_topology(corners: IntArray, normal: Array) -> Topology:
     """A polygon, by its corners in order: a front face and, run backward, a back face."""
     front = list(range(len(corners)))
-    return topology_of_faces(corners, [front, front[::-1]], normals)
+    both = np.array([normal, -normal])
+    return topology_of_faces(corners, [front, front[::-1]], both)
 
 
 def hull_topology_of(points: Array) -> Topology:
@@ -111,116 +116,177 @@ def hull_topology_of(points: Array) -> Topology:
     widths = np.ptp(local, axis=0)
     dimensions = int(np.sum(widths > FLATNESS * widths.max() + rounding))
     if dimensions == 1:
-        ends = int(np.argmin(local[:, 0])), int(np.argmax(local[:, 0]))
-        return segment_topology(*ends)
+        return segment_topology(
+            int(np.argmin(local[:, 0])), int(np.argmax(local[:, 0]))
+        )
     if dimensions == 2:
-        return polygon_topology(convex_polygon(local[:, :2], rounding))
-    return _solid_topology(centred, local / widths, COPLANAR + rounding)
+        corners = convex_polygon(local[:, :2], widths[:2], COPLANAR + rounding)
+        if corners.size < 3:
+            return segment_topology(*corners.tolist())
+        # Out of which the corners run counterclockwise, whatever SVD's axes are.
+        upright = axes[2] * np.linalg.det(axes)
+        front = [list(range(len(corners)))]
+        return polygon_topology(corners, _normals(centred[corners], front, upright)[0])
+    even = local / widths
+    # A plane m.y = o of even points y = W^-1 A x is the plane (A' W^-1 m).x = o of x.
+    return _solid_topology(centred, even, axes.T / widths, COPLANAR + rounding)
 
 
-def convex_polygon(points: Array, slack: float) -> IntArray:
+def convex_polygon(points: Array, widths: Array, slack: float) -> IntArray:
     """Which points of a plane are the corners of their hull, counterclockwise.
-
-    Andrew's chain: from left to right along the bottom and back along the top, leaving
-    out each corner at which the way does not turn left by more than ``slack``.
-    Source: Andrew, Information Processing Letters 9, 1979.
 
     Args:
         points: (n, 2), not all on one line.
+        widths: (2,) of the set; Qhull sees the points with both made equal.
         slack: corners nearer than this to the line past them are left out.
     """
-    order = np.lexsort((points[:, 1], points[:, 0]))
-    ways: list[list[int]] = []
-    for run in order, order[::-1]:
-        way: list[int] = []
-        for i in run.tolist():
-            while len(way) > 1 and not _turns_left(points[[*way[-2:], i]], slack):
-                way.pop()
-            way.append(i)
-        ways.append(way[:-1])
-    return np.array(ways[0] + ways[1], dtype=np.intp)
+    from scipy.spatial import ConvexHull
+
+    around = ConvexHull(points / widths).vertices.astype(np.intp)
+    around = np.roll(around, -int(np.argmin(points[around, 0])))
+    kept, skipped = [0], []
+    for i in range(1, len(around)):
+        chord = around[[kept[-1], (i + 1) % len(around)]]
+        skipped.append(i)
+        if _bulge(points[chord], points[around[skipped]]) > slack:
+            kept.append(i)
+            skipped = []
+    return around[kept]
 
 
-def _turns_left(three: Array, slack: float) -> bool:
-    (ax, ay), (bx, by) = three[1] - three[0], three[2] - three[0]
-    return bool(ax * by - ay * bx > slack * np.hypot(bx, by))
+def _bulge(chord: Array, points: Array) -> float:
+    """How far the farthest of points (n, d) lies from a segment (2, d)."""
+    along, arms = chord[1] - chord[0], points - chord[0]
+    length = float(along @ along)
+    part = np.clip(arms @ along / length, 0.0, 1.0) if length else np.zeros(len(arms))
+    return float(np.linalg.norm(arms - part[:, None] * along, axis=1).max())
 
 
-def _solid_topology(points: Array, even: Array, slack: float) -> Topology:
+def _solid_topology(points: Array, even: Array, back: Array, slack: float) -> Topology:
     """Faces of a hull that has a volume: Qhull's triangles, the coplanar ones merged.
 
     Qhull's tolerances are not those of a stretched hull, so that it sees the points
-    with all widths made equal (``even``), which changes no face.
+    with all widths made equal (``even``), which changes no face; ``back`` (3, 3) takes
+    a normal there to a normal here.
     """
     from scipy.spatial import ConvexHull
 
     hull = ConvexHull(even)
-    triangles = hull.simplices.astype(np.intp)
-    a, b, c = (even[triangles[:, i]] for i in range(3))
-    inward = np.sum(np.cross(b - a, c - a) * hull.equations[:, :3], axis=1) < 0
-    # The axes may be a mirror image of the points' own.
-    inside = points.mean(axis=0)
-    triangles[inward] = triangles[inward][:, ::-1]
-    if _enclosed(points[triangles] - inside) < 0:
-        triangles = triangles[:, ::-1]
-    faces = _merged_faces(points, triangles, slack)
+    outward = hull.equations[:, :3] @ back.T
+    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+    triangles = _counterclockwise(points, hull.simplices, hull.neighbors, outward)
+    faces, seeds = _merged_faces(points, triangles, hull.neighbors, outward, slack)
     if not _is_closed(faces):
-        faces = triangles.tolist()
-    corners = np.unique([c for face in faces for c in face])
+        faces, seeds = triangles.tolist(), list(range(len(triangles)))
+    corners = np.unique([c for face in faces for c in face]).astype(np.intp)
     number = {int(c): i for i, c in enumerate(corners)}
     renamed = [[number[c] for c in face] for face in faces]
-    return topology_of_faces(corners.astype(np.intp), renamed)
+    normals = _normals(points[corners], renamed, outward[seeds])
+    return topology_of_faces(corners, renamed, normals)
 
 
-def _enclosed(corners: Array) -> float:
-    """Six times the volume that triangles (t, 3, 3) enclose, below 0 if they face in."""
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    return float(np.sum(a * np.cross(b, c)))
+def _counterclockwise(
+    points: Array, simplices: Array, neighbors: Array, outward: Array
+) -> IntArray:
+    """Qhull's triangles, each turned so that its corners run counterclockwise.
+
+    From the largest triangle on, each neighbour is turned so that it runs along the
+    common edge the other way: a sliver's own area does not say.
+    """
+    triangles = simplices.astype(np.intp)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    cross = np.cross(b - a, c - a)
+    first = int(np.argmax(np.linalg.norm(cross, axis=1)))
+    loops = triangles.tolist()
+    if cross[first] @ outward[first] < 0:
+        loops[first].reverse()
+    done, waiting = {first}, [first]
+    while waiting:
+        here = waiting.pop()
+        i, j, k = loops[here]
+        runs = {(i, j), (j, k), (k, i)}
+        for there in neighbors[here].tolist():
+            if there not in done:
+                i, j, k = loops[there]
+                if runs & {(i, j), (j, k), (k, i)}:
+                    loops[there].reverse()
+                done.add(there)
+                waiting.append(there)
+    return np.array(loops, dtype=np.intp)
 
 
-def _merged_faces(points: Array, triangles: IntArray, slack: float) -> list[list[int]]:
-    """One loop for all triangles in one plane, and no corner that only two faces share.
+def _normals(points: Array, faces: list[list[int]], rough: Array) -> Array:
+    """The unit normal of each face by Newell's sum of (x_i - x_0) x (x_i+1 - x_0).
+
+    A face so slender that the sum would be rounding has its ``rough`` normal, one that
+    the whole hull lies below.
+    """
+    normals = np.array(np.broadcast_to(rough, (len(faces), 3)))
+    for f, face in enumerate(faces):
+        arms = points[face[1:]] - points[face[0]]
+        total = np.cross(arms[:-1], arms[1:]).sum(axis=0)
+        length = np.linalg.norm(total)
+        if length > SLENDER * np.square(arms).sum(axis=1).max() and length > SLENDER:
+            normals[f] = total / length
+    return normals
+
+
+def _merged_faces(
+    points: Array, triangles: IntArray, neighbors: Array, outward: Array, slack: float
+) -> tuple[list[list[int]], list[int]]:
+    """One loop for all triangles in one plane, and few corners within straight edges.
 
     From the largest triangle on, each takes in the neighbours whose corners lie within
     ``slack`` of its plane and that do not face the other way.
+
+    Returns:
+        The loops, and the triangle each began with.
     """
     a, b, c = (points[triangles[:, i]] for i in range(3))
-    cross = np.cross(b - a, c - a)
-    area = np.linalg.norm(cross, axis=1)
-    normal = cross / np.where(area > 0, area, 1.0)[:, None]
-    beside = _neighbours(triangles)
-    face_of = np.full(len(triangles), -1)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    beside = neighbors.tolist()
+    taken = np.zeros(len(triangles), dtype=bool)
     loops: list[list[int]] = []
+    seeds: list[int] = []
     for seed in np.argsort(-area, kind="stable").tolist():
-        if face_of[seed] >= 0:
+        if taken[seed]:
             continue
-        height = np.abs((points[triangles] - a[seed]) @ normal[seed]).max(axis=1)
-        level = (height <= slack) & (normal @ normal[seed] >= 0) & (face_of < 0)
+        height = np.abs((points[triangles] - a[seed]) @ outward[seed]).max(axis=1)
+        level = (height <= slack) & (outward @ outward[seed] > 0) & ~taken
         group, waiting = [seed], [seed]
-        face_of[seed] = len(loops)
+        taken[seed] = True
         while waiting:
             for other in beside[waiting.pop()]:
-                if level[other] and face_of[other] < 0:
-                    face_of[other] = len(loops)
+                if level[other] and not taken[other]:
+                    taken[other] = True
                     group.append(other)
                     waiting.append(other)
         loops.append(_outline(triangles[group]))
-    meet = np.bincount([c for loop in loops for c in set(loop)], minlength=len(points))
-    return [[c for c in loop if meet[c] > 2] for loop in loops]
+        seeds.append(seed)
+    meet = np.bincount([c for loop in loops for c in loop], minlength=len(points))
+    return [_straightened(points, loop, meet > 2, slack) for loop in loops], seeds
 
 
-def _neighbours(triangles: IntArray) -> list[list[int]]:
-    """The triangles beyond the edges of each triangle."""
-    runs = {
-        (a, b): t
-        for t, (i, j, k) in enumerate(triangles.tolist())
-        for a, b in ((i, j), (j, k), (k, i))
-    }
-    beside: list[list[int]] = [[] for _ in triangles]
-    for (a, b), t in runs.items():
-        if (b, a) in runs:
-            beside[t].append(runs[b, a])
-    return beside
+def _straightened(
+    points: Array, loop: list[int], ends: BoolArray, slack: float
+) -> list[int]:
+    """A loop without the corners inside an edge: those that are no end of an edge, as
+    only two faces meet there, where they all lie on the chord between its ends."""
+    first = next((i for i, c in enumerate(loop) if ends[c]), None)
+    if first is None:
+        return loop
+    kept: list[int] = []
+    between: list[int] = []
+    turned = loop[first:] + loop[: first + 1]
+    for corner in turned:
+        if not ends[corner]:
+            between.append(corner)
+            continue
+        if between and _bulge(points[[kept[-1], corner]], points[between]) > slack:
+            kept += between
+        kept.append(corner)
+        between = []
+    return kept[:-1]
 
 
 def _outline(triangles: IntArray) -> list[int]:

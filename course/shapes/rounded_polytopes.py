@@ -22,7 +22,7 @@ from course.shapes.convex_hull import ConvexHull
 from course.shapes.hull_topology import Topology, point_topology, segment_topology
 from course.shapes.kdop import KDOP
 from course.shapes.obb import OBB
-from course.shapes.shape import Shape
+from course.shapes.shape import Shape, unturned
 from course.shapes.sphere import Sphere
 
 #: How many products of normals and points are formed at once.
@@ -106,14 +106,14 @@ class Polytopes:
 class Forms(NamedTuple):
     """m solids by the topology of each.
 
-    points (m, n, 3); which (m,) numbers the topologies; rotation (m, 3, 3) of the
-    normals that these give in the shape's own axes, if they do.
+    points (m, n, 3); which (m,) numbers the topologies; axes (m, 3, 3) turn the
+    normals that these give.
     """
 
     points: Array
+    axes: Array
     which: IntArray
     topologies: list[Topology]
-    rotation: Array | None = None
 
 
 def polytopes(shape: Shape) -> Polytopes:
@@ -130,19 +130,21 @@ def polytopes(shape: Shape) -> Polytopes:
     flat: Any = shape.reshaped(shape.count) if isinstance(shape, Shape) else shape
     if isinstance(flat, Sphere):
         point = np.zeros(flat.count, dtype=np.intp)
-        forms = Forms(flat.center[:, None], point, [point_topology()])
+        axes = unturned(flat.batch)
+        forms = Forms(flat.center[:, None], axes, point, [point_topology()])
         return _assembled(forms, flat.radius)
     if isinstance(flat, Capsule):
         ends = np.stack([flat.start, flat.end], axis=1)
         long = np.any(flat.start != flat.end, axis=-1).astype(np.intp)
-        forms = Forms(ends, long, [point_topology(), segment_topology()])
+        topologies = [point_topology(), segment_topology()]
+        forms = Forms(ends, unturned(flat.batch), long, topologies)
         return _assembled(forms, flat.radius)
     if isinstance(flat, AABB | OBB):
         forms = _boxes(flat)
     elif isinstance(flat, KDOP):
-        forms = Forms(flat.corners(), *_distinct(flat.forms))
+        forms = Forms(flat.corners(), flat.axes, *_distinct(flat.forms))
     elif isinstance(flat, ConvexHull):
-        forms = Forms(flat.vertices, *_distinct(flat.forms))
+        forms = Forms(flat.vertices, flat.axes, *_distinct(flat.forms))
     else:
         got = getattr(shape, "kind", type(shape).__name__)
         raise failure("shape", "a convex bounded shape", f"a {got}")
@@ -156,11 +158,11 @@ def _boxes(box: AABB | OBB) -> Forms:
         box.require_finite()
         ends = np.stack([box.lower, box.upper], axis=-1)
         points = ends[:, np.arange(3), (CORNERS > 0).astype(np.intp)]
-        turn = np.broadcast_to(np.eye(3), (box.count, 3, 3))
-        return Forms(points, which_box(box.upper - box.lower), BOXES, turn)
+        which = which_box(box.upper - box.lower)
+        return Forms(points, unturned(box.batch), which, BOXES)
     arms = CORNERS * box.half_extents[:, None]
     points = box.center[:, None] + arms @ np.swapaxes(box.rotation, -1, -2)
-    return Forms(points, which_box(box.half_extents), BOXES, box.rotation)
+    return Forms(points, box.rotation, which_box(box.half_extents), BOXES)
 
 
 def _distinct(forms: NDArray[Any]) -> tuple[IntArray, list[Topology]]:
@@ -173,12 +175,12 @@ def _distinct(forms: NDArray[Any]) -> tuple[IntArray, list[Topology]]:
             number[id(form)] = len(once)
             once.append(form)
         which[i] = number[id(form)]
-    return which, [form.topology for form in once]
+    return which, [form.topology for form in once] or [point_topology()]
 
 
 def _assembled(forms: Forms, radius: Array) -> Polytopes:
     """All solids end to end: each topology's blocks are put in their places at once."""
-    points, which, topologies, _ = forms
+    points, axes, which, topologies = forms
 
     def start(lengths: list[int]) -> IntArray:
         each = np.array(lengths, dtype=np.intp)[which]
@@ -189,7 +191,7 @@ def _assembled(forms: Forms, radius: Array) -> Polytopes:
     loop_place = start([t.loop.size for t in topologies])
     edge_start = start([len(t.edges) for t in topologies])
     vertices = np.empty((vertex_start[-1], 3))
-    known = np.empty((face_start[-1], 3))
+    normals = np.empty((face_start[-1], 3))
     loop = np.empty(loop_place[-1], dtype=np.intp)
     loop_start = np.empty(face_start[-1] + 1, dtype=np.intp)
     loop_start[-1] = loop.size
@@ -206,16 +208,12 @@ def _assembled(forms: Forms, radius: Array) -> Polytopes:
         loop_start[row] = loop_place[solids, None] + topology.loop_start[:-1]
         place = loop_place[solids, None] + np.arange(topology.loop.size)
         loop[place] = vertex + topology.loop
-        if topology.normals is not None and forms.rotation is not None:
-            turn = np.swapaxes(forms.rotation[solids], -1, -2)
-            known[row] = topology.normals @ turn
+        normals[row] = topology.normals @ np.swapaxes(axes[solids], -1, -2)
         place = edge_start[solids, None] + np.arange(len(topology.edges))
         edges[place] = vertex[..., None] + topology.edges
         beside = topology.edge_faces
         edge_faces[place] = np.where(beside < 0, -1, face[..., None] + beside)
-    normals = known
-    if forms.rotation is None:
-        normals = _loop_normals(vertices, loop, loop_start)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     starts = vertex_start, face_start
     offsets = _offsets(vertices, normals, starts, groups)
     return Polytopes(
@@ -228,22 +226,6 @@ def _groups(which: IntArray, count: int) -> list[IntArray]:
     """The solids of each topology."""
     order = np.argsort(which, kind="stable").astype(np.intp)
     return np.split(order, np.searchsorted(which[order], np.arange(1, count)))
-
-
-def _loop_normals(vertices: Array, loop: IntArray, loop_start: IntArray) -> Array:
-    """The unit normal of each face by Newell's sum of (x_i - x_0) x (x_i+1 - x_0)."""
-    if loop_start.size == 1:
-        return np.empty((0, 3))
-    first, length = loop_start[:-1], np.diff(loop_start)
-    onward = np.arange(1, loop.size + 1)
-    onward[loop_start[1:] - 1] = first
-    origin = np.repeat(vertices[loop[first]], length, axis=0)
-    here, there = vertices[loop] - origin, vertices[loop[onward]] - origin
-    # In the size of the face, so that no square of a length leaves the range.
-    reach = np.maximum.reduceat(np.abs(here).max(axis=1), first)
-    unit = np.repeat(reach, length)[:, None]
-    total = np.add.reduceat(np.cross(here / unit, there / unit), first, axis=0)
-    return np.asarray(total / np.linalg.norm(total, axis=1, keepdims=True))
 
 
 def _offsets(

@@ -108,6 +108,19 @@ class Shape:
             object.__setattr__(self, name, np.broadcast_to(read_only(array), shape))
 
 
+def lazy(batch: tuple[int, ...], make: Callable[[int], Any]) -> NDArray[Any]:
+    """An array (...) of objects, one a shape, made from the shape's flat index."""
+    made = np.empty(int(np.prod(batch, dtype=np.intp)), dtype=object)
+    made[:] = [make(i) for i in range(made.size)]
+    made.setflags(write=False)
+    return made.reshape(batch)
+
+
+def unturned(batch: tuple[int, ...]) -> Array:
+    """The identity for each shape of a batch, (..., 3, 3)."""
+    return np.broadcast_to(np.eye(3), (*batch, 3, 3))
+
+
 def one_axis(kind: type[Any], parts: Iterable[Any]) -> list[Any]:
     """Parts of a kind, each a batch of one axis, as a list."""
     given = instances("parts", parts, kind)
