@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.shapes.hull_topology import (
+from course.shapes.topology import (
     Topology,
     point_topology,
     polygon_topology,

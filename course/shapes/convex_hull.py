@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from course.arrays import Array, ArrayLike, failure, vectors
 from course.shapes.aabb import AABB
-from course.shapes.hull_topology import Topology, hull_topology_of
+from course.shapes.hull_topology import hull_topology_of
 from course.shapes.shape import (
     Shape,
     directions,
@@ -22,6 +22,7 @@ from course.shapes.shape import (
     pose,
     unturned,
 )
+from course.shapes.topology import Topology, enclosed_volume
 
 
 class HullForm:
@@ -34,6 +35,11 @@ class HullForm:
     def topology(self) -> Topology:
         """Corners, faces and edges, as numbers of the hull's vertices."""
         return hull_topology_of(self._vertices[self._index])
+
+    @cached_property
+    def volume(self) -> float:
+        """What the faces enclose [m^3]."""
+        return enclosed_volume(self._vertices[self._index], self.topology)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,9 +109,8 @@ class ConvexHull(Shape):
 
     def volume(self) -> Array:
         """The sum of the pyramids over the faces, (...) [m^3]; 0 for a flat hull."""
-        from course.shapes.rounded_polytopes import polytope_volumes, polytopes
-
-        return polytope_volumes(polytopes(self)).reshape(self.batch)
+        volumes = [form.volume for form in self.forms.ravel()]
+        return np.array(volumes, dtype=np.float64).reshape(self.batch)
 
     @classmethod
     def concatenate(cls, parts: Iterable[ConvexHull]) -> ConvexHull:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from course.arrays import Array, ArrayLike, IntArray, failure, scalars, unit_vectors
 from course.shapes.aabb import AABB, require_ordered
-from course.shapes.hull_topology import ROUNDING, Topology, hull_topology_of
+from course.shapes.hull_topology import ROUNDING, hull_topology_of
 from course.shapes.shape import (
     Shape,
     directions,
@@ -24,6 +24,7 @@ from course.shapes.shape import (
     turned,
     unturned,
 )
+from course.shapes.topology import Topology, enclosed_volume
 
 #: How far outside a plane a corner may lie, in widths of the solid.
 OUTSIDE = 1e-12
@@ -36,7 +37,7 @@ class KDOPForm:
         self._normals, self._offsets, self._index = normals, offsets, index
 
     @cached_property
-    def _found(self) -> tuple[IntArray, Topology]:
+    def _found(self) -> tuple[IntArray, Topology, float]:
         normals, offsets = self._normals[self._index], self._offsets[self._index]
         planes, points = corners_of_planes(normals, offsets, self._index)
         found = hull_topology_of(points)
@@ -44,7 +45,7 @@ class KDOPForm:
         nearest = np.argmax(found.normals @ normals.T, axis=1)
         every = np.arange(len(found.corners))
         topology = replace(found, corners=every, normals=normals[nearest])
-        return planes[found.corners], topology
+        return planes[found.corners], topology, enclosed_volume(points, found)
 
     @property
     def planes(self) -> IntArray:
@@ -55,6 +56,11 @@ class KDOPForm:
     def topology(self) -> Topology:
         """Faces and edges, as numbers of the corners."""
         return self._found[1]
+
+    @property
+    def volume(self) -> float:
+        """What the faces enclose [m^3]."""
+        return self._found[2]
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,9 +181,8 @@ class KDOP(Shape):
 
     def volume(self) -> Array:
         """The sum of the pyramids over the faces, (...) [m^3]; 0 for a flat one."""
-        from course.shapes.rounded_polytopes import polytope_volumes, polytopes
-
-        return polytope_volumes(polytopes(self)).reshape(self.batch)
+        volumes = [form.volume for form in self.forms.ravel()]
+        return np.array(volumes, dtype=np.float64).reshape(self.batch)
 
     @classmethod
     def concatenate(cls, parts: Iterable[KDOP]) -> KDOP:

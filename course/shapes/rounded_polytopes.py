@@ -19,11 +19,11 @@ from course.shapes.aabb import AABB
 from course.shapes.box_topology import BOXES, CORNERS, which_box
 from course.shapes.capsule import Capsule
 from course.shapes.convex_hull import ConvexHull
-from course.shapes.hull_topology import Topology, point_topology, segment_topology
 from course.shapes.kdop import KDOP
 from course.shapes.obb import OBB
 from course.shapes.shape import Shape, unturned
 from course.shapes.sphere import Sphere
+from course.shapes.topology import Topology, point_topology, segment_topology
 
 #: How many products of normals and points are formed at once.
 AT_ONCE = 4_000_000
@@ -253,25 +253,3 @@ def _offsets(
             row = face_start[solids, None] + np.arange(some, min(some + step, faces))
             offsets[row] = (normals[row] @ across).max(axis=-1)
     return offsets
-
-
-def polytope_volumes(solids: Polytopes) -> Array:
-    """The volume that the faces of each solid enclose, (m,) [m^3]; the radius is not read.
-
-    The sum over the faces of area times height above a vertex of the solid, a third of
-    it: V = 1/6 sum a.(b x c) over fans of triangles (divergence theorem).
-    Source: Mirtich, Journal of Graphics Tools 1, 1996.
-    """
-    length = np.diff(solids.loop_start)
-    face_of = np.repeat(np.arange(length.size), length)
-    solid_of = np.repeat(np.arange(len(solids)), np.diff(solids.face_start))[face_of]
-    origin = solids.vertices[solids.vertex_start[solid_of]]
-    first = solids.loop_start[face_of]
-    onward = np.arange(1, solids.loop.size + 1)
-    onward[solids.loop_start[1:] - 1] = solids.loop_start[:-1]
-    corner = solids.vertices[solids.loop]
-    a, b = solids.vertices[solids.loop[first]] - origin, corner - origin
-    c = corner[onward] - origin
-    six = np.sum(a * np.cross(b, c), axis=-1)
-    volume = np.bincount(solid_of, six, minlength=len(solids)) / 6
-    return np.where(np.diff(solids.face_start) > 2, np.maximum(volume, 0.0), 0.0)
