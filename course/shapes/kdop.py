@@ -228,11 +228,18 @@ def corners_of_planes(
         raise failure(
             "lower, upper", "slabs that have a point in common", "none", (index,)
         )
-    # The first of coincident ones: where the planes meet most steeply.
-    triples, points = triples[inside], points[inside]
-    near_pairs = np.abs(points[:, None] - points).max(axis=-1) <= 2 * slack
-    once = np.argmax(near_pairs, axis=1) == np.arange(len(points))
-    return triples[once], near + points[once]
+    once = _distinct(points[inside], 2 * slack)
+    return triples[inside][once], near + points[inside][once]
+
+
+def _distinct(points: Array, slack: float) -> IntArray:
+    """The first of the points at each place: where the planes meet most steeply."""
+    once: list[int] = []
+    rest = np.arange(len(points))
+    while rest.size:
+        once.append(int(rest[0]))
+        rest = rest[np.abs(points[rest] - points[rest[0]]).max(axis=1) > slack]
+    return np.array(once, dtype=np.intp)
 
 
 def meeting_points(normals: Array, offsets: Array) -> Array:

@@ -52,7 +52,7 @@ class Shape:
         """The same shapes, in the same order, under another batch shape."""
 
         def reshape(array: NDArray[Any], core: int) -> NDArray[Any]:
-            return array.reshape(*batch, *array.shape[array.ndim - core :])
+            return array.reshape((*batch, *array.shape[array.ndim - core :]))
 
         return self._each(reshape)
 
