@@ -355,6 +355,14 @@ def test_endless_boxes_have_no_support_and_do_not_turn():
 
 
 UNIT, ORIGIN = np.eye(3), np.zeros(3)
+UNLIKE_KDOPS = (
+    KDOP(UNIT, [[0] * 3], [[1] * 3]),
+    drawn("kdop", np.random.default_rng(1), 1),
+)
+UNLIKE_COMPOUNDS = (
+    Compound((Sphere([ORIGIN], 1),)),
+    Compound((AABB([ORIGIN], [ORIGIN]),)),
+)
 
 
 @pytest.mark.parametrize(
@@ -396,8 +404,8 @@ UNIT, ORIGIN = np.eye(3), np.zeros(3)
         (lambda: Sphere(ORIGIN, 1).moved(2 * UNIT, ORIGIN), "rotation"),
         (lambda: Sphere(ORIGIN, 1).moved(UNIT, [0, 0]), "translation"),
         (lambda: Sphere(np.zeros((2, 3)), 1).moved(UNIT, np.zeros((3, 3))), "translation: expected a batch"),
-        (lambda: KDOP.concatenate([KDOP(UNIT, [[0] * 3], [[1] * 3]), drawn("kdop", np.random.default_rng(1), 1)]), r"parts\[1\]: expected 3 directions"),
-        (lambda: Compound.concatenate([Compound((Sphere([ORIGIN], 1),)), Compound((AABB([ORIGIN], [ORIGIN]),))]), r"parts\[1\]: expected a compound of sphere"),
+        (lambda: KDOP.concatenate(UNLIKE_KDOPS), r"parts\[1\]: expected 3 directions"),
+        (lambda: Compound.concatenate(UNLIKE_COMPOUNDS), r"parts\[1\]: expected a compound of sphere"),
     ],
 )  # fmt: skip
 def test_a_wrong_argument_is_named(make, said):
