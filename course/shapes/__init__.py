@@ -22,6 +22,7 @@ from course.shapes.fitting import (
 )
 from course.shapes.half_space import HalfSpace
 from course.shapes.kdop import KDOP
+from course.shapes.meshes import Mesh, mesh_colliders, read_mesh
 from course.shapes.obb import OBB
 from course.shapes.rounded_polytopes import Polytopes, polytopes
 from course.shapes.shape import Shape
@@ -35,6 +36,7 @@ __all__ = [
     "Compound",
     "ConvexHull",
     "HalfSpace",
+    "Mesh",
     "Polytopes",
     "Shape",
     "Sphere",
@@ -45,7 +47,9 @@ __all__ = [
     "hull_around",
     "k_dop",
     "k_dop_directions",
+    "mesh_colliders",
     "oriented_box",
     "polytopes",
+    "read_mesh",
     "rotated_box_extents",
 ]

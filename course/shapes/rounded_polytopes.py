@@ -178,47 +178,57 @@ def _distinct(forms: NDArray[Any]) -> tuple[IntArray, list[Topology]]:
     return which, [form.topology for form in once] or [point_topology()]
 
 
-def _assembled(forms: Forms, radius: Array) -> Polytopes:
-    """All solids end to end: each topology's blocks are put in their places at once."""
-    points, axes, which, topologies = forms
+class Places(NamedTuple):
+    """Where the rows of each solid start in the flat arrays, (m + 1,) each."""
 
-    def start(lengths: list[int]) -> IntArray:
+    vertex: IntArray
+    face: IntArray
+    corner: IntArray  # of a face's loop
+    edge: IntArray
+
+
+def _places(which: IntArray, topologies: list[Topology]) -> Places:
+    """Solids end to end, in order."""
+
+    def starts(lengths: list[int]) -> IntArray:
         each = np.array(lengths, dtype=np.intp)[which]
         return np.concatenate([[0], np.cumsum(each)]).astype(np.intp)
 
-    vertex_start = start([t.corners.size for t in topologies])
-    face_start = start([t.loop_start.size - 1 for t in topologies])
-    loop_place = start([t.loop.size for t in topologies])
-    edge_start = start([len(t.edges) for t in topologies])
-    vertices = np.empty((vertex_start[-1], 3))
-    normals = np.empty((face_start[-1], 3))
-    loop = np.empty(loop_place[-1], dtype=np.intp)
-    loop_start = np.empty(face_start[-1] + 1, dtype=np.intp)
-    loop_start[-1] = loop.size
-    edges, edge_faces = np.empty((2, edge_start[-1], 2), dtype=np.intp)
-    groups = _groups(which, len(topologies))
-    for topology, solids in zip(topologies, groups, strict=True):
-        if not solids.size:
-            continue
-        vertex, face = vertex_start[solids, None], face_start[solids, None]
-        vertices[vertex + np.arange(topology.corners.size)] = points[
-            solids[:, None], topology.corners
-        ]
-        row = face + np.arange(topology.loop_start.size - 1)
-        loop_start[row] = loop_place[solids, None] + topology.loop_start[:-1]
-        place = loop_place[solids, None] + np.arange(topology.loop.size)
-        loop[place] = vertex + topology.loop
-        normals[row] = topology.normals @ np.swapaxes(axes[solids], -1, -2)
-        place = edge_start[solids, None] + np.arange(len(topology.edges))
-        edges[place] = vertex[..., None] + topology.edges
+    return Places(
+        starts([t.corners.size for t in topologies]),
+        starts([len(t.normals) for t in topologies]),
+        starts([t.loop.size for t in topologies]),
+        starts([len(t.edges) for t in topologies]),
+    )
+
+
+def _assembled(forms: Forms, radius: Array) -> Polytopes:
+    """All solids end to end: the blocks of one topology are put in their places at once."""
+    start = _places(forms.which, forms.topologies)
+    vertices, normals = np.empty((start.vertex[-1], 3)), np.empty((start.face[-1], 3))
+    offsets = np.empty(start.face[-1])
+    loop = np.empty(start.corner[-1], dtype=np.intp)
+    loop_start = np.full(start.face[-1] + 1, loop.size, dtype=np.intp)
+    edges, edge_faces = np.empty((2, start.edge[-1], 2), dtype=np.intp)
+    groups = _groups(forms.which, len(forms.topologies))
+    for topology, solids in zip(forms.topologies, groups, strict=True):
+        vertex, face, corner, edge = (each[solids, None] for each in start)
+        points = forms.points[solids[:, None], topology.corners]
+        turn = np.swapaxes(forms.axes[solids], -1, -2)
+        outward = topology.normals @ turn
+        outward /= np.linalg.norm(outward, axis=-1, keepdims=True)
+        faces = face + np.arange(len(topology.normals))
+        vertices[vertex + np.arange(topology.corners.size)] = points
+        normals[faces], offsets[faces] = outward, _farthest_along(outward, points)
+        loop[corner + np.arange(topology.loop.size)] = vertex + topology.loop
+        loop_start[faces] = corner + topology.loop_start[:-1]
+        rows = edge + np.arange(len(topology.edges))
+        edges[rows] = vertex[..., None] + topology.edges
         beside = topology.edge_faces
-        edge_faces[place] = np.where(beside < 0, -1, face[..., None] + beside)
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    starts = vertex_start, face_start
-    offsets = _offsets(vertices, normals, starts, groups)
+        edge_faces[rows] = np.where(beside < 0, -1, face[..., None] + beside)
     return Polytopes(
-        vertices, vertex_start, np.array(radius), normals, offsets, face_start,
-        loop, loop_start, edges, edge_faces, edge_start,
+        vertices, start.vertex, np.array(radius), normals, offsets, start.face,
+        loop, loop_start, edges, edge_faces, start.edge,
     )  # fmt: skip
 
 
@@ -228,28 +238,16 @@ def _groups(which: IntArray, count: int) -> list[IntArray]:
     return np.split(order, np.searchsorted(which[order], np.arange(1, count)))
 
 
-def _offsets(
-    vertices: Array,
-    normals: Array,
-    starts: tuple[IntArray, IntArray],
-    groups: list[IntArray],
-) -> Array:
-    """The most n.x over all vertices of a face's solid.
+def _farthest_along(normals: Array, points: Array) -> Array:
+    """The most n.x over all points of a solid, (k, f), for normals (k, f, 3), points (k, v, 3).
 
-    Not of the face alone: a sliver's normal may be so rough that another vertex lies
-    beyond its plane.
+    Not over those of the face alone: a sliver's normal may be so rough that another
+    corner lies beyond its plane.
     """
-    vertex_start, face_start = starts
-    offsets = np.empty(len(normals))
-    for solids in groups:
-        if not solids.size:
-            continue
-        corners = int(vertex_start[solids[0] + 1] - vertex_start[solids[0]])
-        faces = int(face_start[solids[0] + 1] - face_start[solids[0]])
-        points = vertices[vertex_start[solids, None] + np.arange(corners)]
-        across = np.swapaxes(points, -1, -2)
-        step = max(1, AT_ONCE // (solids.size * corners))
-        for some in range(0, faces, step):
-            row = face_start[solids, None] + np.arange(some, min(some + step, faces))
-            offsets[row] = (normals[row] @ across).max(axis=-1)
-    return offsets
+    across = np.swapaxes(points, -1, -2)
+    step = max(1, AT_ONCE // max(1, points.shape[0] * points.shape[1]))
+    some = [
+        (normals[:, i : i + step] @ across).max(axis=-1)
+        for i in range(0, normals.shape[1], step)
+    ]
+    return np.concatenate(some, axis=1) if some else np.empty(normals.shape[:2])
