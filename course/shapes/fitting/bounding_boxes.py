@@ -14,7 +14,7 @@ from course.arrays import (
     vectors,
 )
 from course.shapes.aabb import AABB
-from course.shapes.fitting.point_sets import each_set, point_sets, principal_axes
+from course.shapes.fitting.point_sets import checked_sets, each_set, principal_axes
 from course.shapes.hull_topology import COPLANAR, convex_polygon, hull_topology_of
 from course.shapes.obb import OBB
 
@@ -31,7 +31,7 @@ def bounding_box(points: ArrayLike) -> AABB:
     Raises:
         ValueError: no points, NaN or infinity.
     """
-    given = point_sets(points)
+    given = checked_sets(points)
     return AABB(given.min(axis=-2), given.max(axis=-2))
 
 
@@ -76,7 +76,7 @@ def oriented_box(points: ArrayLike, *, method: str = "principal_axes") -> OBB:
     Raises:
         ValueError: no points, NaN or infinity, another method.
     """
-    given = point_sets(points)
+    given = checked_sets(points)
     method = choice("method", method, ("principal_axes", "face_directions"))
     if method == "principal_axes":
         axes = principal_axes(given)

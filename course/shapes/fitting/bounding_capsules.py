@@ -7,7 +7,7 @@ import numpy as np
 from course.arrays import Array, ArrayLike
 from course.shapes.capsule import Capsule
 from course.shapes.fitting.bounding_spheres import smallest_ball
-from course.shapes.fitting.point_sets import each_set, point_sets, principal_axes
+from course.shapes.fitting.point_sets import checked_sets, each_set, principal_axes
 
 
 def capsule_around(points: ArrayLike) -> Capsule:
@@ -27,7 +27,7 @@ def capsule_around(points: ArrayLike) -> Capsule:
     Raises:
         ValueError: no points, NaN or infinity.
     """
-    given = point_sets(points)
+    given = checked_sets(points)
     start, end, radius = each_set(given, _capsule, (3,), (3,), ())
     return Capsule(start, end, radius)
 

@@ -13,7 +13,7 @@ from course.shapes.convex_hull import ConvexHull
 from course.shapes.fitting.bounding_boxes import bounding_box, oriented_box
 from course.shapes.fitting.bounding_capsules import capsule_around
 from course.shapes.fitting.bounding_spheres import bounding_sphere
-from course.shapes.fitting.point_sets import point_sets
+from course.shapes.fitting.point_sets import checked_sets
 from course.shapes.hull_topology import hull_topology_of
 from course.shapes.kdop import KDOP
 from course.shapes.shape import Shape
@@ -60,7 +60,7 @@ def k_dop(points: ArrayLike, count: int = 14) -> KDOP:
     Raises:
         ValueError: no points, NaN or infinity, another count.
     """
-    given, d = point_sets(points), k_dop_directions(count)
+    given, d = checked_sets(points), k_dop_directions(count)
     along = given @ d.T
     return KDOP(d, along.min(axis=-2), along.max(axis=-2))
 
@@ -78,7 +78,7 @@ def hull_around(points: ArrayLike) -> ConvexHull:
     Raises:
         ValueError: no points, NaN or infinity.
     """
-    given = point_sets(points)
+    given = checked_sets(points)
     flat = given.reshape(-1, *given.shape[-2:])
     if not len(flat):
         return ConvexHull(given)

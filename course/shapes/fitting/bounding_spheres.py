@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from course.arrays import Array, ArrayLike, choice
-from course.shapes.fitting.point_sets import each_set, point_sets
+from course.shapes.fitting.point_sets import checked_sets, each_set
 from course.shapes.sphere import Sphere
 
 
@@ -29,7 +29,7 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> Sphere:
     Raises:
         ValueError: no points, NaN or infinity, another method.
     """
-    given = point_sets(points)
+    given = checked_sets(points)
     method = choice("method", method, ("exact", "ritter"))
     fit = _ritter if method == "ritter" else smallest_ball
     center, radius = each_set(given, fit, (3,), ())

@@ -9,7 +9,7 @@ import numpy as np
 from course.arrays import Array, ArrayLike, failure, vectors
 
 
-def point_sets(points: ArrayLike) -> Array:
+def checked_sets(points: ArrayLike) -> Array:
     """Checked sets of points, (..., n, 3), n >= 1."""
     checked = vectors("points", points)
     if checked.ndim < 2 or checked.shape[-2] == 0:
