@@ -78,6 +78,17 @@ def test_a_check_says_how_to_see_it(capsys):
     assert "watch(impulse_central) plays it" in capsys.readouterr().out
 
 
+def test_lessons_with_films_import_watch():
+    """What a check says can be typed into a cell as it stands."""
+    for name in WATCHED:
+        lesson, _ = find_exercise(name)
+        folder = Path(__file__).parents[2] / "solutions"
+        source = folder / f"{lesson.number}-{lesson.name}.ipynb"
+        cells = json.loads(source.read_text("utf-8"))["cells"]
+        code = "".join("".join(c["source"]) for c in cells if c["cell_type"] == "code")
+        assert re.search(r"from course\.workbook import [^)]*\bwatch\b", code), source
+
+
 def test_an_exercise_that_moves_nothing_is_refused():
     def p_hat():
         """No motion."""
