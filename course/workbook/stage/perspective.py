@@ -173,7 +173,9 @@ def _labels(
             x, y = eye.screen(place[k])
             aside = 0.5 * LETTER * len(solid.label) + 12.0
             near = [[x, y + HEIGHT], [x, y - HEIGHT], [x + aside, y], [x - aside, y]]
-            labels.append(Label(solid.label, marks.INK, np.array(near)))
+            labels.append(
+                Label(solid.label, marks.INK, np.array(near), np.array([x, y]))
+            )
     for ends, color, said in words:
         if said:
             labels.append(arrow_label(said, color, *ends))
