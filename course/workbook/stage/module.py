@@ -13,10 +13,17 @@ PARTS = (
     "asking",
     "clock",
     "look",
+    "labels",
     "matrices",
     "flat",
+    "camera",
+    "drawing",
     "space",
     "charts",
+    "elements",
+    "controls",
+    "layout",
+    "hands",
     "stage",
 )
 _IMPORT = re.compile(r"^import [^;]*?;\n", re.MULTILINE | re.DOTALL)
