@@ -41,12 +41,45 @@ class Closest:
     point_a: Array
     point_b: Array
 
+    def swapped(self) -> Closest:
+        """The same, with B as body A."""
+        return Closest(self.gap, -self.normal, self.point_b, self.point_a)
+
+    def __getitem__(self, which: Any) -> Closest:
+        """Those that an index of the batch selects."""
+        return Closest(*(np.asarray(x)[which] for x in vars(self).values()))
+
+    def flat(self) -> Closest:
+        """The batch along one axis, in C order."""
+        rows = [
+            np.reshape(x, (-1, 3)) for x in (self.normal, self.point_a, self.point_b)
+        ]
+        return Closest(np.reshape(self.gap, -1), *rows)
+
+    def broadcast_to(self, batch: tuple[int, ...]) -> Closest:
+        """The same, repeated along new or single batch axes."""
+        rows = (self.normal, self.point_a, self.point_b)
+        wide = [np.broadcast_to(x, (*batch, 3)) for x in rows]
+        return Closest(np.broadcast_to(self.gap, batch), *wide)
+
+    def nearer(self, other: Closest) -> Closest:
+        """Of two of one batch, at each place that with the lesser gap."""
+        less = other.gap < self.gap
+        mine, theirs = vars(self).values(), vars(other).values()
+        return Closest(
+            *(
+                np.where(less.reshape(*less.shape, *[1] * (x.ndim - less.ndim)), y, x)
+                for x, y in zip(mine, theirs, strict=True)
+            )
+        )
+
 
 def closest_points(a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike) -> Closest:
     """Gap, normal and witness points of solid i of a and solid j of b, for every pair (i, j).
 
-    Distances by GJK (``gjk``), depths by separating axes (``separating_axis_loops``); both are
-    exact to rounding, and each is compared with the other there where they meet.
+    Distances by GJK (``gjk``), depths by EPA (``epa``), each as soon as it is certain to
+    rounding; what is left, and what nearly touches, by separating axes
+    (``separating_axis_loops``) and, very rarely, by all features (``nearest_features``).
 
     Args:
         a, b: rounded polytopes.
@@ -63,6 +96,33 @@ def closest_points(a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike) -> Cl
     )
     batch = np.shape(i)
     return Closest(gap.reshape(batch), *apart.reshape(3, *batch, 3))
+
+
+def least_translation(
+    a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike
+) -> tuple[Array, Array]:
+    """The greatest separation along an axis of solid i of a and solid j of b, and that axis, for every pair.
+
+    Where the cores overlap -s is the least translation of A that parts them, along N. Where
+    they are apart s is above 0 and a lower bound of their distance (C. Ericson, *Real-Time
+    Collision Detection*, section 5.2.1).
+
+    Args:
+        a, b: rounded polytopes.
+        i, j: which of them, ints of one shape (...).
+    Returns:
+        s less both radii (...) [m] and N (..., 3), out of B toward A.
+    Raises:
+        ValueError: a number of no solid, or i and j of different shapes.
+    """
+    from course.overlap.closest_loops import least_translations
+
+    first, second = _pairs(a, b, i, j)
+    separation, normal = np.empty(first.size), np.empty((first.size, 3))
+    solids = as_solids(a), as_solids(b)
+    least_translations(*solids, first, second, separation, normal)
+    batch = np.shape(i)
+    return separation.reshape(batch), normal.reshape(*batch, 3)
 
 
 def _pairs(
