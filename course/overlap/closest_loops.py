@@ -18,9 +18,9 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.epa import epa, epa_room
-from course.overlap.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk
-from course.overlap.nearest_features import nearest_features
+from course.overlap.epa import epa_depth, epa_room
+from course.overlap.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk_distance
+from course.overlap.nearest_features import nearest_of_all
 from course.overlap.separating_axis_loops import (
     Solids,
     greatest_separation,
@@ -235,7 +235,7 @@ def opposite_points(count_a: int, count_b: int, thick: float, room: Room) -> Non
     )
     for k in range(3):
         room.v[k] = room.front_a[0, k] - room.front_b[0, k]
-    _, count, _ = gjk(
+    _, count, _ = gjk_distance(
         room.front_a,
         fronts_a,
         room.front_b,
@@ -257,7 +257,7 @@ def opposite_points(count_a: int, count_b: int, thick: float, room: Room) -> Non
 @compiled
 def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
     """GJK from room.v: how it ended, lower and upper bound of the distance; points of the upper one to room."""
-    ended, count, lower = gjk(
+    ended, count, lower = gjk_distance(
         room.a,
         count_a,
         room.b,
@@ -280,7 +280,7 @@ def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
 def by_all_features(a: Solids, i: int, b: Solids, j: int, count_a: int, count_b: int, room: Room) -> float:  # fmt: skip
     """The distance where GJK lost its way: points and the vector v between them are written to room."""
     for once_more in (True, False):
-        nearest_features(room.a, room.b, a, i, b, j, room.pick, room.share)
+        nearest_of_all(room.a, room.b, a, i, b, j, room.pick, room.share)
         combine(room.a, room.pick, ZERO, room.share, THREE, room.point_a)
         combine(room.b, room.pick, ONE, room.share, THREE, room.point_b)
         for k in range(3):
@@ -317,7 +317,7 @@ def nearly_touching(
     """
     normal, v = room.normal, room.v
     if ended == INSIDE:
-        depth = epa(
+        depth = epa_depth(
             room.a,
             count_a,
             room.b,
@@ -370,7 +370,9 @@ def closest_pairs(
         count_a, count_b, scale = in_own_measure(
             vertices_a, start_a, i[p], vertices_b, start_b, j[p], core_a, core_b, v
         )
-        ended, count, lower = gjk(core_a, count_a, core_b, count_b, v, math.inf, w, pick, share, weight)  # fmt: skip
+        ended, count, lower = gjk_distance(
+            core_a, count_a, core_b, count_b, v, math.inf, w, pick, share, weight
+        )
         upper = math.inf
         if ended == APART:
             combine(core_a, pick, ZERO, share, count, p_a)

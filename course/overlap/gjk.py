@@ -226,7 +226,7 @@ def nearest_point(w: Array, share: Array, count: int) -> tuple[float, float, flo
 
 
 @compiled
-def gjk(
+def gjk_distance(
     a: Array,
     count_a: int,
     b: Array,
@@ -289,4 +289,4 @@ def warm() -> None:
     """Call the kernel once (``course.jit``)."""
     a, b = np.zeros((1, 3)), np.ones((1, 3))
     room = np.zeros((4, 3)), np.zeros((4, 2), np.intp), np.zeros(4), np.zeros(4)
-    gjk(a, 1, b, 1, np.ones(3), math.inf, *room)
+    gjk_distance(a, 1, b, 1, np.ones(3), math.inf, *room)

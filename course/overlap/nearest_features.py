@@ -117,7 +117,7 @@ def edges_and_edges(
 
 
 @compiled
-def nearest_features(
+def nearest_of_all(
     a: Array,
     b: Array,
     solids_a: Solids,
