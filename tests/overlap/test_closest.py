@@ -294,9 +294,9 @@ def test_nearly_parallel_boxes(tilt, gap):
 
 
 def test_many_vertices():
-    """Hulls of 300 points on a sphere, which have no room in EPA's polytope."""
+    """Hulls of 80 points on a sphere, which have no room in EPA's polytope."""
     rng = np.random.default_rng(6)
-    v = rng.normal(size=(2, 4, 300, 3))
+    v = rng.normal(size=(2, 4, 80, 3))
     v /= np.linalg.norm(v, axis=-1)[..., None]
     v[1, :, :, 0] += np.array([0.0, 1.9, 1.99, 3])[:, None]
     a, b = (polytopes(ConvexHull(x)) for x in v)

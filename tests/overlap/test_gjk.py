@@ -157,7 +157,7 @@ def test_all_features_find_the_same_distance(kinds):
     found = closest_points(a, b, i, j)
     cores = found.gap + a.radius[i] + b.radius[j]
     for p in np.flatnonzero(cores > 0)[:12]:
-        x, y = core(a, i[p])[0], core(b, j[p])[0]
+        x, y = core(a, i[p])[0].copy(), core(b, j[p])[0].copy()
         pick, share = np.zeros((4, 2), np.intp), np.zeros(4)
         square = nearest_of_all(x, y, as_solids(a), i[p], as_solids(b), j[p], pick, share)  # fmt: skip
         assert math.sqrt(square) == pytest.approx(cores[p], abs=1e-14)
