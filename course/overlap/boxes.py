@@ -55,7 +55,7 @@ def closest_upright_boxes(a: AABB, b: AABB) -> Closest:
     gap = np.where(distance > 0, distance, np.max(gaps, axis=-1))
     low, high = np.maximum(a.lower, b.lower), np.minimum(a.upper, b.upper)
     middle = low + 0.5 * (high - low)
-    facing = (normal != 0) & ((gaps > 0) | (distance == 0)[..., None])
+    facing = normal != 0
     return Closest(
         gap=gap,
         normal=normal,
