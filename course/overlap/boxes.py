@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, broadcast, non_negative, vectors
-from course.overlap.closest import Closest, directed
+from course.overlap.closest import Closest
+from course.overlap.directions import directed
 from course.shapes import AABB, OBB, Sphere
 
 
@@ -32,9 +33,7 @@ def boxes_overlap(
 
 def upright_boxes_overlap(a: AABB, b: AABB) -> BoolArray:
     """Whether two axis-aligned boxes overlap, (...)."""
-    return np.asarray(
-        np.all((a.lower <= b.upper) & (b.lower <= a.upper), axis=-1)
-    )
+    return np.asarray(np.all((a.lower <= b.upper) & (b.lower <= a.upper), axis=-1))
 
 
 def closest_upright_boxes(a: AABB, b: AABB) -> Closest:

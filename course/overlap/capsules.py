@@ -10,10 +10,10 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, ArrayLike, broadcast, non_negative, vectors
-from course.overlap.closest import TINY, Closest, directed
+from course.overlap.closest import Closest
+from course.overlap.directions import TINY, UP, directed
 from course.shapes import Capsule, Sphere
 
-UP = np.array([0.0, 0.0, 1.0])
 #: A distance below this times the length has no digits left that give a direction.
 TOUCHING = 1e-11
 

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from course.arrays import Array
-
-#: Lengths below this are none: their squares have lost digits [m].
-TINY = 1e-150
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,12 +34,30 @@ class Closest:
         """The same, with B as body A."""
         return Closest(self.gap, -self.normal, self.point_b, self.point_a)
 
+    def __getitem__(self, which: Any) -> Closest:
+        """Those that an index of the batch selects."""
+        return Closest(*(np.asarray(x)[which] for x in vars(self).values()))
 
-def directed(difference: Array, otherwise: Array) -> tuple[Array, Array]:
-    """Length (...) and direction (..., 3) of vectors; the other direction where they are zero."""
-    length = np.sqrt(np.einsum("...i,...i", difference, difference))
-    none = (length <= TINY)[..., None]
-    if not none.any():
-        return length, difference / length[..., None]
-    safe = np.where(none, 1.0, length[..., None])
-    return length, np.where(none, otherwise, difference / safe)
+    def flat(self) -> Closest:
+        """The batch along one axis, in C order."""
+        rows = [
+            np.reshape(x, (-1, 3)) for x in (self.normal, self.point_a, self.point_b)
+        ]
+        return Closest(np.reshape(self.gap, -1), *rows)
+
+    def broadcast_to(self, batch: tuple[int, ...]) -> Closest:
+        """The same, repeated along new or single batch axes."""
+        rows = (self.normal, self.point_a, self.point_b)
+        wide = [np.broadcast_to(x, (*batch, 3)) for x in rows]
+        return Closest(np.broadcast_to(self.gap, batch), *wide)
+
+    def nearer(self, other: Closest) -> Closest:
+        """Of two of one batch, at each place that with the lesser gap."""
+        less = other.gap < self.gap
+        mine, theirs = vars(self).values(), vars(other).values()
+        return Closest(
+            *(
+                np.where(less.reshape(*less.shape, *[1] * (x.ndim - less.ndim)), y, x)
+                for x, y in zip(mine, theirs, strict=True)
+            )
+        )

@@ -1,8 +1,8 @@
-"""Curvature tensors of the two sides of a contact: what N_dot and d_ddot of curved contacts need.
+"""Curvature tensors of spheres and capsules: what N_dot and d_ddot of curved contacts need.
 
 A surface turns its outward normal by K x when one moves by x over it
-(``course.contact.curved``). A face has K = 0; an edge and a corner have none that is
-finite, and are taken for rounded off.
+(``course.contact.curved``): K = (1 - N N')/r on a sphere and on the ends of a capsule, and
+1/r across a capsule's axis, 0 along it, on its side. A plane has K = 0.
 """
 
 from __future__ import annotations
@@ -11,12 +11,8 @@ import numpy as np
 
 from course.arrays import Array, BoolArray
 
-#: Curvature of an edge or a corner, in curvatures of the round surface that it meets: it
-#: counts as rounded with 1e-10 of that one's radius. Far above 1, and far below the 1e14
-#: at which ``course.contact.curved`` takes the other surface for flat.
-SHARP = 1e10
-#: Curvature of a sphere or capsule of radius 0 [1/m].
-POINTED = 1e10
+#: Curvature of a sphere or a capsule of radius 0, which is none that is finite [1/m].
+POINTED = 1e9
 
 
 def of_radius(radius: Array) -> Array:
@@ -24,36 +20,29 @@ def of_radius(radius: Array) -> Array:
     return np.where(radius > 0, 1.0 / np.where(radius > 0, radius, 1.0), POINTED)
 
 
-def in_all_directions(curvature: Array, normal: Array) -> Array:
-    """k (1 - N N'): a sphere's, with k = 1/r, or a corner's; (...) and (..., 3) to (..., 3, 3)."""
-    across = np.eye(3) - normal[..., :, None] * normal[..., None, :]
-    return np.asarray(curvature[..., None, None] * across)
-
-
-def across_axis(curvature: Array, axis: Array, normal: Array) -> Array:
-    """k c c' with c = N x axis, made a unit vector: a capsule's side, with k = 1/r, or an edge's."""
-    side = np.cross(normal, axis)
-    side = side / np.linalg.norm(side, axis=-1, keepdims=True)
-    return np.asarray(curvature[..., None, None] * side[..., :, None] * side[..., None, :])
-
-
-def of_segment(curvature: Array, axis: Array, normal: Array, at_end: BoolArray) -> Array:
-    """A capsule's or an edge's: in all directions at its ends, across its axis elsewhere.
+def of_sphere(radius: Array, normal: Array) -> Array:
+    """(1 - N N')/r, (..., 3, 3) [1/m].
 
     Args:
-        curvature: (k,) [1/m].
-        axis: (k, 3), not read at ends.
-        normal: (k, 3) unit.
-        at_end: (k,).
+        radius: (...) [m].
+        normal: N, (..., 3) unit.
     """
-    straight = np.where(at_end[:, None], perpendicular(normal), axis)
-    return np.where(
-        at_end[:, None, None],
-        in_all_directions(curvature, normal),
-        across_axis(curvature, straight, normal),
+    tangent = np.eye(3) - normal[..., :, None] * normal[..., None, :]
+    return np.asarray(of_radius(radius)[..., None, None] * tangent)
+
+
+def of_capsule(radius: Array, axis: Array, normal: Array, at_end: BoolArray) -> Array:
+    """A sphere's at the ends; elsewhere c c'/r with c the unit vector along N x axis; (..., 3, 3) [1/m].
+
+    Args:
+        radius: (...) [m].
+        axis: (..., 3), not along N; not read at the ends.
+        normal: N, (..., 3) unit.
+        at_end: (...).
+    """
+    side = np.where(at_end[..., None], 1.0, np.cross(normal, axis))
+    side = side / np.linalg.norm(side, axis=-1, keepdims=True)
+    across = (
+        of_radius(radius)[..., None, None] * side[..., :, None] * side[..., None, :]
     )
-
-
-def perpendicular(normal: Array) -> Array:
-    """Some vector that is not along the normal, (k, 3)."""
-    return np.asarray(np.eye(3)[np.argmin(np.abs(normal), axis=-1)])
+    return np.where(at_end[..., None, None], of_sphere(radius, normal), across)

@@ -1,13 +1,6 @@
-"""Contacts of spheres and capsules with anything: the points, and the curvature of both sides.
-
-A sphere touches at one point; so does a capsule, unless it lies along a face, an edge or
-another capsule: then at the two ends of the stretch they share, each with its own
-separation and normal.
-"""
+"""The one contact of a sphere with a sphere or a capsule, and its curvature on both sides."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import numpy as np
 
@@ -15,26 +8,65 @@ from course.arrays import Array, BoolArray, IntArray
 from course.overlap.capsules import parameter
 from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
-from course.overlap.curvature import (
-    SHARP,
-    in_all_directions,
-    of_radius,
-    of_segment,
-    perpendicular,
-)
-from course.shapes import Capsule, HalfSpace, Polytopes, Sphere, polytopes
+from course.overlap.curvature import of_capsule, of_sphere
+from course.shapes import Capsule, Sphere
 
-#: Parts of a segment, or of the size, below this are none.
+#: Parts of a capsule's segment below this are none.
 SMALL = 1e-9
-#: The features of a capsule: its two ends, and its side.
+#: The features of a capsule, as they are numbered in keys: its ends, and its side.
 START, END, SIDE = 0, 1, 2
 
 
-def one_contact(a: Any, b: Any, near: Closest) -> Contacts:
-    """The contact at the nearest points of each of k pairs of which one side, at least, is a sphere or capsule."""
-    bend = np.maximum(roundness(a), roundness(b))
-    tensor_a, feature_a = surface(a, -near.normal, near.point_a, bend)
-    tensor_b, feature_b = surface(b, near.normal, near.point_b, bend)
-    point = near.point_b + 0.5 * near.gap[:, None] * near.normal
-    rows = np.arange(len(point))
-    return curved(rows, point, near.normal, near.gap, (tensor_a, tensor_b), (feature_a, feature_b))  # fmt: skip
+def curved(
+    near: Closest,
+    curvature: tuple[Array, Array],
+    features: tuple[IntArray, IntArray],
+) -> Contacts:
+    """k contacts "curved", in rows of their own, of body 0 with body 1.
+
+    Args:
+        near: the points, (k, ...).
+        curvature: tensors of A and B, (k, 3, 3) [1/m].
+        features: what of A and B touches, (k,).
+    """
+    rows = np.arange(len(near.normal))
+    none = np.zeros_like(rows)
+    return Contacts(
+        body_a=none,
+        body_b=none + 1,
+        point=near.point_b + 0.5 * near.gap[:, None] * near.normal,
+        normal=near.normal,
+        separation=near.gap,
+        feature=np.full(rows.size, "curved"),
+        curvature_a=curvature[0],
+        curvature_b=curvature[1],
+        pair=rows,
+        key=np.stack([none, none, *features], axis=1),
+    )
+
+
+def contacts_of_spheres(a: Sphere, b: Sphere, near: Closest, margin: float) -> Contacts:
+    """The contact of each of k pairs of spheres, at their nearest points."""
+    tensors = of_sphere(a.radius, near.normal), of_sphere(b.radius, near.normal)
+    none = np.zeros(len(near.normal), dtype=np.intp)
+    return curved(near, tensors, (none, none))
+
+
+def contacts_of_sphere_capsule(
+    a: Sphere, b: Capsule, near: Closest, margin: float
+) -> Contacts:
+    """The contact of each of k pairs of a sphere and a capsule, at their nearest points."""
+    way = b.end - b.start
+    t = parameter(a.center - b.start, way)
+    feature, at_end = on_capsule(t)
+    tensors = (
+        of_sphere(a.radius, near.normal),
+        of_capsule(b.radius, way, near.normal, at_end),
+    )
+    return curved(near, tensors, (np.zeros_like(feature), feature))
+
+
+def on_capsule(t: Array) -> tuple[IntArray, BoolArray]:
+    """The feature at a part t of the segment, and whether it is an end."""
+    feature = np.where(t <= SMALL, START, np.where(t >= 1 - SMALL, END, SIDE))
+    return feature, feature != SIDE

@@ -1,4 +1,4 @@
-"""Spheres against one another: verdict, gap, nearest points; and the contacts of many, with the curvature of both sides."""
+"""Spheres against one another: verdict, gap, nearest points; the contacts of many, with the curvature of both sides."""
 
 from __future__ import annotations
 
@@ -17,11 +17,10 @@ from course.arrays import (
     scalars,
     vectors,
 )
-from course.overlap.closest import Closest, directed
+from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
+from course.overlap.directions import UP, directed
 from course.shapes import Sphere
-
-UP = np.array([0.0, 0.0, 1.0])
 
 
 def spheres_overlap(
@@ -40,7 +39,9 @@ def spheres_overlap(
     """
     x_a, x_b = vectors("center_a", center_a), vectors("center_b", center_b)
     r_a, r_b = non_negative("radius_a", radius_a), non_negative("radius_b", radius_b)
-    broadcast(center_a=(x_a, 1), radius_a=(r_a, 0), center_b=(x_b, 1), radius_b=(r_b, 0))
+    broadcast(
+        center_a=(x_a, 1), radius_a=(r_a, 0), center_b=(x_b, 1), radius_b=(r_b, 0)
+    )
     return _squares_overlap(x_a - x_b, r_a + r_b)
 
 

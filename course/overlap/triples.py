@@ -1,4 +1,4 @@
-"""Vectors as triples of numbers, for kernels: the compiler keeps those in registers, where small arrays would be allocated.
+"""Vectors as triples of numbers, for kernels: the compiler keeps these in registers, but allocates small arrays.
 
 A kernel module (``course.jit``): import it where it is called.
 """
