@@ -2,6 +2,7 @@
 they touch.
 """
 
+from course.overlap.asking import contacts, gap, overlaps
 from course.overlap.box_faces import stacked_box_contacts
 from course.overlap.boxes import boxes_overlap, sphere_box_gap
 from course.overlap.capsules import (
@@ -26,6 +27,9 @@ __all__ = [
     "boxes_overlap",
     "capsule_gap",
     "closest_point_on_segment",
+    "contacts",
+    "gap",
+    "overlaps",
     "sphere_box_gap",
     "sphere_capsule_gap",
     "sphere_contacts",

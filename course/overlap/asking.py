@@ -27,6 +27,7 @@ from course.arrays import (
 from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
 from course.overlap.convex import numbers
+from course.overlap.fewer_points import fewer
 from course.overlap.pairs import KINDS, PairTest, served
 from course.shapes import Compound, Shape
 
@@ -137,13 +138,13 @@ def contacts(
     most = None if limit is None else whole_number("limit", limit, minimum=1)
     ids = _bodies(body_a, body_b, batch)
     found = [
-        _of_parts(_contacts(first, second, batch, reach), i, j)
+        _of_parts(_contacts(first, second, batch, reach, most), i, j)
         for i, j, first, second in _convex_parts(a, b)
     ]
     whole = Contacts.concatenate(found)
     assert whole.pair is not None
     if len(found) > 1:
-        whole = whole[np.argsort(whole.pair, kind="stable")]
+        whole = fewer(whole[np.argsort(whole.pair, kind="stable")], most)
     return _named(whole, ids)
 
 
@@ -191,7 +192,9 @@ def _gap(test: PairTest, a: Shape, b: Shape) -> Array:
     return test.gap(a, b) if test.gap is not None else test.closest(a, b).gap
 
 
-def _contacts(a: Shape, b: Shape, batch: tuple[int, ...], margin: float) -> Contacts:
+def _contacts(
+    a: Shape, b: Shape, batch: tuple[int, ...], margin: float, limit: int | None
+) -> Contacts:
     """The contacts of two shapes without parts, of body 0 with body 1; ``pair`` counts the batch."""
     test, first, second, swapped = served(a, b)
     closest = test.closest(first, second).broadcast_to(batch).flat()
@@ -200,7 +203,7 @@ def _contacts(a: Shape, b: Shape, batch: tuple[int, ...], margin: float) -> Cont
         shape.reshaped(-1)[numbers(shape, batch).ravel()[rows]]
         for shape in (first, second)
     ]
-    found = test.contacts(*picked, closest[rows], margin)
+    found = test.contacts(*picked, closest[rows], margin, limit)
     assert found.pair is not None
     found = replace(found, pair=rows[found.pair])
     return _swapped(found) if swapped else found

@@ -45,7 +45,9 @@ def curved(
     )
 
 
-def contacts_of_spheres(a: Sphere, b: Sphere, near: Closest, margin: float) -> Contacts:
+def contacts_of_spheres(
+    a: Sphere, b: Sphere, near: Closest, margin: float, limit: int | None
+) -> Contacts:
     """The contact of each of k pairs of spheres, at their nearest points."""
     tensors = of_sphere(a.radius, near.normal), of_sphere(b.radius, near.normal)
     none = np.zeros(len(near.normal), dtype=np.intp)
@@ -53,7 +55,7 @@ def contacts_of_spheres(a: Sphere, b: Sphere, near: Closest, margin: float) -> C
 
 
 def contacts_of_sphere_capsule(
-    a: Sphere, b: Capsule, near: Closest, margin: float
+    a: Sphere, b: Capsule, near: Closest, margin: float, limit: int | None
 ) -> Contacts:
     """The contact of each of k pairs of a sphere and a capsule, at their nearest points."""
     way = b.end - b.start

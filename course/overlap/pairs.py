@@ -32,8 +32,8 @@ class PairTest:
         gap_by: how the gap is found, in words, for the table in docs/overlap.md.
         contacts_by: what the contacts are, in words.
         closest: (a, b) to the nearest points of the broadcast batch.
-        contacts: (a, b, near, margin) to the contacts of k pairs that are within the
-            margin, ``pair`` counting those.
+        contacts: (a, b, near, margin, limit) to the contacts of k pairs that are within
+            the margin, ``pair`` counting those.
         overlaps: (a, b) to the verdict, where that is quicker than gap <= 0.
         gap: (a, b) to the gap, where that is quicker than the nearest points.
     """
@@ -41,7 +41,7 @@ class PairTest:
     gap_by: str
     contacts_by: str
     closest: Callable[[Any, Any], Closest]
-    contacts: Callable[[Any, Any, Closest, float], Contacts]
+    contacts: Callable[[Any, Any, Closest, float, int | None], Contacts]
     overlaps: Callable[[Any, Any], BoolArray] | None = None
     gap: Callable[[Any, Any], Array] | None = None
 

@@ -68,7 +68,9 @@ def test_swapping_turns_the_answer_round(kind_a, kind_b):
 
 def in_order(found, side):
     """Points, normals and separations, in an order that does not depend on which body is A."""
-    rows = np.column_stack([found.pair, found.point, side * found.normal, found.separation])
+    rows = np.column_stack(
+        [found.pair, found.point, side * found.normal, found.separation]
+    )
     return rows[np.lexsort(np.round(rows[:, :4], 6).T[::-1])]
 
 
@@ -82,7 +84,9 @@ def test_moving_both_moves_the_answer(kind_a, kind_b):
     np.testing.assert_allclose(gap(*moved), d, atol=EXACT)
     again = contacts(*moved, margin=0.1)
     assert sorted(again.pair) == sorted(found.pair)
-    whole = lambda c: np.array([c.separation[c.pair == i].sum() for i in np.unique(c.pair)])  # noqa: E731
+    whole = lambda c: np.array(
+        [c.separation[c.pair == i].sum() for i in np.unique(c.pair)]
+    )  # noqa: E731
     np.testing.assert_allclose(whole(again), whole(found), atol=1e-7)
 
 
@@ -117,7 +121,9 @@ def test_batches_broadcast(kind_a, kind_b):
     np.testing.assert_allclose(np.diagonal(crossed), gap(a, b), atol=1e-12)
     assert crossed[1, 2] == pytest.approx(gap(a[1], b[2]), abs=1e-12)
     assert np.ndim(gap(a[1], b[2])) == 0
-    found = contacts(a[:, None], b, margin=50.0, body_a=[[5], [6], [7]], body_b=[1, 2, 3])
+    found = contacts(
+        a[:, None], b, margin=50.0, body_a=[[5], [6], [7]], body_b=[1, 2, 3]
+    )
     assert set(found.pair) == set(np.flatnonzero(crossed.ravel() > -np.inf)) - (
         set(range(9)) if kind_a == kind_b == "half_space" else set()
     )
@@ -134,7 +140,9 @@ def test_errors_name_the_argument():
             ask([0, 0, 0], ball)
         with pytest.raises(TypeError, match="^b: expected a shape; got float"):
             ask(ball, 1.0)
-        with pytest.raises(ValueError, match="^b: expected a batch that broadcasts with a"):
+        with pytest.raises(
+            ValueError, match="^b: expected a batch that broadcasts with a"
+        ):
             ask(ball, Sphere(np.zeros((3, 3)), 1.0))
         with pytest.raises(ValueError, match="^b: expected coordinates up to 1e.50"):
             ask(ball, Sphere([1e51, 0, 0], 1.0))
@@ -191,7 +199,9 @@ def test_the_depth_of_a_compound_is_that_of_its_parts():
 
 def test_parts_of_compounds_are_told_in_the_keys():
     """A dumbbell and a ball, each in contact with both parts of another: all keys differ."""
-    bell = Compound((Sphere([0, 0, 0], 1.0), Sphere([4, 0, 0], 1.0), Sphere([50, 0, 0], 1.0)))
+    bell = Compound(
+        (Sphere([0, 0, 0], 1.0), Sphere([4, 0, 0], 1.0), Sphere([50, 0, 0], 1.0))
+    )
     found = contacts(bell, bell.moved(np.eye(3), [0, 0, 1.5]))
     assert len(found) == 3 and len({tuple(k) for k in found.key.tolist()}) == 3
     np.testing.assert_allclose(found.separation, -0.5)
@@ -272,7 +282,9 @@ def test_degenerate_shapes_have_an_answer():
         for a, b in itertools.product(shapes, shapes):
             moved = b.moved(np.eye(3), shift)
             d = gap(a, moved)
-            assert np.isfinite(d) and d == pytest.approx(gap(moved, a), rel=1e-9, abs=1e-7)
+            assert np.isfinite(d) and d == pytest.approx(
+                gap(moved, a), rel=1e-9, abs=1e-7
+            )
             assert overlaps(a, moved) in (d <= 1e-9, d <= 0, d <= -1e-9)
             found = contacts(a, moved, margin=1e-3)
             assert np.isfinite(found.point).all() and np.isfinite(found.normal).all()
@@ -285,5 +297,9 @@ def test_crossing_coplanar_polygons_and_segments_have_no_gap():
     for shape in square, tilted:
         other = ConvexHull(shape + 0.5 * (shape[1] - shape[0]))
         assert gap(ConvexHull(shape), other) == pytest.approx(0, abs=1e-15)
-    assert gap(Capsule([-1, 0, 0], [1, 0, 0], 0), Capsule([0, -1, 0], [0, 1, 0], 0)) == 0
-    assert gap(ConvexHull(square[:2]), ConvexHull(square[::2])) == pytest.approx(0, abs=1e-15)
+    assert (
+        gap(Capsule([-1, 0, 0], [1, 0, 0], 0), Capsule([0, -1, 0], [0, 1, 0], 0)) == 0
+    )
+    assert gap(ConvexHull(square[:2]), ConvexHull(square[::2])) == pytest.approx(
+        0, abs=1e-15
+    )
