@@ -27,7 +27,7 @@ from course.arrays import (
 from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
 from course.overlap.convex import numbers
-from course.overlap.fewer_points import fewer
+from course.overlap.fewer_points import fewer, no_points
 from course.overlap.pairs import KINDS, PairTest, served
 from course.shapes import Compound, Shape
 
@@ -199,6 +199,8 @@ def _contacts(
     test, first, second, swapped = served(a, b)
     closest = test.closest(first, second).broadcast_to(batch).flat()
     rows = np.flatnonzero((closest.gap <= margin) & (closest.gap > -np.inf))
+    if not rows.size:
+        return no_points()
     picked = [
         shape.reshaped(-1)[numbers(shape, batch).ravel()[rows]]
         for shape in (first, second)

@@ -16,6 +16,8 @@ from course.shapes import Polytopes, Shape, polytopes
 def closest_convex(a: Shape, b: Shape) -> Closest:
     """The nearest points of two batches of convex bounded shapes, in their broadcast batch."""
     batch = np.broadcast_shapes(a.batch, b.batch)
+    if 0 in batch:
+        return Closest(np.empty(batch), *np.empty((3, *batch, 3)))
     return closest_points(
         polytopes(a), polytopes(b), numbers(a, batch), numbers(b, batch)
     )

@@ -12,7 +12,7 @@ from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
 from course.overlap.curvature import of_sphere
 from course.overlap.curved_contacts import END, START, curved
-from course.overlap.fewer_points import fewer
+from course.overlap.fewer_points import fewer, no_points
 from course.shapes import Capsule, HalfSpace, Shape, Sphere, polytopes
 
 #: Normals that add up to less than this are opposite to each other, but for rounding.
@@ -114,8 +114,4 @@ def no_contacts(
     a: HalfSpace, b: HalfSpace, near: Closest, margin: float, limit: int | None
 ) -> Contacts:
     """None: what two half spaces have in common has no end."""
-    none = np.empty(0, dtype=np.intp)
-    return Contacts(
-        none, none, np.empty((0, 3)), np.empty((0, 3)), np.empty(0),
-        pair=none, key=np.empty((0, 4), dtype=np.intp),
-    )  # fmt: skip
+    return no_points()

@@ -140,7 +140,13 @@ def _scales(size_a: float, size_b: float, origin: Array) -> tuple[float, float]:
 
 @compiled
 def _number(
-    solids: Solids, solid: int, patch: Patch, count: int, feature: int, kind: int, place: int
+    solids: Solids,
+    solid: int,
+    patch: Patch,
+    count: int,
+    feature: int,
+    kind: int,
+    place: int,
 ) -> int:
     """A feature's number in its solid: vertices first, then edges, then faces."""
     vertices = solids.vertex_start[solid + 1] - solids.vertex_start[solid]

@@ -27,7 +27,12 @@ ALIKE = 1e-6
 
 @compiled
 def thin(
-    names: IntArray, numbers: Array, count: int, limit: int, bias: float, order: IntArray
+    names: IntArray,
+    numbers: Array,
+    count: int,
+    limit: int,
+    bias: float,
+    order: IntArray,
 ) -> int:
     """Move the points to be kept to the front, deepest first.
 
