@@ -18,12 +18,11 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.gjk import APART, BEYOND, INSIDE, gjk
+from course.overlap.gjk import APART, gjk
 from course.overlap.nearest_features import nearest_features
 from course.overlap.separating_axis_loops import (
     Solids,
     greatest_separation,
-    separation_along,
 )
 
 #: What is as near as this, in sizes of the pair, has its direction from the separating axes.

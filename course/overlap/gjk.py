@@ -74,9 +74,7 @@ def on_segment(w: Array, i: int, j: int) -> tuple[float, float, float]:
 
 
 @compiled
-def on_triangle(
-    w: Array, i: int, j: int, k: int
-) -> tuple[float, float, float, float]:
+def on_triangle(w: Array, i: int, j: int, k: int) -> tuple[float, float, float, float]:
     """The point of a triangle nearest the origin: (its squared distance, three weights).
 
     The weights of the origin's projection are the areas n.(w_j x w_k), ... by their sum,

@@ -112,3 +112,13 @@ def served(a: Shape, b: Shape) -> tuple[PairTest, Shape, Shape, bool]:
     if KINDS.index(a.kind) > KINDS.index(b.kind):
         return TABLE[b.kind, a.kind], b, a, True
     return TABLE[a.kind, b.kind], a, b, False
+
+
+def table_in_markdown() -> str:
+    """The table of docs/overlap.md."""
+    rows = ["| A | B | gap | contacts |", "|---|---|---|---|"]
+    for a, b in combinations_with_replacement(KINDS, 2):
+        test = TABLE[a, b]
+        names = (f"`{kind}`" for kind in (a, b))
+        rows.append(f"| {' | '.join([*names, test.gap_by, test.contacts_by])} |")
+    return "\n".join(rows)
