@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, IntArray
+from course.arrays import Array, BoolArray, IntArray, broadcast
 
 #: Sine of the angle below which two edges are parallel; two of the other axes then stand for them.
 PARALLEL = 1e-14
