@@ -21,150 +21,159 @@ A kernel module (``course.jit``): import it where it is called.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
+from course.overlap.manifold.patches import A, desk
 
-#: What a corner is.
-SUBJECT, CROSSING, CLIP = 0, 1, 2
-
-
-class Cut(NamedTuple):
-    """Room for a polygon that is being cut.
-
-    place (k, 2); what (k, 4): kind, edge or vertex of the subject, edge or vertex of
-    the clip polygon, and the edge that leaves: i of the subject, -1 - j of the clip
-    polygon; inward (k,): heights above the line.
-    """
-
-    place: Array
-    what: IntArray
-    inward: Array
+#: What a corner is; of two in one place the lesser stays.
+SUBJECT, CLIP, CROSSING = 0, 1, 2
 
 
 @compiled
 def clip(
-    subject: Array, m: int, polygon: Array, n: int, bias: float, first: Cut, second: Cut
-) -> int:
-    """Clip m corners of the subject (1: a point, 2: a segment) by a polygon of n, both counter-clockwise.
+    corner: Array,
+    subject: int,
+    m: int,
+    n: int,
+    bias: float,
+    cut: Array,
+    what: IntArray,
+) -> tuple[int, int]:
+    """Clip one side's patch by the other's.
 
+    Args:
+        corner: of the ``Desk``; the sides' corners in the plane are its columns 3 and 4.
+        subject: the side that is cut.
+        m, n: corners of the subject (1: a point, 2: a segment), and of the polygon.
+        bias: what counts as in one place [m].
+        cut: (2, l, 3), two polygons by turns: x, y, height above a line.
+        what: (2, l, 4) of each corner: what it is; the subject's edge (or vertex, if it
+            is one), the clip polygon's; and the edge that leaves it: i of the
+            subject, -1 - j of the clip polygon.
     Returns:
-        How many corners the common part has; they are in ``first``.
+        How many corners the common part has, and which of the two polygons it is.
     """
-    count = m
+    now, count, polygon = 0, m, 1 - subject
     for i in range(m):
-        first.place[i, 0], first.place[i, 1] = subject[i, 0], subject[i, 1]
-        _name(first, i, SUBJECT, i, -1, i)
+        cut[0, i, 0], cut[0, i, 1] = corner[subject, i, 3], corner[subject, i, 4]
+        name(what, 0, i, SUBJECT, i, -1, i)
     for j in range(n):
         k = j + 1 if j + 1 < n else 0
-        x, y = polygon[j, 0], polygon[j, 1]
-        ux, uy = polygon[k, 0] - x, polygon[k, 1] - y
+        x, y = corner[polygon, j, 3], corner[polygon, j, 4]
+        ux, uy = corner[polygon, k, 3] - x, corner[polygon, k, 4] - y
         length = math.sqrt(ux * ux + uy * uy)
         if length == 0.0:
             continue
         ux, uy = ux / length, uy / length
         lowest = np.inf
         for i in range(count):
-            above = ux * (first.place[i, 1] - y) - uy * (first.place[i, 0] - x)
-            first.inward[i] = above
+            above = ux * (cut[now, i, 1] - y) - uy * (cut[now, i, 0] - x)
+            cut[now, i, 2] = above
             lowest = min(lowest, above)
         if lowest >= -bias:
             continue
-        kept = _cut(first, count, polygon, n, j, bias, second)
-        for i in range(kept):
-            for axis in range(2):
-                first.place[i, axis] = second.place[i, axis]
-            for column in range(4):
-                first.what[i, column] = second.what[i, column]
-        count = kept
+        count = cut_by_line(cut, what, now, count, corner, polygon, n, j, bias)
+        now = 1 - now
         if count == 0:
-            return 0
-    return _merged(first, count, subject, m, polygon, n, bias)
+            return 0, now
+    return merged(cut, what, now, count, corner, subject, m, n, bias), now
 
 
 @compiled
-def _cut(
-    cut: Cut, count: int, polygon: Array, n: int, line: int, bias: float, result: Cut
+def cut_by_line(
+    cut: Array,
+    what: IntArray,
+    now: int,
+    count: int,
+    corner: Array,
+    polygon: int,
+    n: int,
+    line: int,
+    bias: float,
 ) -> int:
-    """What lies inside one line, by the heights above it."""
-    kept = 0
+    """What lies inside one line, by the heights above it; it goes to the other polygon."""
+    new, kept, room = 1 - now, 0, cut.shape[1] - 1
     for i in range(count):
         k = i + 1 if i + 1 < count else 0
-        here, there = cut.inward[i], cut.inward[k]
+        here, there = cut[now, i, 2], cut[now, k, 2]
         if here >= -bias:
-            result.place[kept, 0], result.place[kept, 1] = (
-                cut.place[i, 0],
-                cut.place[i, 1],
-            )
-            for column in range(4):
-                result.what[kept, column] = cut.what[i, column]
+            move(cut, what, now, i, new, kept)
             kept += 1
-        if (here >= -bias) != (there >= -bias) and kept < len(result.place):
+        if (here >= -bias) != (there >= -bias):
             t = min(max(here / (here - there), 0.0), 1.0)
             for axis in range(2):
-                result.place[kept, axis] = cut.place[i, axis] + t * (
-                    cut.place[k, axis] - cut.place[i, axis]
+                cut[new, kept, axis] = cut[now, i, axis] + t * (
+                    cut[now, k, axis] - cut[now, i, axis]
                 )
-            edge = cut.what[i, 3]
+            edge = what[now, i, 3]
             leaving = -1 - line if here >= -bias else edge
             if edge >= 0:
-                _name(result, kept, CROSSING, edge, line, leaving)
+                name(what, new, kept, CROSSING, edge, line, leaving)
             else:
-                _name(
-                    result, kept, CLIP, -1, _shared(-1 - edge, line, polygon, n,
-                    result.place, kept), leaving,
-                )  # fmt: skip
+                v = shared(cut, new, kept, corner, polygon, n, -1 - edge, line)
+                name(what, new, kept, CLIP, -1, v, leaving)
             kept += 1
-        if kept >= len(result.place):
+        if kept >= room:
             break
     return kept
 
 
 @compiled
-def _shared(
-    before: int, line: int, polygon: Array, n: int, place: Array, at: int
+def shared(
+    cut: Array,
+    now: int,
+    i: int,
+    corner: Array,
+    polygon: int,
+    n: int,
+    before: int,
+    line: int,
 ) -> int:
-    """The vertex where two edges of the clip polygon meet; rounding aside they are neighbours."""
+    """The vertex where two edges of the clip polygon meet; but for rounding they are neighbours."""
     after = line + 1 if line + 1 < n else 0
+    if before + 1 == line:
+        return line
     if before == after:
         return after
-    if (before + 1) % n == line:
-        return line
-    near_line = _squared(polygon, line, place, at)
-    return line if near_line <= _squared(polygon, after, place, at) else after
+    here = squared(cut, now, i, corner, polygon, line)
+    return line if here <= squared(cut, now, i, corner, polygon, after) else after
 
 
 @compiled
-def _merged(
-    cut: Cut, count: int, subject: Array, m: int, polygon: Array, n: int, bias: float
+def merged(
+    cut: Array,
+    what: IntArray,
+    now: int,
+    count: int,
+    corner: Array,
+    subject: int,
+    m: int,
+    n: int,
+    bias: float,
 ) -> int:
-    """Crossings beside a vertex become it, what is in one place twice goes, and so do crossings on a straight line."""
+    """Crossings beside a vertex become it; what is in one place twice goes, and so do crossings on a straight line."""
     close, kept = bias * bias, 0
     for i in range(count):
-        if cut.what[i, 0] == CROSSING:
-            _take_vertex_beside(cut, i, subject, m, polygon, n, close)
-        if kept and _squared(cut.place, kept - 1, cut.place, i) <= close:
-            if cut.what[i, 0] == SUBJECT or (
-                cut.what[i, 0] == CLIP and cut.what[kept - 1, 0] == CROSSING
-            ):
-                _move(cut, i, kept - 1)
+        if what[now, i, 0] == CROSSING:
+            take_vertex_beside(cut, what, now, i, corner, subject, m, n, close)
+        if kept and twice(cut, now, kept - 1, i) <= close:
+            if what[now, i, 0] < what[now, kept - 1, 0]:
+                move(cut, what, now, i, now, kept - 1)
             continue
-        _move(cut, i, kept)
+        move(cut, what, now, i, now, kept)
         kept += 1
-    while kept > 1 and _squared(cut.place, kept - 1, cut.place, 0) <= close:
-        if cut.what[0, 0] == CROSSING or (
-            cut.what[0, 0] == CLIP and cut.what[kept - 1, 0] == SUBJECT
-        ):
-            _move(cut, kept - 1, 0)
+    while kept > 1 and twice(cut, now, kept - 1, 0) <= close:
+        if what[now, kept - 1, 0] < what[now, 0, 0]:
+            move(cut, what, now, kept - 1, now, 0)
         kept -= 1
     i = 0
     while kept > 2 and i < kept:
-        if cut.what[i, 0] == CROSSING and _straight(cut.place, kept, i, bias):
+        if what[now, i, 0] == CROSSING and straight(cut, now, kept, i, bias):
             for k in range(i + 1, kept):
-                _move(cut, k, k - 1)
+                move(cut, what, now, k, now, k - 1)
             kept -= 1
         else:
             i += 1
@@ -172,28 +181,37 @@ def _merged(
 
 
 @compiled
-def _take_vertex_beside(
-    cut: Cut, i: int, subject: Array, m: int, polygon: Array, n: int, close: float
+def take_vertex_beside(
+    cut: Array,
+    what: IntArray,
+    now: int,
+    i: int,
+    corner: Array,
+    subject: int,
+    m: int,
+    n: int,
+    close: float,
 ) -> None:
-    edge, line = cut.what[i, 1], cut.what[i, 2]
-    for end in (edge, (edge + 1) % m):
-        if _squared(subject, end, cut.place, i) <= close:
-            cut.place[i, 0], cut.place[i, 1] = subject[end, 0], subject[end, 1]
-            _name(cut, i, SUBJECT, end, -1, cut.what[i, 3])
+    """A crossing that is in one place with an end of one of its edges is that vertex, the subject's before the other."""
+    edge, line, polygon = what[now, i, 1], what[now, i, 2], 1 - subject
+    for end in (edge, edge + 1 if edge + 1 < m else 0):
+        if squared(cut, now, i, corner, subject, end) <= close:
+            cut[now, i, 0], cut[now, i, 1] = corner[subject, end, 3], corner[subject, end, 4]  # fmt: skip
+            name(what, now, i, SUBJECT, end, -1, what[now, i, 3])
             return
-    for end in (line, (line + 1) % n):
-        if _squared(polygon, end, cut.place, i) <= close:
-            cut.place[i, 0], cut.place[i, 1] = polygon[end, 0], polygon[end, 1]
-            _name(cut, i, CLIP, -1, end, cut.what[i, 3])
+    for end in (line, line + 1 if line + 1 < n else 0):
+        if squared(cut, now, i, corner, polygon, end) <= close:
+            cut[now, i, 0], cut[now, i, 1] = corner[polygon, end, 3], corner[polygon, end, 4]  # fmt: skip
+            name(what, now, i, CLIP, -1, end, what[now, i, 3])
             return
 
 
 @compiled
-def _straight(place: Array, count: int, i: int, bias: float) -> bool:
+def straight(cut: Array, now: int, count: int, i: int, bias: float) -> bool:
     """Whether corner i lies between its neighbours, on the line through them."""
-    p, q = (i - 1) % count, (i + 1) % count
-    ux, uy = place[q, 0] - place[p, 0], place[q, 1] - place[p, 1]
-    wx, wy = place[i, 0] - place[p, 0], place[i, 1] - place[p, 1]
+    p, q = i - 1 if i else count - 1, i + 1 if i + 1 < count else 0
+    ux, uy = cut[now, q, 0] - cut[now, p, 0], cut[now, q, 1] - cut[now, p, 1]
+    wx, wy = cut[now, i, 0] - cut[now, p, 0], cut[now, i, 1] - cut[now, p, 1]
     square, along = ux * ux + uy * uy, wx * ux + wy * uy
     if not 0.0 <= along <= square:
         return False
@@ -201,39 +219,47 @@ def _straight(place: Array, count: int, i: int, bias: float) -> bool:
 
 
 @compiled
-def _name(
-    cut: Cut, i: int, kind: int, of_subject: int, of_polygon: int, leaving: int
+def name(
+    what: IntArray,
+    now: int,
+    i: int,
+    kind: int,
+    of_subject: int,
+    of_polygon: int,
+    leaving: int,
 ) -> None:
-    cut.what[i, 0], cut.what[i, 1], cut.what[i, 2] = kind, of_subject, of_polygon
-    cut.what[i, 3] = leaving
+    """Say what a corner is."""
+    what[now, i, 0], what[now, i, 1] = kind, of_subject
+    what[now, i, 2], what[now, i, 3] = of_polygon, leaving
 
 
 @compiled
-def _move(cut: Cut, source: int, target: int) -> None:
-    cut.place[target, 0], cut.place[target, 1] = (
-        cut.place[source, 0],
-        cut.place[source, 1],
-    )
+def move(cut: Array, what: IntArray, now: int, i: int, new: int, k: int) -> None:
+    """Corner i of one polygon becomes corner k of another or of the same."""
+    cut[new, k, 0], cut[new, k, 1] = cut[now, i, 0], cut[now, i, 1]
     for column in range(4):
-        cut.what[target, column] = cut.what[source, column]
+        what[new, k, column] = what[now, i, column]
 
 
 @compiled
-def _squared(p: Array, i: int, q: Array, k: int) -> float:
-    x, y = p[i, 0] - q[k, 0], p[i, 1] - q[k, 1]
+def twice(cut: Array, now: int, i: int, k: int) -> float:
+    """The squared distance of two corners of a polygon."""
+    x, y = cut[now, i, 0] - cut[now, k, 0], cut[now, i, 1] - cut[now, k, 1]
     return x * x + y * y
 
 
-def cut_room(corners: int) -> Cut:
-    """An empty polygon with room for so many corners."""
-    return Cut(
-        np.zeros((corners, 2)),
-        np.zeros((corners, 4), dtype=np.intp),
-        np.zeros(corners),
-    )
+@compiled
+def squared(
+    cut: Array, now: int, i: int, corner: Array, side: int, vertex: int
+) -> float:
+    """The squared distance of a corner from one of a patch."""
+    x, y = cut[now, i, 0] - corner[side, vertex, 3], cut[now, i, 1] - corner[side, vertex, 4]  # fmt: skip
+    return x * x + y * y
 
 
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
-    square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
-    clip(square + 0.5, 4, square, 4, 1e-9, cut_room(16), cut_room(16))
+    room = desk(4, 4)
+    room.corner[0, :, 3:] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+    room.corner[1, :, 3:] = room.corner[0, :, 3:] + 0.5
+    clip(room.corner, A, 4, 4, 1e-9, room.cut, room.what)

@@ -43,11 +43,11 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.manifold.patches import Patch, patch_room
+from course.overlap.manifold.patches import MANIFOLD, A, B, desk
 
 #: The labels as numbers, in the order of ``course.overlap.FEATURES``.
 FACE_B, FACE_A, EDGES, CURVED = 0, 1, 2, 3
-#: What a feature is; for a feature's place in its patch see ``Pair``.
+#: What a feature is. Its place in its patch: a vertex's corner, an edge's first corner.
 VERTEX, EDGE, FACE = 0, 1, 2
 #: Sine below which two edges count as parallel, sharp and rounded ones.
 PARALLEL_SINE = 1e-3
@@ -59,216 +59,255 @@ SHARP = 1e9
 #: How much of its radius of curvature a surface may be sunk, to be called curved.
 DEEPEST = 0.999
 
-#: Columns of a row of numbers.
+#: Columns of the table of numbers: point, N, d, directions of edges, curvatures.
 POINT, NORMAL, SEPARATION, EDGE_A, EDGE_B, CURVATURE_A, CURVATURE_B, WIDTH = (
     0, 3, 6, 7, 10, 13, 14, 15)  # fmt: skip
-#: Columns of a row of names: label, kind and place of A's feature and of B's.
+#: Columns of the table of names: label, kind and place of A's feature and of B's.
 LABEL, KIND_A, PLACE_A, KIND_B, PLACE_B = 0, 1, 2, 3, 4
 
 
 class Pair(NamedTuple):
-    """Two patches and what was found of their solids.
+    """Two patches in numbers: corners, radii of the solids, and what decides.
 
-    count_a, count_b: corners of the patches. A feature's place is its corner's number in
-    the patch, an edge's that of its first corner; 0 for the face itself.
-    normal (3,): of the manifold; scale: size of the smaller solid; bias: what counts as one
-    place; first: whose material point is taken where both would do, +1 for A or -1 for B.
+    scale: size of the smaller solid [m]; bias: what counts as one place [m]; first: the
+    side whose material points are taken where both would do.
     """
 
-    a: Patch
-    b: Patch
     count_a: int
     count_b: int
     radius_a: float
     radius_b: float
-    normal: Array
     scale: float
     bias: float
-    first: float
+    first: int
 
 
 @compiled
-def label(pair: Pair, names: IntArray, numbers: Array) -> None:
-    """Fill a row of numbers, and the label in the row of names, from the features named in it.
+def label(
+    pair: Pair, corner: Array, normal: Array, names: IntArray, numbers: Array, k: int
+) -> None:
+    """Fill row k of numbers, and the label in row k of names, from the features named there.
 
-    Points come from the pair's own origin.
+    Args:
+        corner, normal: of the ``Desk``; points are counted from the pair's own origin.
     """
-    kind_a, i, kind_b, j = names[KIND_A], names[PLACE_A], names[KIND_B], names[PLACE_B]
-    numbers[EDGE_A:WIDTH] = 0.0
+    kind_a, i, kind_b, j = names[k, 1], names[k, 2], names[k, 3], names[k, 4]
+    for column in range(EDGE_A, WIDTH):
+        numbers[k, column] = 0.0
     if kind_b == FACE:  # and a vertex of A
-        names[LABEL] = _on_face_of_b(pair, _corner(pair.a, i), numbers)
+        p = at(corner, A, i)
+        names[k, LABEL] = on_face_of_b(pair, corner, normal, p, numbers, k)
     elif kind_a == FACE:
-        names[LABEL] = _on_face_of_a(pair, _corner(pair.b, j), numbers)
+        p = at(corner, B, j)
+        names[k, LABEL] = on_face_of_a(pair, corner, normal, p, numbers, k)
     elif kind_a == EDGE and kind_b == EDGE:
-        names[LABEL] = _crossing(pair, i, j, numbers)
+        names[k, LABEL] = crossing(pair, corner, normal, i, j, numbers, k)
     else:
-        names[LABEL] = _between(pair, kind_a, i, kind_b, j, numbers)
+        names[k, LABEL] = between(
+            pair, corner, normal, i, j, kind_a == EDGE, kind_b == EDGE, numbers, k
+        )
 
 
 @compiled
-def _on_face_of_b(pair: Pair, p: tuple[float, float, float], numbers: Array) -> int:
+def on_face_of_b(
+    pair: Pair,
+    corner: Array,
+    normal: Array,
+    p: tuple[float, float, float],
+    numbers: Array,
+    k: int,
+) -> int:
     """A point of A's core over the plane of B's face."""
-    n, face = pair.b.normal, pair.b.corner
-    d = (
-        (p[0] - face[0, 0]) * n[0]
-        + (p[1] - face[0, 1]) * n[1]
-        + (p[2] - face[0, 2]) * n[2]
-    )
-    _set(pair, numbers, p, (n[0], n[1], n[2]), d)
+    n = row(normal, B)
+    d = along(p, at(corner, B, 0), n)
+    fill(pair, p, n, d, numbers, k)
     if pair.radius_a == 0.0:
         return FACE_B
-    numbers[CURVATURE_A] = 1.0 / pair.radius_a
+    numbers[k, CURVATURE_A] = 1.0 / pair.radius_a
     return CURVED
 
 
 @compiled
-def _on_face_of_a(pair: Pair, q: tuple[float, float, float], numbers: Array) -> int:
+def on_face_of_a(
+    pair: Pair,
+    corner: Array,
+    normal: Array,
+    q: tuple[float, float, float],
+    numbers: Array,
+    k: int,
+) -> int:
     """A point of B's core over the plane of A's face."""
-    n, face = pair.a.normal, pair.a.corner
-    d = (
-        (q[0] - face[0, 0]) * n[0]
-        + (q[1] - face[0, 1]) * n[1]
-        + (q[2] - face[0, 2]) * n[2]
-    )
-    p = (q[0] - d * n[0], q[1] - d * n[1], q[2] - d * n[2])
-    _set(pair, numbers, p, (-n[0], -n[1], -n[2]), d)
+    x, y, z = row(normal, A)
+    d = along(q, at(corner, A, 0), (x, y, z))
+    p = (q[0] - d * x, q[1] - d * y, q[2] - d * z)
+    fill(pair, p, (-x, -y, -z), d, numbers, k)
     if pair.radius_b == 0.0:
         return FACE_A
-    numbers[CURVATURE_B] = 1.0 / pair.radius_b
+    numbers[k, CURVATURE_B] = 1.0 / pair.radius_b
     return CURVED
 
 
 @compiled
-def _crossing(pair: Pair, i: int, j: int, numbers: Array) -> int:
+def crossing(
+    pair: Pair, corner: Array, normal: Array, i: int, j: int, numbers: Array, k: int
+) -> int:
     """Two edges: along e_A x e_B where that is a normal, else one's point over the other's face."""
-    e, f = _direction(pair.a, pair.count_a, i), _direction(pair.b, pair.count_b, j)
-    x = e[1] * f[2] - e[2] * f[1]
-    y = e[2] * f[0] - e[0] * f[2]
-    z = e[0] * f[1] - e[1] * f[0]
-    sine, n = math.sqrt(x * x + y * y + z * z), pair.normal
+    e = direction(corner, A, i, pair.count_a)
+    f = direction(corner, B, j, pair.count_b)
+    x, y, z = cross(e, f)
+    sine = math.sqrt(x * x + y * y + z * z)
+    upward = x * normal[MANIFOLD, 0] + y * normal[MANIFOLD, 1] + z * normal[MANIFOLD, 2]
     rounded = pair.radius_a > 0.0 or pair.radius_b > 0.0
-    along = x * n[0] + y * n[1] + z * n[2]
     least = PARALLEL_ROUNDED if rounded else PARALLEL_SINE
-    if sine <= least or abs(along) < OWN_COSINE * sine:
-        return _material_crossing(pair, i, j, numbers)
-    turn = math.copysign(1.0 / sine, along)
+    if sine <= least or abs(upward) < OWN_COSINE * sine:
+        return material_crossing(pair, corner, normal, i, j, numbers, k)
+    turn = math.copysign(1.0 / sine, upward)
     own = (x * turn, y * turn, z * turn)
-    p, q = pair.a.corner, pair.b.corner
-    wx, wy, wz = q[j, 0] - p[i, 0], q[j, 1] - p[i, 1], q[j, 2] - p[i, 2]
-    # The point of A's line in the plane of f and N: (w - s e) . (f x N) = 0.
-    gx, gy, gz = (
-        f[1] * own[2] - f[2] * own[1],
-        f[2] * own[0] - f[0] * own[2],
-        f[0] * own[1] - f[1] * own[0],
-    )
-    s = (wx * gx + wy * gy + wz * gz) / (e[0] * gx + e[1] * gy + e[2] * gz)
-    d = -(wx * own[0] + wy * own[1] + wz * own[2])
-    point = (p[i, 0] + s * e[0], p[i, 1] + s * e[1], p[i, 2] + s * e[2])
-    _set(pair, numbers, point, own, d)
+    p, q = at(corner, A, i), at(corner, B, j)
+    # The point of A's line in the plane of f and N: (q - p - s e) . (f x N) = 0.
+    across = cross(f, own)
+    s = along(q, p, across) / (e[0] * across[0] + e[1] * across[1] + e[2] * across[2])
+    on_a = (p[0] + s * e[0], p[1] + s * e[1], p[2] + s * e[2])
+    fill(pair, on_a, own, along(p, q, own), numbers, k)
     for axis in range(3):
-        numbers[EDGE_A + axis], numbers[EDGE_B + axis] = e[axis], f[axis]
-    return _curved_or(EDGES, pair, numbers) if rounded else EDGES
+        numbers[k, EDGE_A + axis], numbers[k, EDGE_B + axis] = e[axis], f[axis]
+    return curved_or(EDGES, pair, numbers, k) if rounded else EDGES
 
 
 @compiled
-def _material_crossing(pair: Pair, i: int, j: int, numbers: Array) -> int:
+def material_crossing(
+    pair: Pair, corner: Array, normal: Array, i: int, j: int, numbers: Array, k: int
+) -> int:
     """Edges that cross at no angle to speak of: a point of one, over the other's face if it has one."""
-    on_b = pair.count_b > 2 and (pair.first > 0 or pair.count_a < 3)
-    n = pair.normal
-    p, q = _over_each_other(pair, i, j)
+    faces = pair.count_a > 2 and pair.count_b > 2
+    on_b = pair.first == A if faces else pair.count_b > 2
+    p = over_other_edge(corner, A, i, pair.count_a, j, pair.count_b)
+    q = over_other_edge(corner, B, j, pair.count_b, i, pair.count_a)
     if on_b:
-        _on_face_of_b(pair, p, numbers)
+        on_face_of_b(pair, corner, normal, p, numbers, k)
     elif pair.count_a > 2:
-        _on_face_of_a(pair, q, numbers)
+        on_face_of_a(pair, corner, normal, q, numbers, k)
     else:
-        d = (p[0] - q[0]) * n[0] + (p[1] - q[1]) * n[1] + (p[2] - q[2]) * n[2]
-        _set(pair, numbers, p, (n[0], n[1], n[2]), d)
-    numbers[EDGE_A:WIDTH] = 0.0
+        n = row(normal, MANIFOLD)
+        fill(pair, p, n, along(p, q, n), numbers, k)
+    numbers[k, CURVATURE_A] = numbers[k, CURVATURE_B] = 0.0
     return FACE_A if pair.count_a > 2 and not on_b else FACE_B
 
 
 @compiled
-def _between(
-    pair: Pair, kind_a: int, i: int, kind_b: int, j: int, numbers: Array
+def between(
+    pair: Pair,
+    corner: Array,
+    normal: Array,
+    i: int,
+    j: int,
+    edge_a: bool,
+    edge_b: bool,
+    numbers: Array,
+    k: int,
 ) -> int:
     """Two vertices, or a vertex and an edge: along the line from one to the other."""
-    if kind_a == VERTEX and kind_b == VERTEX:
-        p, q = _corner(pair.a, i), _corner(pair.b, j)
-    elif kind_a == VERTEX:
-        p = _corner(pair.a, i)
-        q = nearest_on_edge(pair.b, pair.count_b, j, p)
-    else:
-        q = _corner(pair.b, j)
-        p = nearest_on_edge(pair.a, pair.count_a, i, q)
-    x, y, z, n = p[0] - q[0], p[1] - q[1], p[2] - q[2], pair.normal
-    length, along = math.sqrt(x * x + y * y + z * z), x * n[0] + y * n[1] + z * n[2]
-    own = (n[0], n[1], n[2])
-    if length > pair.bias and abs(along) >= OWN_COSINE * length:
-        turn = math.copysign(1.0 / length, along)
-        own, along = (x * turn, y * turn, z * turn), math.copysign(length, along)
-    _set(pair, numbers, p, own, along)
-    if kind_a == EDGE:
-        _set_axis(pair.a, pair.count_a, i, numbers, EDGE_A)
-    if kind_b == EDGE:
-        _set_axis(pair.b, pair.count_b, j, numbers, EDGE_B)
-    if pair.radius_a == 0.0 and pair.radius_b == 0.0 and along <= pair.bias:
-        numbers[EDGE_A:WIDTH] = 0.0
+    p, q = at(corner, A, i), at(corner, B, j)
+    if edge_a:
+        p = nearest_on_edge(corner, A, i, pair.count_a, q)
+    if edge_b:
+        q = nearest_on_edge(corner, B, j, pair.count_b, p)
+    own = row(normal, MANIFOLD)
+    core = along(p, q, own)
+    x, y, z = p[0] - q[0], p[1] - q[1], p[2] - q[2]
+    length = math.sqrt(x * x + y * y + z * z)
+    if length > pair.bias and abs(core) >= OWN_COSINE * length:
+        core = math.copysign(length, core)
+        own = (x / core, y / core, z / core)
+    fill(pair, p, own, core, numbers, k)
+    if pair.radius_a == 0.0 and pair.radius_b == 0.0 and core <= pair.bias:
         return FACE_B
-    return _curved_or(FACE_B, pair, numbers)
+    if edge_a:
+        e = direction(corner, A, i, pair.count_a)
+        numbers[k, 7], numbers[k, 8], numbers[k, 9] = e
+    if edge_b:
+        e = direction(corner, B, j, pair.count_b)
+        numbers[k, 10], numbers[k, 11], numbers[k, 12] = e
+    return curved_or(FACE_B, pair, numbers, k)
 
 
 @compiled
-def _curved_or(other: int, pair: Pair, numbers: Array) -> int:
+def curved_or(other: int, pair: Pair, numbers: Array, k: int) -> int:
     """Set both curvatures; the other label where one surface is sunk as deep as it is round."""
     a, b, scale = pair.radius_a, pair.radius_b, pair.scale
     if a > 0.0:
         scale = min(scale, a)
     if b > 0.0:
         scale = min(scale, b)
-    numbers[CURVATURE_A] = 1.0 / a if a > 0.0 else SHARP / scale
-    numbers[CURVATURE_B] = 1.0 / b if b > 0.0 else SHARP / scale
-    flatter = min(numbers[CURVATURE_A], numbers[CURVATURE_B])
-    if -numbers[SEPARATION] * flatter < DEEPEST:
-        return CURVED
-    numbers[CURVATURE_A] = numbers[CURVATURE_B] = 0.0
-    return other
+    of_a = 1.0 / a if a > 0.0 else SHARP / scale
+    of_b = 1.0 / b if b > 0.0 else SHARP / scale
+    if -numbers[k, SEPARATION] * min(of_a, of_b) >= DEEPEST:
+        return other
+    numbers[k, CURVATURE_A], numbers[k, CURVATURE_B] = of_a, of_b
+    return CURVED
 
 
 @compiled
-def _set(
+def fill(
     pair: Pair,
-    numbers: Array,
     p: tuple[float, float, float],
     n: tuple[float, float, float],
     core: float,
+    numbers: Array,
+    k: int,
 ) -> None:
     """Point halfway, N and d, from a point of A's core and how far B's core is from it along N."""
     d = core - pair.radius_a - pair.radius_b
+    down = pair.radius_a + 0.5 * d
     for axis in range(3):
-        numbers[POINT + axis] = p[axis] - (pair.radius_a + 0.5 * d) * n[axis]
-        numbers[NORMAL + axis] = n[axis]
-    numbers[SEPARATION] = d
+        numbers[k, POINT + axis] = p[axis] - down * n[axis]
+        numbers[k, NORMAL + axis] = n[axis]
+    numbers[k, SEPARATION] = d
 
 
 @compiled
-def _set_axis(patch: Patch, count: int, i: int, numbers: Array, column: int) -> None:
-    e = _direction(patch, count, i)
-    for axis in range(3):
-        numbers[column + axis] = e[axis]
+def at(corner: Array, side: int, i: int) -> tuple[float, float, float]:
+    """A corner."""
+    return corner[side, i, 0], corner[side, i, 1], corner[side, i, 2]
 
 
 @compiled
-def _corner(patch: Patch, i: int) -> tuple[float, float, float]:
-    return patch.corner[i, 0], patch.corner[i, 1], patch.corner[i, 2]
+def row(normal: Array, which: int) -> tuple[float, float, float]:
+    """A normal."""
+    return normal[which, 0], normal[which, 1], normal[which, 2]
 
 
 @compiled
-def _direction(patch: Patch, count: int, i: int) -> tuple[float, float, float]:
+def along(
+    p: tuple[float, float, float],
+    q: tuple[float, float, float],
+    n: tuple[float, float, float],
+) -> float:
+    """(p - q) . n"""
+    return (p[0] - q[0]) * n[0] + (p[1] - q[1]) * n[1] + (p[2] - q[2]) * n[2]
+
+
+@compiled
+def cross(
+    e: tuple[float, float, float], f: tuple[float, float, float]
+) -> tuple[float, float, float]:
+    """e x f"""
+    return (
+        e[1] * f[2] - e[2] * f[1],
+        e[2] * f[0] - e[0] * f[2],
+        e[0] * f[1] - e[1] * f[0],
+    )
+
+
+@compiled
+def direction(
+    corner: Array, side: int, i: int, count: int
+) -> tuple[float, float, float]:
     """The unit vector along the edge that leaves a corner; zero if it has no length."""
-    k, corner = (i + 1) % count, patch.corner
-    x = corner[k, 0] - corner[i, 0]
-    y = corner[k, 1] - corner[i, 1]
-    z = corner[k, 2] - corner[i, 2]
+    k = i + 1 if i + 1 < count else 0
+    x = corner[side, k, 0] - corner[side, i, 0]
+    y = corner[side, k, 1] - corner[side, i, 1]
+    z = corner[side, k, 2] - corner[side, i, 2]
     length = math.sqrt(x * x + y * y + z * z)
     if length == 0.0:
         return 0.0, 0.0, 0.0
@@ -277,11 +316,12 @@ def _direction(patch: Patch, count: int, i: int) -> tuple[float, float, float]:
 
 @compiled
 def nearest_on_edge(
-    patch: Patch, count: int, i: int, p: tuple[float, float, float]
+    corner: Array, side: int, i: int, count: int, p: tuple[float, float, float]
 ) -> tuple[float, float, float]:
-    k, corner = (i + 1) % count, patch.corner
-    x, y, z = _corner(patch, i)
-    ux, uy, uz = corner[k, 0] - x, corner[k, 1] - y, corner[k, 2] - z
+    """The point of the edge that leaves a corner nearest to p."""
+    k = i + 1 if i + 1 < count else 0
+    x, y, z = at(corner, side, i)
+    ux, uy, uz = corner[side, k, 0] - x, corner[side, k, 1] - y, corner[side, k, 2] - z
     square = ux * ux + uy * uy + uz * uz
     if square == 0.0:
         return x, y, z
@@ -291,40 +331,34 @@ def nearest_on_edge(
 
 
 @compiled
-def _over_each_other(
-    pair: Pair, i: int, j: int
-) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-    """The points of two edges that lie over each other, by where these cross in the plane."""
-    k, m = (i + 1) % pair.count_a, (j + 1) % pair.count_b
-    p, q = pair.a.flat, pair.b.flat
-    ex, ey = p[k, 0] - p[i, 0], p[k, 1] - p[i, 1]
-    fx, fy = q[m, 0] - q[j, 0], q[m, 1] - q[j, 1]
-    wx, wy = q[j, 0] - p[i, 0], q[j, 1] - p[i, 1]
-    cross = ex * fy - ey * fx
-    s, t = 0.5, 0.5
-    if cross != 0.0:
-        s = min(max((wx * fy - wy * fx) / cross, 0.0), 1.0)
-        t = min(max((wx * ey - wy * ex) / cross, 0.0), 1.0)
-    a, b = pair.a.corner, pair.b.corner
+def over_other_edge(
+    corner: Array, side: int, i: int, count: int, j: int, others: int
+) -> tuple[float, float, float]:
+    """The point of one side's edge that lies over the other's, by where these cross in the plane."""
+    k, m = i + 1 if i + 1 < count else 0, j + 1 if j + 1 < others else 0
+    other = 1 - side
+    ex = corner[side, k, 3] - corner[side, i, 3]
+    ey = corner[side, k, 4] - corner[side, i, 4]
+    fx = corner[other, m, 3] - corner[other, j, 3]
+    fy = corner[other, m, 4] - corner[other, j, 4]
+    wx = corner[other, j, 3] - corner[side, i, 3]
+    wy = corner[other, j, 4] - corner[side, i, 4]
+    sine, s = ex * fy - ey * fx, 0.5
+    if sine != 0.0:
+        s = min(max((wx * fy - wy * fx) / sine, 0.0), 1.0)
+    p, q = at(corner, side, i), at(corner, side, k)
     return (
-        (
-            a[i, 0] + s * (a[k, 0] - a[i, 0]),
-            a[i, 1] + s * (a[k, 1] - a[i, 1]),
-            a[i, 2] + s * (a[k, 2] - a[i, 2]),
-        ),
-        (
-            b[j, 0] + t * (b[m, 0] - b[j, 0]),
-            b[j, 1] + t * (b[m, 1] - b[j, 1]),
-            b[j, 2] + t * (b[m, 2] - b[j, 2]),
-        ),
+        p[0] + s * (q[0] - p[0]),
+        p[1] + s * (q[1] - p[1]),
+        p[2] + s * (q[2] - p[2]),
     )
 
 
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
-    a, b = patch_room(4), patch_room(4)
-    a.corner[:2] = [(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
-    b.corner[:2] = [(0.0, -1.0, 0.0), (0.0, 1.0, 0.0)]
-    up = np.array([0.0, 0.0, 1.0])
-    pair = Pair(a, b, 2, 2, 0.0, 0.0, up, 1.0, 1e-6, 1.0)
-    label(pair, np.array([0, EDGE, 0, EDGE, 0], dtype=np.intp), np.zeros(WIDTH))
+    room = desk(2, 2)
+    room.corner[0, :2, 0], room.corner[1, :2, 1] = (-1.0, 1.0), (-1.0, 1.0)
+    room.normal[MANIFOLD, 2] = 1.0
+    names = np.array([[0, EDGE, 0, EDGE, 0, 0, 0, 0]], dtype=np.intp)
+    pair = Pair(2, 2, 0.0, 0.0, 1.0, 1e-6, A)
+    label(pair, room.corner, room.normal, names, np.zeros((1, WIDTH)), 0)

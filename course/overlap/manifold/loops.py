@@ -5,16 +5,16 @@ A kernel module (``course.jit``): import it where it is called.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.manifold.clipping import Cut, cut_room
 from course.overlap.manifold.labels import (
     FACE,
-    KIND_A,
-    PLACE_A,
     POINT,
+    SEPARATION,
     VERTEX,
     WIDTH,
     Pair,
@@ -22,19 +22,24 @@ from course.overlap.manifold.labels import (
 from course.overlap.manifold.meeting import (
     SAME_DEPTH,
     flatten,
-    manifold_normal,
+    kept,
     meet,
-    preferred,
+    point_found,
+    set_manifold_normal,
 )
 from course.overlap.manifold.patches import (
     BIAS,
-    Patch,
+    A,
+    B,
+    Desk,
     Solids,
+    ball,
+    desk,
+    distance,
     edge_between,
-    height_and_size,
-    patch_room,
     supporting_patch,
 )
+from course.overlap.manifold.references import choose_normal
 from course.overlap.manifold.thinning import thin
 
 #: How much of the largest coordinate is taken for rounding of the input.
@@ -50,7 +55,7 @@ def manifolds(
     margin: float,
     limit: int,
     begin: int,
-    spaces: tuple[Patch, Patch, Cut, Cut],
+    room: Desk,
     names: IntArray,
     numbers: Array,
 ) -> tuple[int, int]:
@@ -60,76 +65,106 @@ def manifolds(
         pairs: (p, 2) which solid of a, which of b.
         found: (p, 7) of each pair the point halfway, the normal and the gap.
         margin, limit: as in ``contact_points``; limit 0 is none.
-        spaces: room for the largest faces.
-        names: (c, 8) rows: label, kinds and places (``labels``), then the pair and the
+        names: (c, 8): label, kinds and places (``labels``), then the pair and the
             features of A and B.
-        numbers: (c, 15) rows (``labels``).
+        numbers: (c, 15) (``labels``).
     Returns:
         The first pair that is not done, and how many rows were filled.
     """
     count, p = 0, begin
     origin, normal = np.empty(3), np.empty(3)
     order = np.empty(limit + 1, dtype=np.intp)
-    most = len(spaces[2].place)
-    while p < len(pairs) and count + most <= len(numbers):
+    while p < len(pairs) and count + room.cut.shape[1] <= len(numbers):
         if found[p, 6] <= margin:
-            count += _manifold(
-                a, b, pairs, found, margin, limit, p, spaces, names[count:],
-                numbers[count:], origin, normal, order,
-            )  # fmt: skip
+            i, j = pairs[p, 0], pairs[p, 1]
+            more = manifold(a, i, b, j, found, p, margin, limit, room, origin, normal,
+                            order, names, numbers, count)  # fmt: skip
+            for k in range(count, count + more):
+                names[k, 5] = p
+                for axis in range(3):
+                    numbers[k, POINT + axis] += origin[axis]
+            count += more
         p += 1
     return p, count
 
 
 @compiled
-def _manifold(
+def manifold(
     a: Solids,
+    i: int,
     b: Solids,
-    pairs: IntArray,
+    j: int,
     found: Array,
+    p: int,
     margin: float,
     limit: int,
-    p: int,
-    spaces: tuple[Patch, Patch, Cut, Cut],
-    names: IntArray,
-    numbers: Array,
+    room: Desk,
     origin: Array,
     normal: Array,
     order: IntArray,
+    names: IntArray,
+    numbers: Array,
+    begin: int,
 ) -> int:
-    """The points of pair p, in the first rows."""
-    i, j = pairs[p, 0], pairs[p, 1]
-    patch_a, patch_b, cut, other = spaces
+    """The points of one pair, counted from the origin, in the rows from ``begin`` on."""
     origin[:] = found[p, :3]
-    n = found[p, 3:6]
-    top_a, size_a = height_and_size(a, i, origin, -n[0], -n[1], -n[2])
-    top_b, size_b = height_and_size(b, j, origin, n[0], n[1], n[2])
-    scale, noise = _scales(size_a + a.radius[i], size_b + b.radius[j], origin)
+    gap, radius_a, radius_b = found[p, 6], a.radius[i], b.radius[j]
+    size_a = radius_a + size_of(a.vertices, a.vertex_start[i], a.vertex_start[i + 1])
+    size_b = radius_b + size_of(b.vertices, b.vertex_start[j], b.vertex_start[j + 1])
+    scale, noise = scales(size_a, size_b, origin)
     bias = BIAS * scale + noise
-    count_a, feature_a = supporting_patch(a, i, origin, -1.0, n, top_a, bias, patch_a)
-    count_b, feature_b = supporting_patch(b, j, origin, 1.0, n, top_b, bias, patch_b)
-    manifold_normal(patch_a, patch_b, count_a, count_b, n, normal)
-    flatten(normal, patch_a, count_a, patch_b, count_b)
-    pair = Pair(patch_a, patch_b, count_a, count_b, a.radius[i], b.radius[j], normal,
-                scale, bias, preferred(normal))  # fmt: skip
-    local = found[p].copy()
-    local[:3] = 0.0
-    count = meet(pair, local, names, numbers, margin, SAME_DEPTH * scale + noise,
-                 cut, other)  # fmt: skip
+    chosen = choose(a, i, b, j, origin, gap + radius_a + radius_b - bias, normal)
+    count = 0
+    for attempt in range(2):
+        if attempt or not chosen:
+            normal[:] = found[p, 3:6]
+        count_a, feature_a = supporting_patch(a, i, A, origin, normal, bias, *room[:3])
+        count_b, feature_b = supporting_patch(b, j, B, origin, normal, bias, *room[:3])
+        first = set_manifold_normal(room.normal, count_a, count_b, normal)
+        pair = Pair(count_a, count_b, radius_a, radius_b, scale, bias, first)
+        flatten(room.corner, room.normal, count_a, count_b)
+        count = meet(pair, room.corner, room.normal, room.cut, room.what, names, numbers, begin)  # fmt: skip
+        if count or not chosen:
+            break
+    rounding = SAME_DEPTH * scale + noise
+    if count == 0 or (count_a < 3 and count_b < 3 and lowest(numbers, begin, count) > gap + rounding):  # fmt: skip
+        point_found(pair, room.corner, room.normal, normal, gap, names, numbers, begin + count)  # fmt: skip
+        count += 1
+    count = kept(names, numbers, begin, count, margin, rounding)
     if limit:
-        count = thin(names, numbers, count, limit, bias, order)
-    for k in range(count):
-        row = names[k]
-        row[5] = p
-        row[6] = _number(a, i, patch_a, count_a, feature_a, row[KIND_A], row[PLACE_A])
-        row[7] = _number(b, j, patch_b, count_b, feature_b, row[KIND_A + 2], row[PLACE_A + 2])  # fmt: skip
-        for axis in range(3):
-            numbers[k, POINT + axis] += origin[axis]
+        count = thin(names, numbers, begin, count, limit, bias, order)
+    number(a, i, A, count_a, feature_a, room.vertex, names, begin, count)
+    number(b, j, B, count_b, feature_b, room.vertex, names, begin, count)
     return count
 
 
 @compiled
-def _scales(size_a: float, size_b: float, origin: Array) -> tuple[float, float]:
+def choose(
+    a: Solids, i: int, b: Solids, j: int, origin: Array, least: float, normal: Array
+) -> bool:
+    """Write the normal of a face that is as good as any, and whether there is one."""
+    best = choose_normal(
+        b.normals, b.face_start[j], b.face_start[j + 1], b.loop, b.loop_start, b.vertices,
+        a.vertices, a.vertex_start[i], a.vertex_start[i + 1], origin, B, least, -1.0, normal,
+    )  # fmt: skip
+    best = choose_normal(
+        a.normals, a.face_start[i], a.face_start[i + 1], a.loop, a.loop_start, a.vertices,
+        b.vertices, b.vertex_start[j], b.vertex_start[j + 1], origin, A, least, best, normal,
+    )  # fmt: skip
+    return best >= 0.0
+
+
+@compiled
+def size_of(vertices: Array, begin: int, end: int) -> float:
+    """The greatest distance of a vertex from the first."""
+    size = 0.0
+    for v in range(begin + 1, end):
+        size = max(size, distance(vertices, begin, v))
+    return size
+
+
+@compiled
+def scales(size_a: float, size_b: float, origin: Array) -> tuple[float, float]:
     """The size of the smaller solid (of the other if it is a point), and the rounding of coordinates."""
     scale = min(size_a, size_b)
     if scale == 0.0:
@@ -139,34 +174,47 @@ def _scales(size_a: float, size_b: float, origin: Array) -> tuple[float, float]:
 
 
 @compiled
-def _number(
-    solids: Solids, solid: int, patch: Patch, count: int, feature: int, kind: int, place: int
-) -> int:
-    """A feature's number in its solid: vertices first, then edges, then faces."""
-    vertices = solids.vertex_start[solid + 1] - solids.vertex_start[solid]
-    if kind == VERTEX:
-        return patch.vertex[place]
-    if kind == FACE:
-        edges = solids.edge_start[solid + 1] - solids.edge_start[solid]
-        return vertices + edges + feature
-    if count == 2:
-        return vertices + feature
-    p, q = patch.vertex[place], patch.vertex[(place + 1) % count]
-    return vertices + edge_between(solids, solid, p, q)
+def lowest(numbers: Array, begin: int, count: int) -> float:
+    """The least separation of some rows."""
+    least = math.inf
+    for k in range(begin, begin + count):
+        least = min(least, numbers[k, SEPARATION])
+    return least
 
 
-def spaces_for(corners_a: int, corners_b: int) -> tuple[Patch, Patch, Cut, Cut]:
-    """Room for two faces of so many corners each, and for clipping one by the other."""
-    a, b = max(corners_a, 2), max(corners_b, 2)
-    return patch_room(a), patch_room(b), cut_room(2 * (a + b)), cut_room(2 * (a + b))
+@compiled
+def number(
+    solids: Solids,
+    solid: int,
+    side: int,
+    corners: int,
+    feature: int,
+    vertex: IntArray,
+    names: IntArray,
+    begin: int,
+    count: int,
+) -> None:
+    """Number the features of one side in its solid: vertices first, then edges, then faces."""
+    first, first_edge = solids.vertex_start[solid], solids.edge_start[solid]
+    last_edge = solids.edge_start[solid + 1]
+    vertices = solids.vertex_start[solid + 1] - first
+    for k in range(begin, begin + count):
+        kind, place = names[k, 1 + 2 * side], names[k, 2 + 2 * side]
+        if kind == VERTEX:
+            what = vertex[side, place]
+        elif kind == FACE:
+            what = vertices + last_edge - first_edge + feature
+        elif corners == 2:
+            what = vertices + feature
+        else:
+            p, q = vertex[side, place], vertex[side, (place + 1) % corners]
+            what = vertices + edge_between(solids.edges, first_edge, last_edge, first, p, q)  # fmt: skip
+        names[k, 6 + side] = what
 
 
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
-    whole, none = np.array([0, 1], dtype=np.intp), np.zeros(2, dtype=np.intp)
-    point = Solids(np.zeros((1, 3)), whole, np.ones(1), np.zeros((0, 3)), none,
-                   none[:0], none[:1], np.zeros((0, 2), dtype=np.intp), none)  # fmt: skip
     rows = np.zeros((20, 8), dtype=np.intp), np.zeros((20, WIDTH))
     found = np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, -2.0]])
     pairs = np.zeros((1, 2), dtype=np.intp)
-    manifolds(point, point, pairs, found, 0.0, 4, 0, spaces_for(1, 1), *rows)
+    manifolds(ball(), ball(), pairs, found, 0.0, 4, 0, desk(1, 1), *rows)

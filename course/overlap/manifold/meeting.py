@@ -20,18 +20,14 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.manifold.clipping import CROSSING, SUBJECT, Cut, clip, cut_room
+from course.overlap.manifold.clipping import CLIP, SUBJECT, clip
 from course.overlap.manifold.labels import (
     EDGE,
     FACE,
     FACE_B,
-    KIND_A,
-    KIND_B,
     LABEL,
     NORMAL,
     PARALLEL_SINE,
-    PLACE_A,
-    PLACE_B,
     POINT,
     SEPARATION,
     VERTEX,
@@ -40,7 +36,7 @@ from course.overlap.manifold.labels import (
     label,
     nearest_on_edge,
 )
-from course.overlap.manifold.patches import Patch, patch_room
+from course.overlap.manifold.patches import MANIFOLD, A, B, desk
 
 #: Where both bodies' features would do, those of the one that lies on this side of the
 #: other are taken: no direction that a scene is likely to have lies across it.
@@ -50,40 +46,38 @@ SAME_DEPTH = 1e-9
 
 
 @compiled
-def manifold_normal(
-    a: Patch, b: Patch, count_a: int, count_b: int, found: Array, normal: Array
-) -> None:
-    """Along which the two patches are compared: between the normals of two faces, the normal of one, or the one found.
+def upward(normal: Array, k: int) -> float:
+    """How far row k points along ``UPPER``."""
+    x, y, z = normal[k, 0], normal[k, 1], normal[k, 2]
+    return UPPER[0] * x + UPPER[1] * y + UPPER[2] * z
 
-    It does not depend on which of two nearly parallel faces the query took its normal from.
+
+@compiled
+def set_manifold_normal(
+    normal: Array, count_a: int, count_b: int, found: Array
+) -> int:
+    """N of the manifold: between the normals of two faces, that of one, or the one found; returns the preferred side.
+
+    It does not depend on which of two nearly parallel faces the query took its normal
+    from. The preferred side is the upper one: exchanging A and B exchanges it.
     """
-    for axis in range(3):
-        normal[axis] = found[axis]
-    if count_a > 2 and count_b > 2:
-        x, y, z = (
-            b.normal[0] - a.normal[0],
-            b.normal[1] - a.normal[1],
-            b.normal[2] - a.normal[2],
-        )
-        length = math.sqrt(x * x + y * y + z * z)
-        normal[0], normal[1], normal[2] = x / length, y / length, z / length
-    elif count_b > 2:
-        normal[:] = b.normal
-    elif count_a > 2:
-        normal[0], normal[1], normal[2] = -a.normal[0], -a.normal[1], -a.normal[2]
+    x, y, z = 0.0, 0.0, 0.0
+    if count_b > 2:
+        x, y, z = normal[B, 0], normal[B, 1], normal[B, 2]
+    if count_a > 2:
+        x, y, z = x - normal[A, 0], y - normal[A, 1], z - normal[A, 2]
+    if count_a < 3 and count_b < 3:
+        x, y, z = found[0], found[1], found[2]
+    length = math.sqrt(x * x + y * y + z * z)
+    normal[MANIFOLD, 0], normal[MANIFOLD, 1] = x / length, y / length
+    normal[MANIFOLD, 2] = z / length
+    return A if upward(normal, MANIFOLD) >= 0.0 else B
 
 
 @compiled
-def preferred(normal: Array) -> float:
-    """+1 where A is on the upper side of B, else -1: exchanging A and B exchanges the answer."""
-    up = UPPER[0] * normal[0] + UPPER[1] * normal[1] + UPPER[2] * normal[2]
-    return 1.0 if up >= 0.0 else -1.0
-
-
-@compiled
-def flatten(normal: Array, a: Patch, count_a: int, b: Patch, count_b: int) -> None:
+def flatten(corner: Array, normal: Array, count_a: int, count_b: int) -> None:
     """The corners of both patches in the plane at right angles to N, by t_1 and t_2 = N x t_1."""
-    x, y, z = normal[0], normal[1], normal[2]
+    x, y, z = normal[MANIFOLD, 0], normal[MANIFOLD, 1], normal[MANIFOLD, 2]
     if abs(x) < 0.6:  # t_1 = (1, 0, 0) without its part along N
         tx, ty, tz = 1.0 - x * x, -x * y, -x * z
     else:
@@ -91,204 +85,212 @@ def flatten(normal: Array, a: Patch, count_a: int, b: Patch, count_b: int) -> No
     length = math.sqrt(tx * tx + ty * ty + tz * tz)
     tx, ty, tz = tx / length, ty / length, tz / length
     ux, uy, uz = y * tz - z * ty, z * tx - x * tz, x * ty - y * tx
-    for i in range(count_a):
-        p = a.corner[i]
-        a.flat[i, 0] = p[0] * tx + p[1] * ty + p[2] * tz
-        a.flat[i, 1] = p[0] * ux + p[1] * uy + p[2] * uz
-    for i in range(count_b):
-        p = b.corner[i]
-        b.flat[i, 0] = p[0] * tx + p[1] * ty + p[2] * tz
-        b.flat[i, 1] = p[0] * ux + p[1] * uy + p[2] * uz
+    for side in range(2):
+        for i in range(count_a if side == A else count_b):
+            px, py, pz = corner[side, i, 0], corner[side, i, 1], corner[side, i, 2]
+            corner[side, i, 3] = px * tx + py * ty + pz * tz
+            corner[side, i, 4] = px * ux + py * uy + pz * uz
 
 
 @compiled
 def meet(
     pair: Pair,
-    found: Array,
+    corner: Array,
+    normal: Array,
+    cut: Array,
+    what: IntArray,
     names: IntArray,
     numbers: Array,
-    margin: float,
-    rounding: float,
-    cut: Cut,
-    other: Cut,
+    begin: int,
 ) -> int:
-    """The points of two patches, flattened before.
+    """The points that two patches have in common, flattened before: their names and numbers.
 
     Args:
-        found: (7,) what the distance query says: point halfway, normal, gap.
-        names, numbers: rows to be filled (``labels``); enough for all points.
-        margin: greatest separation of a point.
-        rounding: by how much a separation may be above it.
-        cut, other: room for clipping.
+        corner, normal, cut, what: of the ``Desk``.
+        names, numbers: tables (``labels``) with room for all points from row ``begin`` on.
     Returns:
-        How many points.
+        How many; none where the patches pass each other by.
     """
+    count = 0
     if pair.count_a > 2 or pair.count_b > 2:
-        count = _faces(pair, names, cut, other)
+        count = common_polygon(pair, corner, cut, what, names, begin)
     elif pair.count_a == 2 and pair.count_b == 2:
-        count = _edges(pair, names)
-    else:
-        count = 0
-    lowest = np.inf
-    for k in range(count):
-        label(pair, names[k], numbers[k])
-        lowest = min(lowest, numbers[k, SEPARATION])
-    edges_bend = pair.count_a < 3 and pair.count_b < 3
-    if count == 0 or (edges_bend and lowest > found[6] + rounding):
-        _found_point(pair, found, names[count], numbers[count])
-        lowest = min(lowest, numbers[count, SEPARATION])
-        count += 1
-    return _kept(names, numbers, count, max(margin, lowest) + rounding)
-
-
-@compiled
-def _faces(pair: Pair, names: IntArray, cut: Cut, other: Cut) -> int:
-    """The corners of what a face and the other patch have in common."""
-    a_first = pair.count_b > 2 and (pair.count_a < 3 or pair.first > 0)
-    a, b = pair.a.flat, pair.b.flat
-    if a_first:
-        count = clip(a, pair.count_a, b, pair.count_b, pair.bias, cut, other)
-    else:
-        count = clip(b, pair.count_b, a, pair.count_a, pair.bias, cut, other)
-    for k in range(count):
-        what = cut.what[k, 0]
-        if what == CROSSING:
-            mine, place = EDGE, cut.what[k, 1]
-            theirs, there = EDGE, cut.what[k, 2]
-        elif what == SUBJECT:
-            mine, place, theirs, there = VERTEX, cut.what[k, 1], FACE, 0
-        else:
-            mine, place, theirs, there = FACE, 0, VERTEX, cut.what[k, 2]
-        if a_first:
-            _write(names[k], mine, place, theirs, there)
-        else:
-            _write(names[k], theirs, there, mine, place)
+        count = two_edges(pair, corner, names, begin)
+    elif pair.count_a == 1 and pair.count_b == 1:
+        write(names, begin, VERTEX, 0, VERTEX, 0)
+        count = 1
+    for k in range(begin, begin + count):
+        label(pair, corner, normal, names, numbers, k)
     return count
 
 
 @compiled
-def _write(row: IntArray, kind_a: int, i: int, kind_b: int, j: int) -> None:
-    row[LABEL] = FACE_B
-    row[KIND_A], row[PLACE_A], row[KIND_B], row[PLACE_B] = kind_a, i, kind_b, j
+def common_polygon(
+    pair: Pair, corner: Array, cut: Array, what: IntArray, names: IntArray, begin: int
+) -> int:
+    """The corners of what a face and the other patch have in common."""
+    faces = pair.count_a > 2 and pair.count_b > 2
+    a_is_cut = pair.first == A if faces else pair.count_b > 2
+    if a_is_cut:
+        count, now = clip(corner, A, pair.count_a, pair.count_b, pair.bias, cut, what)
+    else:
+        count, now = clip(corner, B, pair.count_b, pair.count_a, pair.bias, cut, what)
+    for k in range(count):
+        kind, i, j = what[now, k, 0], what[now, k, 1], what[now, k, 2]
+        mine = theirs = EDGE
+        if kind == SUBJECT:
+            mine, theirs, j = VERTEX, FACE, 0
+        elif kind == CLIP:
+            mine, theirs, i = FACE, VERTEX, 0
+        if a_is_cut:
+            write(names, begin + k, mine, i, theirs, j)
+        else:
+            write(names, begin + k, theirs, j, mine, i)
+    return count
 
 
 @compiled
-def _edges(pair: Pair, names: IntArray) -> int:
+def write(names: IntArray, k: int, kind_a: int, i: int, kind_b: int, j: int) -> None:
+    """Name row k by two features."""
+    names[k, LABEL] = FACE_B
+    names[k, 1], names[k, 2], names[k, 3], names[k, 4] = kind_a, i, kind_b, j
+
+
+@compiled
+def two_edges(pair: Pair, corner: Array, names: IntArray, begin: int) -> int:
     """Two edges seen along the normal: one crossing, two ends, or nothing in common."""
-    p, q = pair.a.flat, pair.b.flat
-    ex, ey = p[1, 0] - p[0, 0], p[1, 1] - p[0, 1]
-    fx, fy = q[1, 0] - q[0, 0], q[1, 1] - q[0, 1]
+    ex, ey = corner[A, 1, 3] - corner[A, 0, 3], corner[A, 1, 4] - corner[A, 0, 4]
+    fx, fy = corner[B, 1, 3] - corner[B, 0, 3], corner[B, 1, 4] - corner[B, 0, 4]
+    wx, wy = corner[B, 0, 3] - corner[A, 0, 3], corner[B, 0, 4] - corner[A, 0, 4]
     e, f = math.sqrt(ex * ex + ey * ey), math.sqrt(fx * fx + fy * fy)
     if e == 0.0 or f == 0.0:
         return 0
-    wx, wy = q[0, 0] - p[0, 0], q[0, 1] - p[0, 1]
-    cross = ex * fy - ey * fx
-    if abs(cross) <= PARALLEL_SINE * e * f:
-        along_q = (wx * ex + wy * ey) / e
-        end_q = along_q + (fx * ex + fy * ey) / e
-        return _shared_length(pair, names, e, along_q, end_q)
-    s, t = (wx * fy - wy * fx) / cross, (wx * ey - wy * ex) / cross
-    slack_s, slack_t = pair.bias / e, pair.bias / f
-    if min(s, 1.0 - s) < -slack_s or min(t, 1.0 - t) < -slack_t:
+    sine = ex * fy - ey * fx
+    if abs(sine) <= PARALLEL_SINE * e * f:
+        start = (wx * ex + wy * ey) / e
+        end = start + (fx * ex + fy * ey) / e
+        return shared_length(pair, names, begin, e, start, end)
+    s, t = (wx * fy - wy * fx) / sine, (wx * ey - wy * ex) / sine
+    if min(s, 1.0 - s) * e < -pair.bias or min(t, 1.0 - t) * f < -pair.bias:
         return 0
-    _write(names[0], EDGE, 0, EDGE, 0)
+    write(names, begin, EDGE, 0, EDGE, 0)
     return 1
 
 
 @compiled
-def _shared_length(
-    pair: Pair, names: IntArray, length: float, start: float, end: float
+def shared_length(
+    pair: Pair, names: IntArray, begin: int, length: float, start: float, end: float
 ) -> int:
     """The ends of what two parallel edges share; A's runs from 0 to its length, B's from start to end.
 
     Each is a vertex of one body beside the edge of the other; where two vertices lie
     together, it is that of the preferred body.
     """
-    tie = pair.bias if pair.first > 0 else -pair.bias
+    tie = pair.bias if pair.first == A else -pair.bias
     low_b, high_b = (0, 1) if start <= end else (1, 0)
     low, high = min(start, end), max(start, end)
-    if min(high, length) - max(low, 0.0) < -pair.bias:
+    shared = min(high, length) - max(low, 0.0)
+    if shared < -pair.bias:
         return 0
-    count = 1
     if low <= tie:
-        _write(names[0], VERTEX, 0, EDGE, 0)
+        write(names, begin, VERTEX, 0, EDGE, 0)
     else:
-        _write(names[0], EDGE, 0, VERTEX, low_b)
-    if min(high, length) - max(low, 0.0) > pair.bias:
-        if high >= length - tie:
-            _write(names[1], VERTEX, 1, EDGE, 0)
-        else:
-            _write(names[1], EDGE, 0, VERTEX, high_b)
-        count = 2
-    return count
+        write(names, begin, EDGE, 0, VERTEX, low_b)
+    if shared <= pair.bias:
+        return 1
+    if high >= length - tie:
+        write(names, begin + 1, VERTEX, 1, EDGE, 0)
+    else:
+        write(names, begin + 1, EDGE, 0, VERTEX, high_b)
+    return 2
 
 
 @compiled
-def _found_point(pair: Pair, found: Array, names: IntArray, numbers: Array) -> None:
-    """The point that the distance query found, named by the features it lies on."""
-    half, n = 0.5 * found[6], found[3:6]
-    on_a, on_b = half + pair.radius_a, half + pair.radius_b
-    p = (found[0] + on_a * n[0], found[1] + on_a * n[1], found[2] + on_a * n[2])
-    q = (found[0] - on_b * n[0], found[1] - on_b * n[1], found[2] - on_b * n[2])
-    kind_a, i = _feature_at(pair.a, pair.count_a, p, pair.bias)
-    kind_b, j = _feature_at(pair.b, pair.count_b, q, pair.bias)
-    _write(names, kind_a, i, kind_b, j)
-    if (kind_a == FACE and kind_b != VERTEX) or (kind_b == FACE and kind_a != VERTEX):
-        numbers[:] = 0.0
+def point_found(
+    pair: Pair,
+    corner: Array,
+    normal: Array,
+    found: Array,
+    gap: float,
+    names: IntArray,
+    numbers: Array,
+    k: int,
+) -> None:
+    """The point that the distance query found, which is the origin, named by the features it lies on."""
+    x, y, z = found[0], found[1], found[2]
+    up, down = 0.5 * gap + pair.radius_a, 0.5 * gap + pair.radius_b
+    kind_a, i = feature_at(corner, A, pair.count_a, up * x, up * y, up * z, pair.bias)
+    kind_b, j = feature_at(
+        corner, B, pair.count_b, -down * x, -down * y, -down * z, pair.bias
+    )
+    write(names, k, kind_a, i, kind_b, j)
+    if kind_a + kind_b > FACE:  # a face, and more than a vertex of the other
+        for column in range(WIDTH):
+            numbers[k, column] = 0.0
         for axis in range(3):
-            numbers[POINT + axis] = found[axis]
-            numbers[NORMAL + axis] = n[axis]
-        numbers[SEPARATION] = found[6]
+            numbers[k, POINT + axis] = 0.0
+            numbers[k, NORMAL + axis] = found[axis]
+        numbers[k, SEPARATION] = gap
     else:
-        label(pair, names, numbers)
+        label(pair, corner, normal, names, numbers, k)
 
 
 @compiled
-def _feature_at(
-    patch: Patch, count: int, p: tuple[float, float, float], bias: float
+def feature_at(
+    corner: Array, side: int, count: int, x: float, y: float, z: float, bias: float
 ) -> tuple[int, int]:
     """The vertex, else the edge, else the face of a patch that a point is on."""
-    close, corner = bias * bias, patch.corner
     if count == 1:
         return VERTEX, 0
+    close = bias * bias
     for i in range(count):
-        x, y, z = p[0] - corner[i, 0], p[1] - corner[i, 1], p[2] - corner[i, 2]
-        if x * x + y * y + z * z <= close:
+        u, v, w = x - corner[side, i, 0], y - corner[side, i, 1], z - corner[side, i, 2]
+        if u * u + v * v + w * w <= close:
             return VERTEX, i
     if count == 2:
         return EDGE, 0
     for i in range(count):
-        x, y, z = nearest_on_edge(patch, count, i, p)
-        x, y, z = p[0] - x, p[1] - y, p[2] - z
-        if x * x + y * y + z * z <= close:
+        u, v, w = nearest_on_edge(corner, side, i, count, (x, y, z))
+        if (x - u) ** 2 + (y - v) ** 2 + (z - w) ** 2 <= close:
             return EDGE, i
     return FACE, 0
 
 
 @compiled
-def _kept(names: IntArray, numbers: Array, count: int, highest: float) -> int:
-    """Close up to the rows with d at or below the highest."""
-    kept = 0
-    for k in range(count):
+def kept(
+    names: IntArray,
+    numbers: Array,
+    begin: int,
+    count: int,
+    margin: float,
+    rounding: float,
+) -> int:
+    """Close up to the rows with d <= margin, and those as deep as the deepest; how many there are."""
+    highest = margin + rounding
+    lowest = np.inf
+    for k in range(begin, begin + count):
+        lowest = min(lowest, numbers[k, SEPARATION])
+    highest, left = max(highest, lowest + rounding), begin
+    for k in range(begin, begin + count):
         if numbers[k, SEPARATION] > highest:
             continue
-        if kept < k:
+        if left < k:
             for column in range(WIDTH):
-                numbers[kept, column] = numbers[k, column]
+                numbers[left, column] = numbers[k, column]
             for column in range(5):
-                names[kept, column] = names[k, column]
-        kept += 1
-    return kept
+                names[left, column] = names[k, column]
+        left += 1
+    return left - begin
 
 
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
-    a, b = patch_room(4), patch_room(4)
-    a.corner[:2] = [(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
-    b.corner[:2] = [(0.0, -1.0, 0.0), (0.0, 1.0, 0.0)]
-    up, found = np.zeros(3), np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0])
-    manifold_normal(a, b, 2, 2, found[3:6], up)
-    flatten(up, a, 2, b, 2)
-    pair = Pair(a, b, 2, 2, 0.0, 0.0, up, 1.0, 1e-6, preferred(up))
-    rows = np.zeros((9, 5), dtype=np.intp), np.zeros((9, WIDTH))
-    meet(pair, found, *rows, 0.0, 1e-9, cut_room(12), cut_room(12))
+    room, up = desk(2, 2), np.array([0.0, 0.0, 1.0])
+    room.corner[0, :2, 0], room.corner[1, :2, 1] = (-1.0, 1.0), (-1.0, 1.0)
+    first = set_manifold_normal(room.normal, 2, 2, up)
+    flatten(room.corner, room.normal, 2, 2)
+    pair = Pair(2, 2, 0.0, 0.0, 1.0, 1e-6, first)
+    rows = np.zeros((9, 8), dtype=np.intp), np.zeros((9, WIDTH))
+    meet(pair, room.corner, room.normal, room.cut, room.what, *rows, 0)
+    point_found(pair, room.corner, room.normal, up, 0.0, *rows, 0)
+    kept(*rows, 0, 1, 0.0, 1e-9)

@@ -24,15 +24,17 @@ from course.jit import compiled
 
 #: A face or edge that leans by less than this may touch with all of itself [rad].
 FLAT_ANGLE = 0.02
-FLAT_COSINE = math.cos(FLAT_ANGLE)
+FLAT_COSINE, FLAT_SINE = math.cos(FLAT_ANGLE), math.sin(FLAT_ANGLE)
 #: What is nearer than this times the smaller solid counts as in one place.
 BIAS = 1e-6
-#: Two features whose leaning differs by less are alike; the first is taken.
+#: Two features of which the leaning differs by less are alike; the first is taken.
 LEAN_BIAS = 1e-6
+#: The sides, and the rows of ``Desk.normal``: of A's face, of B's, of the manifold.
+A, B, MANIFOLD = 0, 1, 2
 
 
 class Solids(NamedTuple):
-    """The arrays of ``course.shapes`` ``Polytopes`` that kernels here read: m solids end to end."""
+    """The arrays of ``Polytopes`` that the kernels here read: m solids end to end."""
 
     vertices: Array
     vertex_start: IntArray
@@ -45,35 +47,33 @@ class Solids(NamedTuple):
     edge_start: IntArray
 
 
-class Patch(NamedTuple):
-    """Room for the patch of one solid.
+class Desk(NamedTuple):
+    """Where a pair is worked on: room for its patches and for clipping.
 
-    corner (k, 3): counter-clockwise about N, from the pair's own origin; vertex (k,):
-    their numbers in the solid; flat (k, 2): the corners in the plane of the manifold;
-    normal (3,): out of the face, if it is one.
+    corner (2, k, 5): A's and B's corners, counter-clockwise about N: x, y, z from the
+    pair's origin, then their two coordinates in the plane of the manifold; vertex (2, k):
+    the corners' numbers in their solids; normal (3, 3): see ``MANIFOLD``;
+    cut (2, l, 3) and what (2, l, 4): see ``clipping``.
     """
 
     corner: Array
     vertex: IntArray
-    flat: Array
     normal: Array
+    cut: Array
+    what: IntArray
 
 
-@compiled
-def height_and_size(
-    solids: Solids, solid: int, origin: Array, x: float, y: float, z: float
-) -> tuple[float, float]:
-    """How far a solid's core reaches along (x, y, z) from the origin, and its greatest distance from its first vertex."""
-    vertices, first = solids.vertices, solids.vertex_start[solid]
-    top, size = -np.inf, 0.0
-    for v in range(first, solids.vertex_start[solid + 1]):
-        along = height(vertices, v, origin, x, y, z)
-        top = max(top, along)
-        dx = vertices[v, 0] - vertices[first, 0]
-        dy = vertices[v, 1] - vertices[first, 1]
-        dz = vertices[v, 2] - vertices[first, 2]
-        size = max(size, dx * dx + dy * dy + dz * dz)
-    return top, math.sqrt(size)
+def desk(corners_a: int, corners_b: int) -> Desk:
+    """Room for two patches of so many corners."""
+    corners = max(corners_a, corners_b, 2)
+    length = 2 * (max(corners_a, 2) + max(corners_b, 2))
+    return Desk(
+        np.zeros((2, corners, 5)),
+        np.zeros((2, corners), dtype=np.intp),
+        np.zeros((3, 3)),
+        np.zeros((2, length, 3)),
+        np.zeros((2, length, 4), dtype=np.intp),
+    )
 
 
 @compiled
@@ -89,55 +89,90 @@ def height(
 
 
 @compiled
+def distance(vertices: Array, p: int, q: int) -> float:
+    """Between two vertices."""
+    x = vertices[q, 0] - vertices[p, 0]
+    y = vertices[q, 1] - vertices[p, 1]
+    z = vertices[q, 2] - vertices[p, 2]
+    return math.sqrt(x * x + y * y + z * z)
+
+
+@compiled
+def highest(
+    vertices: Array,
+    begin: int,
+    end: int,
+    origin: Array,
+    x: float,
+    y: float,
+    z: float,
+) -> float:
+    """How far some vertices reach along (x, y, z) from the origin."""
+    top = -np.inf
+    for v in range(begin, end):
+        top = max(top, height(vertices, v, origin, x, y, z))
+    return top
+
+
+@compiled
 def supporting_patch(
     solids: Solids,
     solid: int,
+    side: int,
     origin: Array,
-    side: float,
     normal: Array,
-    top: float,
     bias: float,
-    patch: Patch,
+    corner: Array,
+    vertex: IntArray,
+    face_normal: Array,
 ) -> tuple[int, int]:
-    """The patch of a solid toward side * normal, which is -1 for A and +1 for B.
+    """The patch of a solid that looks along N (side B) or against it (side A).
 
     Args:
-        top, bias: height of the solid that way, and what counts as being that high.
-        patch: is filled.
+        normal: N, (3,).
+        bias: what counts as in one place [m].
+        corner, vertex, face_normal: of the desk; the side's rows are filled.
     Returns:
         Corners (1 vertex, 2 edge, 3 or more face), and the feature's number among its
         kind in the solid.
     """
-    x, y, z = side * normal[0], side * normal[1], side * normal[2]
-    face = _flat_face(solids, solid, origin, x, y, z, top - bias)
+    sign = 1.0 if side == B else -1.0
+    x, y, z = sign * normal[0], sign * normal[1], sign * normal[2]
+    vertices, edges = solids.vertices, solids.edges
+    first, last = solids.vertex_start[solid], solids.vertex_start[solid + 1]
+    level = highest(vertices, first, last, origin, x, y, z) - bias
+    begin, end = solids.face_start[solid], solids.face_start[solid + 1]
+    face = flat_face(solids.normals, begin, end, solids.loop, solids.loop_start,
+                     vertices, origin, x, y, z, level)  # fmt: skip
     if face >= 0:
-        return _take_face(solids, solid, origin, side, face, patch)
-    first, edge = solids.vertex_start[solid], -1
-    least = math.sin(FLAT_ANGLE)
-    for e in range(solids.edge_start[solid], solids.edge_start[solid + 1]):
-        p, q = solids.edges[e, 0], solids.edges[e, 1]
-        low = height(solids.vertices, p, origin, x, y, z)
-        high = height(solids.vertices, q, origin, x, y, z)
-        if max(low, high) < top - bias:
-            continue
-        leaning = abs(high - low) / _distance(solids.vertices, p, q)
-        if leaning < least - LEAN_BIAS:
-            least, edge = leaning, e
+        start, stop = solids.loop_start[face], solids.loop_start[face + 1]
+        for k in range(stop - start):
+            place = k if side == B else stop - start - 1 - k  # A looks down
+            take(vertices, first, solids.loop[start + k], origin, side, place, corner, vertex)  # fmt: skip
+        for axis in range(3):
+            face_normal[side, axis] = solids.normals[face, axis]
+        return stop - start, face - begin
+    begin, end = solids.edge_start[solid], solids.edge_start[solid + 1]
+    edge = flat_edge(edges, begin, end, vertices, origin, x, y, z, level)
     if edge >= 0:
-        _take(solids, solid, origin, solids.edges[edge, 0], 0, patch)
-        _take(solids, solid, origin, solids.edges[edge, 1], 1, patch)
-        return 2, edge - solids.edge_start[solid]
-    for v in range(first, solids.vertex_start[solid + 1]):
-        if height(solids.vertices, v, origin, x, y, z) >= top - bias:
-            _take(solids, solid, origin, v, 0, patch)
+        for k in range(2):
+            take(vertices, first, edges[edge, k], origin, side, k, corner, vertex)
+        return 2, edge - begin
+    for v in range(first, last):
+        if height(vertices, v, origin, x, y, z) >= level:
+            take(vertices, first, v, origin, side, 0, corner, vertex)
             return 1, v - first
     return 0, -1
 
 
 @compiled
-def _flat_face(
-    solids: Solids,
-    solid: int,
+def flat_face(
+    normals: Array,
+    begin: int,
+    end: int,
+    loop: IntArray,
+    loop_start: IntArray,
+    vertices: Array,
     origin: Array,
     x: float,
     y: float,
@@ -145,8 +180,8 @@ def _flat_face(
     level: float,
 ) -> int:
     """The face that leans least of those that have a corner at the level or above; -1 if none is flat."""
-    normals, best, least = solids.normals, -1, 1.0
-    for f in range(solids.face_start[solid], solids.face_start[solid + 1]):
+    best, least = -1, 1.0
+    for f in range(begin, end):
         nx, ny, nz = normals[f, 0], normals[f, 1], normals[f, 2]
         if nx * x + ny * y + nz * z < FLAT_COSINE:
             continue
@@ -154,71 +189,81 @@ def _flat_face(
         leaning = math.sqrt(cx * cx + cy * cy + cz * cz)
         if leaning > least - LEAN_BIAS:
             continue
-        for k in range(solids.loop_start[f], solids.loop_start[f + 1]):
-            if height(solids.vertices, solids.loop[k], origin, x, y, z) >= level:
+        for k in range(loop_start[f], loop_start[f + 1]):
+            if height(vertices, loop[k], origin, x, y, z) >= level:
                 best, least = f, leaning
                 break
     return best
 
 
 @compiled
-def _take_face(
-    solids: Solids, solid: int, origin: Array, side: float, face: int, patch: Patch
-) -> tuple[int, int]:
-    """A face's corners, counter-clockwise about N: those of A, which looks down, backwards."""
-    begin, end = solids.loop_start[face], solids.loop_start[face + 1]
-    for k in range(end - begin):
-        place = k if side > 0 else end - begin - 1 - k
-        _take(solids, solid, origin, solids.loop[begin + k], place, patch)
-    patch.normal[:] = solids.normals[face]
-    return end - begin, face - solids.face_start[solid]
+def flat_edge(
+    edges: IntArray,
+    begin: int,
+    end: int,
+    vertices: Array,
+    origin: Array,
+    x: float,
+    y: float,
+    z: float,
+    level: float,
+) -> int:
+    """The edge that leans least of those that have an end at the level or above; -1 if none is flat."""
+    best, least = -1, FLAT_SINE
+    for e in range(begin, end):
+        p, q = edges[e, 0], edges[e, 1]
+        low = height(vertices, p, origin, x, y, z)
+        high = height(vertices, q, origin, x, y, z)
+        length = distance(vertices, p, q)
+        if max(low, high) < level or length == 0.0:
+            continue
+        leaning = abs(high - low) / length
+        if leaning < least - LEAN_BIAS:
+            best, least = e, leaning
+    return best
 
 
 @compiled
-def _take(
-    solids: Solids, solid: int, origin: Array, vertex: int, place: int, patch: Patch
+def take(
+    vertices: Array,
+    first: int,
+    v: int,
+    origin: Array,
+    side: int,
+    place: int,
+    corner: Array,
+    vertex: IntArray,
 ) -> None:
+    """Vertex v, of a solid whose first is ``first``, becomes a corner of the patch."""
     for axis in range(3):
-        patch.corner[place, axis] = solids.vertices[vertex, axis] - origin[axis]
-    patch.vertex[place] = vertex - solids.vertex_start[solid]
+        corner[side, place, axis] = vertices[v, axis] - origin[axis]
+    vertex[side, place] = v - first
 
 
 @compiled
-def edge_between(solids: Solids, solid: int, p: int, q: int) -> int:
-    """The number of the edge between two vertices of a solid, all numbers the solid's own; -1 if there is none."""
-    first, begin = solids.vertex_start[solid], solids.edge_start[solid]
-    for e in range(begin, solids.edge_start[solid + 1]):
-        a, b = solids.edges[e, 0] - first, solids.edges[e, 1] - first
+def edge_between(
+    edges: IntArray, begin: int, end: int, first: int, p: int, q: int
+) -> int:
+    """The number in its solid of the edge between vertices p and q, counted from ``first``; -1 if there is none."""
+    for e in range(begin, end):
+        a, b = edges[e, 0] - first, edges[e, 1] - first
         if (a == p and b == q) or (a == q and b == p):
             return e - begin
     return -1
 
 
-@compiled
-def _distance(vertices: Array, p: int, q: int) -> float:
-    x = vertices[q, 0] - vertices[p, 0]
-    y = vertices[q, 1] - vertices[p, 1]
-    z = vertices[q, 2] - vertices[p, 2]
-    return max(math.sqrt(x * x + y * y + z * z), 1e-300)
-
-
-def patch_room(corners: int) -> Patch:
-    """An empty patch with room for so many corners."""
-    return Patch(
-        np.zeros((corners, 3)),
-        np.zeros(corners, dtype=np.intp),
-        np.zeros((corners, 2)),
-        np.zeros(3),
-    )
+def ball() -> Solids:
+    """One sphere of radius 1 about the origin, on which kernels are warmed."""
+    whole, none = np.array([0, 1], dtype=np.intp), np.zeros(2, dtype=np.intp)
+    arrays = (np.zeros((1, 3)), whole, np.ones(1), np.zeros((0, 3)), none, none[:0],
+              none[:1], np.zeros((0, 2), dtype=np.intp), none)  # fmt: skip
+    for array in arrays:
+        array.setflags(write=False)
+    return Solids(*arrays)
 
 
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
-    whole = np.array([0, 1], dtype=np.intp)
-    none = np.zeros(2, dtype=np.intp)
-    point = Solids(np.zeros((1, 3)), whole, np.ones(1), np.zeros((0, 3)), none,
-                   none[:0], none[:1], np.zeros((0, 2), dtype=np.intp), none)  # fmt: skip
-    up, origin = np.array([0.0, 0.0, 1.0]), np.zeros(3)
-    height_and_size(point, 0, origin, 0.0, 0.0, 1.0)
-    supporting_patch(point, 0, origin, 1.0, up, 0.0, 0.0, patch_room(4))
-    edge_between(point, 0, 0, 1)
+    up, room = np.array([0.0, 0.0, 1.0]), desk(4, 4)
+    supporting_patch(ball(), 0, B, np.zeros(3), up, 0.0, *room[:3])
+    edge_between(ball().edges, 0, 0, 0, 0, 1)

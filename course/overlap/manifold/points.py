@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from course.overlap.manifold.patches import Solids
 
 #: Rows that are filled at a time; more where one pair needs more.
-ROWS = 1 << 16
+ROWS = 1 << 13
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,18 +106,18 @@ def contact_points(
         margin: greatest separation of a point [m]; the deepest of a pair stays anyhow.
         limit: at most so many points a pair (``thinning``); None keeps all.
     """
-    from course.overlap.manifold.loops import manifolds, spaces_for
+    from course.overlap.manifold.loops import manifolds
+    from course.overlap.manifold.patches import desk
 
     found = np.column_stack([point, normal, gap])
     pairs = np.column_stack([i, j]).astype(np.intp, copy=False)
-    spaces = spaces_for(_largest_face(a), _largest_face(b))
-    rows = max(ROWS, len(spaces[2].place))
-    rows = min(rows, len(spaces[2].place) * max(len(pairs), 1))
+    room = desk(_largest_face(a), _largest_face(b))
+    rows = max(ROWS, room.cut.shape[1])
     names, numbers = np.empty((rows, 8), dtype=np.intp), np.empty((rows, 15))
     parts, begin = [], 0
     while begin < len(pairs) or not parts:
         begin, count = manifolds(
-            a, b, pairs, found, margin, limit or 0, begin, spaces, names, numbers
+            a, b, pairs, found, margin, limit or 0, begin, room, names, numbers
         )
         parts.append((names[:count].copy(), numbers[:count].copy()))
     what = np.concatenate([part[0] for part in parts])

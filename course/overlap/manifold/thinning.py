@@ -27,12 +27,19 @@ ALIKE = 1e-6
 
 @compiled
 def thin(
-    names: IntArray, numbers: Array, count: int, limit: int, bias: float, order: IntArray
+    names: IntArray,
+    numbers: Array,
+    begin: int,
+    count: int,
+    limit: int,
+    bias: float,
+    order: IntArray,
 ) -> int:
     """Move the points to be kept to the front, deepest first.
 
     Args:
-        names, numbers: rows (``labels``), the corners of a convex polygon in its order.
+        names, numbers: tables (``labels``); ``count`` rows from ``begin`` on are the
+            corners of a convex polygon in its order.
         limit: how many may stay, at least 1.
         bias: separations that differ by less are alike [m].
         order: room for ``limit`` + 1 indices.
@@ -41,39 +48,41 @@ def thin(
     """
     if count <= limit:
         return count
-    order[0] = _deepest(numbers, count, bias)
+    order[0] = deepest(numbers, begin, count, bias)
     chosen = 1
     while chosen < limit:
         best, most = -1, 0.0
-        for k in range(count):
-            if _in(order, chosen, k):
+        for k in range(begin, begin + count):
+            if contains(order, chosen, k):
                 continue
-            gain = _spread(numbers, order, chosen, k)
+            gain = spread(numbers, order, chosen, k)
             if best < 0 or gain > most * (1.0 + ALIKE):
                 best, most = k, gain
         order[chosen] = best
         chosen += 1
     for k in range(limit):
-        _swap(names, numbers, k, order[k])
-        for later in range(k + 1, limit):  # what lay at k is at order[k] now
-            if order[later] == k:
+        swap(names, numbers, begin + k, order[k])
+        for later in range(k + 1, limit):  # what lay there is at order[k] now
+            if order[later] == begin + k:
                 order[later] = order[k]
     return limit
 
 
 @compiled
-def _deepest(numbers: Array, count: int, bias: float) -> int:
+def deepest(numbers: Array, begin: int, count: int, bias: float) -> int:
+    """The first of the deepest rows."""
     least = np.inf
-    for k in range(count):
+    for k in range(begin, begin + count):
         least = min(least, numbers[k, SEPARATION])
-    for k in range(count):
+    for k in range(begin, begin + count):
         if numbers[k, SEPARATION] <= least + bias:
             return k
-    return 0
+    return begin
 
 
 @compiled
-def _in(order: IntArray, chosen: int, k: int) -> bool:
+def contains(order: IntArray, chosen: int, k: int) -> bool:
+    """Whether k is among the first so many."""
     for at in range(chosen):
         if order[at] == k:
             return True
@@ -81,7 +90,7 @@ def _in(order: IntArray, chosen: int, k: int) -> bool:
 
 
 @compiled
-def _spread(numbers: Array, order: IntArray, chosen: int, k: int) -> float:
+def spread(numbers: Array, order: IntArray, chosen: int, k: int) -> float:
     """The distance from the first point; once there are two, the area of their polygon with k."""
     first = order[0]
     if chosen == 1:
@@ -91,15 +100,15 @@ def _spread(numbers: Array, order: IntArray, chosen: int, k: int) -> float:
         return math.sqrt(x * x + y * y + z * z)
     order[chosen] = k
     x = y = z = 0.0
-    here = _next(order, chosen + 1, -1)
+    here = next_above(order, chosen + 1, -1)
     start = here
     while True:
-        there = _next(order, chosen + 1, here)
+        there = next_above(order, chosen + 1, here)
         last = there < 0
         if last:
             there = start
-        px, py, pz = _from(numbers, here, first)
-        qx, qy, qz = _from(numbers, there, first)
+        px, py, pz = seen_from(numbers, here, first)
+        qx, qy, qz = seen_from(numbers, there, first)
         x, y, z = x + py * qz - pz * qy, y + pz * qx - px * qz, z + px * qy - py * qx
         if last:
             return 0.5 * math.sqrt(x * x + y * y + z * z)
@@ -107,7 +116,7 @@ def _spread(numbers: Array, order: IntArray, chosen: int, k: int) -> float:
 
 
 @compiled
-def _next(order: IntArray, count: int, after: int) -> int:
+def next_above(order: IntArray, count: int, after: int) -> int:
     """The least of the indices above one; -1 if there is none."""
     best = -1
     for at in range(count):
@@ -117,7 +126,8 @@ def _next(order: IntArray, count: int, after: int) -> int:
 
 
 @compiled
-def _from(numbers: Array, k: int, first: int) -> tuple[float, float, float]:
+def seen_from(numbers: Array, k: int, first: int) -> tuple[float, float, float]:
+    """From the first point to point k."""
     return (
         numbers[k, POINT] - numbers[first, POINT],
         numbers[k, POINT + 1] - numbers[first, POINT + 1],
@@ -126,7 +136,8 @@ def _from(numbers: Array, k: int, first: int) -> tuple[float, float, float]:
 
 
 @compiled
-def _swap(names: IntArray, numbers: Array, i: int, k: int) -> None:
+def swap(names: IntArray, numbers: Array, i: int, k: int) -> None:
+    """Exchange two rows."""
     for column in range(WIDTH):
         numbers[i, column], numbers[k, column] = numbers[k, column], numbers[i, column]
     for column in range(5):
@@ -136,4 +147,4 @@ def _swap(names: IntArray, numbers: Array, i: int, k: int) -> None:
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
     rows = np.zeros((3, 5), dtype=np.intp), np.zeros((3, WIDTH))
-    thin(*rows, 3, 2, 0.0, np.zeros(3, dtype=np.intp))
+    thin(*rows, 0, 3, 2, 0.0, np.zeros(3, dtype=np.intp))
