@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -201,7 +202,7 @@ def _contacts(
     rows = np.flatnonzero((closest.gap <= margin) & (closest.gap > -np.inf))
     if not rows.size:
         return no_points()
-    picked = [
+    picked: Any = [
         shape.reshaped(-1)[numbers(shape, batch).ravel()[rows]]
         for shape in (first, second)
     ]
@@ -233,7 +234,9 @@ def _of_parts(found: Contacts, i: int, j: int) -> Contacts:
     if i == j == 0:
         return found
     assert found.key is not None
-    return replace(found, key=found.key + [0, 0, i * PART, j * PART])
+    return replace(
+        found, key=found.key + np.array([0, 0, i * PART, j * PART], dtype=np.intp)
+    )
 
 
 def _bodies(

@@ -47,7 +47,7 @@ class PairTest:
 
 
 CONVEX = PairTest(
-    "distance by GJK, depth by separating axes",
+    "distance by GJK, depth by all separating axes",
     "corners of the features that meet",
     convex.closest_convex,
     convex.contacts_convex,
@@ -85,6 +85,10 @@ TABLE: dict[tuple[str, str], PairTest] = {
         "gaps along the three axes", "corners of the features that meet",
         boxes.closest_upright_boxes, convex.contacts_convex,
         boxes.upright_boxes_overlap,
+    ),
+    ("obb", "obb"): PairTest(
+        CONVEX.gap_by, CONVEX.contacts_by, CONVEX.closest, CONVEX.contacts,
+        boxes.turned_boxes_overlap,
     ),
     ("sphere", "half_space"): PairTest(
         "height of the centre", "one",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -73,7 +73,7 @@ def contacts_of_capsule(
 
     Of one that stands on an end, that one; of one that lies, both.
     """
-    found = []
+    found: list[Any] = []
     for feature, center in (START, a.start), (END, a.end):
         ball = Sphere(center, a.radius)
         below = closest_to_half_space(ball, b)
@@ -82,8 +82,8 @@ def contacts_of_capsule(
         key = np.array(some.key)
         key[:, 2] = feature
         found.append(replace(some, pair=rows, key=key))
-    both = Contacts.concatenate(found)
-    return fewer(both[np.argsort(both.pair, kind="stable")], limit)
+    both, pair = Contacts.concatenate(found), np.concatenate([c.pair for c in found])
+    return fewer(both[np.argsort(pair, kind="stable")], limit)
 
 
 def contacts_of_polytope(
