@@ -8,7 +8,7 @@ docs/overlap.md is made from it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations_with_replacement
 from typing import Any
 
@@ -46,12 +46,14 @@ class PairTest:
     gap: Callable[[Any, Any], Array] | None = None
 
 
+#: What any two convex shapes are served by, and what their contacts are, by kind of the first.
 CONVEX = PairTest(
     "distance by GJK, depth by all separating axes",
-    "corners of the features that meet",
+    "corners of what lies against what",
     convex.closest_convex,
     convex.contacts_convex,
 )
+ROUND = {"sphere": "one", "capsule": "one, or the two ends of a common stretch"}
 FLAT_ON_PLANE = PairTest(
     "support along the plane's normal",
     "the vertices within the margin",
@@ -78,18 +80,15 @@ TABLE: dict[tuple[str, str], PairTest] = {
         boxes.closest_sphere_box, convex.contacts_convex,
     ),
     ("capsule", "capsule"): PairTest(
-        "distance of two segments", "one, or the two ends of a common stretch",
+        "distance of two segments", ROUND["capsule"],
         capsules.closest_capsules, convex.contacts_convex,
     ),
     ("aabb", "aabb"): PairTest(
-        "gaps along the three axes", "corners of the features that meet",
+        "gaps along the three axes", CONVEX.contacts_by,
         boxes.closest_upright_boxes, convex.contacts_convex,
         boxes.upright_boxes_overlap,
     ),
-    ("obb", "obb"): PairTest(
-        CONVEX.gap_by, CONVEX.contacts_by, CONVEX.closest, CONVEX.contacts,
-        boxes.turned_boxes_overlap,
-    ),
+    ("obb", "obb"): replace(CONVEX, overlaps=boxes.turned_boxes_overlap),
     ("sphere", "half_space"): PairTest(
         "height of the centre", "one",
         planes.closest_to_half_space, planes.contacts_of_sphere,
@@ -108,7 +107,8 @@ TABLE: dict[tuple[str, str], PairTest] = {
     ),
 }  # fmt: skip
 for _pair in combinations_with_replacement(KINDS[:6], 2):
-    TABLE.setdefault(_pair, CONVEX)
+    _points = ROUND.get(_pair[0], CONVEX.contacts_by)
+    TABLE.setdefault(_pair, replace(CONVEX, contacts_by=_points))
 
 
 def served(a: Shape, b: Shape) -> tuple[PairTest, Shape, Shape, bool]:

@@ -310,3 +310,48 @@ def test_crossing_coplanar_polygons_and_segments_have_no_gap():
     assert gap(ConvexHull(square[:2]), ConvexHull(square[::2])) == pytest.approx(
         0, abs=1e-15
     )
+
+
+def test_two_hulls_of_the_opengjk_example():
+    """3.653650 apart, as its documentation says; the second is the first seen in a mirror at the origin."""
+    first = np.array([
+        [0.0, 5.5, 0.0], [2.3, 1.0, -2.0], [8.1, 4.0, 2.4], [4.3, 5.0, 2.2], [2.5, 1.0, 2.3],
+        [7.1, 1.0, 2.4], [1.0, 1.5, 0.3], [3.3, 0.5, 0.3], [6.0, 1.4, 0.2],
+    ])  # fmt: skip
+    assert gap(ConvexHull(first), ConvexHull(-first)) == pytest.approx(
+        3.653650, abs=5e-7
+    )
+
+
+def test_two_public_reports_of_boxes_that_broke_a_library():
+    """FCL issues 493 (touching to 1.1e-16, normal the second column) and 399 (overlapping by 3.381e-5)."""
+    turn = np.array([
+        [0.96193976625564348026, 0.15401279915737359216, 0.22572537250328919556],
+        [-0.19134171618254486313, 0.96936494951283913579, 0.15401279915737359216],
+        [-0.19509032201612822033, -0.19134171618254486313, 0.96193976625564348026],
+    ])  # fmt: skip
+    way = [0.0770063995786869349, 0.48468247475641951239, -0.0956708580912724038]
+    near = nearest_points(OBB(way, turn, [0.25] * 3), OBB([0, 0, 0], turn, [0.25] * 3))
+    assert abs(near.gap) <= 4e-16
+    np.testing.assert_allclose(near.normal, turn[:, 1], atol=1e-9)
+
+    def about_z(x, y):
+        return np.array([[*x, 0], [*y, 0], [0, 0, 1]])
+
+    first = OBB(
+        [0.29526406526565551758, -0.013230856508016586304, 0],
+        about_z((-0.099432387353076273628, 0.99504432079443971837),
+                (-0.99504432079443971837, -0.099432387353076273628)),
+        np.array([0.23768037557601928711, 0.15702305734157562256, 0.25]) / 2,
+    )  # fmt: skip
+    second = OBB(
+        [0.22759585694545214629, 0.14974093549228112421, 0],
+        about_z((0.99506598442099225554, 0.099215354901756730444),
+                (-0.099215354901756730444, 0.99506598442099225554)),
+        np.array([0.010000000000000000208, 0.78165709972381591797, 0.25]) / 2,
+    )  # fmt: skip
+    near = nearest_points(first, second)
+    assert near.gap == pytest.approx(-3.3810644e-5, abs=5e-13) and overlaps(
+        first, second
+    )
+    np.testing.assert_allclose(near.normal, [0.995066, -0.0992154, 0], atol=1e-6)
