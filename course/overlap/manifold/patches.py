@@ -53,13 +53,14 @@ class Desk(NamedTuple):
     corner (2, k, 5): A's and B's corners, counter-clockwise about N: x, y, z from the
     pair's origin, then their two coordinates in the plane of the manifold; vertex (2, k):
     the corners' numbers in their solids; normal (3, 3): see ``MANIFOLD``;
-    cut (2, l, 3) and what (2, l, 4): see ``clipping``.
+    cut (2, l, 3), leaving (2, l) and what (l, 3): see ``clipping``.
     """
 
     corner: Array
     vertex: IntArray
     normal: Array
     cut: Array
+    leaving: IntArray
     what: IntArray
 
 
@@ -72,7 +73,8 @@ def desk(corners_a: int, corners_b: int) -> Desk:
         np.zeros((2, corners), dtype=np.intp),
         np.zeros((3, 3)),
         np.zeros((2, length, 3)),
-        np.zeros((2, length, 4), dtype=np.intp),
+        np.zeros((2, length), dtype=np.intp),
+        np.zeros((length, 3), dtype=np.intp),
     )
 
 
