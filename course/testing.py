@@ -169,9 +169,9 @@ def environment_for_tests(root: Path, scratch: Path) -> dict[str, str]:
                              "VECLIB_MAXIMUM_THREADS", "NUMEXPR_NUM_THREADS"), "1")  # fmt: skip
     folders = {name: str(scratch / name.lower()) for name in
                ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR")}  # fmt: skip
-    kept = {
-        name: value for name, value in os.environ.items() if name != "MPLBACKEND"
-    }  # nbval minds it
+    # nbval minds the first; without the second pytest rewrites every test file anew.
+    left_out = ("MPLBACKEND", "PYTHONDONTWRITEBYTECODE")
+    kept = {name: v for name, v in os.environ.items() if name not in left_out}
     path = os.pathsep.join(filter(None, [str(root), os.environ.get("PYTHONPATH", "")]))
     return {**kept, **threads, **folders, "PYTHONPATH": path, "JUPYTER_PREFER_ENV_PATH": "1",
             "MPLCONFIGDIR": str(root / ".pytest_cache" / "matplotlib")}  # fmt: skip

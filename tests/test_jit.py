@@ -13,6 +13,9 @@ import pytest
 
 from course import jit, warming
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 ROOT = Path(jit.PACKAGE).parent
 
 #: Everything that is compiled, on systems large enough that an index could go astray.

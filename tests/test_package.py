@@ -43,7 +43,7 @@ def test_the_library_alone_asks_for_little(wheel):
     plain = {parse_requirement(r.strip())[0] for r, marker in asked if "extra" not in marker}  # fmt: skip
     assert plain <= {"numpy", "scipy", "numba"}
     extras = set(re.findall(r"^Provides-Extra: (\S+)$", text, flags=re.M))
-    assert extras == {"workbook", "test", "peers", "browser"}
+    assert extras == {"workbook", "test", "peers", "meshes", "browser"}
 
 
 LIBRARY_ALONE = """

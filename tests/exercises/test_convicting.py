@@ -12,6 +12,9 @@ from course import formulas
 from course.exercises.definition import Exercise, all_lessons, find_exercise
 from course.exercises.slips import slip
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 SEEDS = (None, *range(12))
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
 

@@ -15,6 +15,9 @@ from exercises.mutants import mutants_of
 from course import formulas
 from course.exercises.definition import Exercise, all_lessons, find_exercise
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 LISTED = Path(__file__).with_name("surviving_mutants.txt")
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
 SAMPLE = 10  # mutants of each formula in the everyday run

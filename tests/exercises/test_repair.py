@@ -14,6 +14,9 @@ from course.exercises.repair.recipe import expression_recipe
 from course.exercises.repair.search import Search
 from course.exercises.repair.wording import in_words
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 HEAD = "def speed_along(velocity, normal):\n    return "
 AXES = {"velocity": 1, "normal": 1}
 

@@ -20,6 +20,9 @@ from course.grading.fingerprints import fingerprint, grader_version, source_dige
 from course.grading.grade import grade_folder
 from course.sandbox.session import SandboxFailure
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 
 def times(factor):
     return lambda x: factor * x

@@ -29,6 +29,9 @@ from course.sandbox.limits import Limits
 from course.sandbox.running import Sandbox
 from course.sandbox.session import Cancelled, SandboxFailure
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 
 def judged(content, *, seed=None, seconds=20.0, cancel=None):
     """The rows of a notebook, in a box where there is one."""

@@ -29,6 +29,9 @@ from course.grading.judge import Judge
 from course.sandbox.limits import Limits
 from course.sandbox.running import Sandbox
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 #: One in so many is looked at in a minute's run, and in an everyday one where the rest is long.
 DAILY, OFTEN, FOURTH = 40, 12, 4
 PACKAGES = re.compile("numba|cvxpy|plt|scipy|sp\\.|doctest|inspect|k3d|pandas")

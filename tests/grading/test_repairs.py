@@ -11,6 +11,9 @@ from course.grading.judge import Judge
 from course.sandbox.limits import Limits
 from course.sandbox.running import Sandbox
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 UNPLANTED = "def thrice(x):\n    return 3 * x + 1"
 
 

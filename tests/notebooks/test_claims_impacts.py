@@ -18,6 +18,9 @@ from course.study import (
     energy_error,
 )
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 G = 9.81
 X = np.array([1.0, 0.0, 0.0])
 

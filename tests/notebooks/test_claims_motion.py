@@ -29,6 +29,9 @@ from course.study import (
     turn_in_body_axes,
 )
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 HANDLE = spinning_handle(tilt=np.radians(1.0), spin=6.0).bodies
 MOMENTS = free_tumble(HANDLE, [0.0]).moments
 I_1, I_2, I_3 = MOMENTS

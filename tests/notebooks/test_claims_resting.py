@@ -62,6 +62,9 @@ from course.study import (
     slide_off,
 )
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 
 

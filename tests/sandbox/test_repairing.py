@@ -13,6 +13,9 @@ from course.exercises.repair.recipe import Recipe, expression_recipe
 from course.exercises.verdict import judge
 from course.sandbox import repairing
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 NAME = "speed_along"
 RIGHT = "np.sum(velocity * normal, axis=-1)"
 

@@ -36,6 +36,9 @@ from course.sandbox.limits import Limits, resident_mb
 from course.sandbox.running import Sandbox, find_isolation
 from course.sandbox.session import MOST_WAITING, Cancelled, SandboxFailure, Session
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(autouse=True)
 def nothing_left(tmp_path, monkeypatch):

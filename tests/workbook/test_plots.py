@@ -14,6 +14,9 @@ from course.study import Method, Problem, WorkPrecision, work_precision
 from course.workbook import plots
 from course.workbook.plots.figure import alternative_text
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 
 def a_work_precision():
     method = Method(

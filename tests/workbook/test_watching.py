@@ -12,6 +12,9 @@ from course.workbook import check, watch
 from course.workbook.stage.encoding import encoded
 from course.workbook.watching import MISPRINTED, WATCHED
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 #: A planted mistake of each that is seen at once.
 SEEN = {
     "rotate": "the other way",

@@ -18,6 +18,9 @@ from course.contact.engine.certificates import certificate
 from course.contact.solvers import complementarity_residual
 from course.scenes import shaken, stack, tangle
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 
 def drawn(kind, seed):
     """J of up to 12 contacts and up to 12 freedoms of masses 1, and b; and whether forces exist."""

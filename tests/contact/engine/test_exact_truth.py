@@ -23,6 +23,9 @@ from course.contact.engine.certificates import certificate
 from course.contact.engine.least_distance import solve_nnls
 from course.contact.solvers.pivot import solve_pivot
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 EPS = np.finfo(float).eps
 METHODS = ("auto", "nnls", "pivot", "projected_gauss_seidel", "gauss")
 
