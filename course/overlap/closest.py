@@ -1,0 +1,82 @@
+"""How far apart two rounded polytopes are, or how deep in one another: gap, normal and witness points.
+
+A rounded polytope is the Minkowski sum of a polytope (its *core*) and a ball, so that for
+two of them
+
+    gap = gap of the cores - r_A - r_B,
+
+and the gap of the cores is their distance, or less the least translation that parts them (G. van den
+Bergen, *Collision Detection in Interactive 3D Environments*, sections 2.3 and 4.3).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from course.arrays import Array, ArrayLike, IntArray, failure, indices
+from course.overlap.separating_axis import as_kernels_take_it
+from course.shapes.rounded_polytopes import Polytopes
+
+if TYPE_CHECKING:
+    from course.overlap.separating_axis_loops import Solids
+
+
+@dataclass(frozen=True, eq=False)
+class Closest:
+    """The gap of pairs of solids and where it is.
+
+    Args:
+        gap: (...) [m], the distance, or less the least translation that parts them.
+        normal: (..., 3) unit vectors N out of B toward A. Where several are right (equal
+            centres, say) one of them, the same every time.
+        point_a, point_b: (..., 3) [m], witness points on the two surfaces:
+            gap = (point_a - point_b) . N.
+    """
+
+    gap: Array
+    normal: Array
+    point_a: Array
+    point_b: Array
+
+
+def closest_points(a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike) -> Closest:
+    """Gap, normal and witness points of solid i of a and solid j of b, for every pair (i, j).
+
+    Distances by GJK (``gjk``), depths by separating axes (``separating_axis_loops``); both are
+    exact to rounding, and each is compared with the other there where they meet.
+
+    Args:
+        a, b: rounded polytopes.
+        i, j: which of them, ints of one shape (...).
+    Raises:
+        ValueError: a number of no solid, or i and j of different shapes.
+    """
+    from course.overlap.closest_loops import closest_pairs
+
+    first, second = _pairs(a, b, i, j)
+    gap, apart = np.empty(first.size), np.empty((3, first.size, 3))
+    closest_pairs(
+        as_solids(a), as_solids(b), first, second, gap, apart[0], apart[1], apart[2]
+    )
+    batch = np.shape(i)
+    return Closest(gap.reshape(batch), *apart.reshape(3, *batch, 3))
+
+
+def _pairs(
+    a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike
+) -> tuple[IntArray, IntArray]:
+    first, second = indices("i", i, len(a)), indices("j", j, len(b))
+    if first.shape != second.shape:
+        raise failure("j", f"the shape of i, {first.shape}", f"shape {second.shape}")
+    return as_kernels_take_it(first.ravel()), as_kernels_take_it(second.ravel())
+
+
+def as_solids(polytopes: Polytopes) -> Solids:
+    """The arrays of polytopes as kernels take them."""
+    from course.overlap.separating_axis_loops import Solids
+
+    arrays: Any = (getattr(polytopes, name) for name in Solids._fields)
+    return Solids(*map(as_kernels_take_it, arrays))
