@@ -21,6 +21,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
+from course.overlap.separating_axis_loops import Solids
 
 #: A face or edge that leans by less than this may touch with all of itself [rad].
 FLAT_ANGLE = 0.02
@@ -31,20 +32,6 @@ BIAS = 1e-6
 LEAN_BIAS = 1e-6
 #: The sides, and the rows of ``Desk.normal``: of A's face, of B's, of the manifold.
 A, B, MANIFOLD = 0, 1, 2
-
-
-class Solids(NamedTuple):
-    """The arrays of ``Polytopes`` that the kernels here read: m solids end to end."""
-
-    vertices: Array
-    vertex_start: IntArray
-    radius: Array
-    normals: Array
-    face_start: IntArray
-    loop: IntArray
-    loop_start: IntArray
-    edges: IntArray
-    edge_start: IntArray
 
 
 class Desk(NamedTuple):
@@ -256,12 +243,12 @@ def edge_between(
 
 def ball() -> Solids:
     """One sphere of radius 1 about the origin, on which kernels are warmed."""
+    from course.overlap.separating_axis import as_kernels_take_it
+
     whole, none = np.array([0, 1], dtype=np.intp), np.zeros(2, dtype=np.intp)
     arrays = (np.zeros((1, 3)), whole, np.ones(1), np.zeros((0, 3)), none, none[:0],
-              none[:1], np.zeros((0, 2), dtype=np.intp), none)  # fmt: skip
-    for array in arrays:
-        array.setflags(write=False)
-    return Solids(*arrays)
+              none[:1], *np.zeros((2, 0, 2), dtype=np.intp), none)  # fmt: skip
+    return Solids(*map(as_kernels_take_it, arrays))
 
 
 def warm() -> None:
