@@ -123,7 +123,7 @@ def manifold(
         first = set_manifold_normal(room.normal, count_a, count_b, normal)
         pair = Pair(count_a, count_b, radius_a, radius_b, scale, bias, first)
         flatten(room.corner, room.normal, count_a, count_b)
-        count = meet(pair, room.corner, room.normal, room.cut, room.what, names, numbers, begin)  # fmt: skip
+        count = meet(pair, room.corner, room.normal, *room[3:], names, numbers, begin)  # fmt: skip
         if count or not chosen:
             break
     rounding = SAME_DEPTH * scale + noise
