@@ -16,6 +16,7 @@ from course.arrays import Array, BoolArray
 from course.overlap import boxes, capsules, convex, curved_contacts, planes, spheres
 from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
+from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.shapes import Shape
 
 #: The kinds in the table's order; two shapes are asked in this order.
@@ -48,7 +49,7 @@ class PairTest:
 
 #: What any two convex shapes are served by, and what their contacts are, by kind of the first.
 CONVEX = PairTest(
-    "distance by GJK, depth by all separating axes",
+    "distance by GJK, depth by EPA or separating axes",
     "corners of what lies against what",
     convex.closest_convex,
     convex.contacts_convex,
@@ -88,7 +89,7 @@ TABLE: dict[tuple[str, str], PairTest] = {
         boxes.closest_upright_boxes, convex.contacts_convex,
         boxes.upright_boxes_overlap,
     ),
-    ("obb", "obb"): replace(CONVEX, overlaps=boxes.turned_boxes_overlap),
+    ("obb", "obb"): replace(CONVEX, overlaps=oriented_boxes_overlap),
     ("sphere", "half_space"): PairTest(
         "height of the centre", "one",
         planes.closest_to_half_space, planes.contacts_of_sphere,
