@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from overlap.drawn_shapes import hulls
+from overlap.drawn_shapes import hulls, turns
 
 from course.overlap import contacts, gap
 from course.overlap.fewer_points import spread
@@ -152,3 +152,17 @@ def test_spheres_sunk_as_deep_as_they_are_round():
     """Then no point moves over both: the normal is B's."""
     found = contacts(Sphere([0, 0, 0.1], 1.0), Sphere([[0, 0, 0.0], [0, 0, -1.2]], 1.0))
     assert found.feature.tolist() == ["face_b", "curved"]
+
+
+def test_what_rounding_lifts_off_the_floor_still_touches():
+    """A turned box and rod that rest on a turned floor: four corners and two ends, each time."""
+    rng = np.random.default_rng(8)
+    for _ in range(50):
+        turn, shift = turns(rng, 1)[0], rng.normal(0, 3, 3)
+        box = OBB([0.3, 0.2, 0.5], np.eye(3), [1, 2, 0.5]).moved(turn, shift)
+        rod = Capsule([0.1, 0.3, 0.2], [1.7, -2, 0.2], 0.2).moved(turn, shift)
+        for shape, points in (box, 4), (rod, 2):
+            found = contacts(shape, FLOOR.moved(turn, shift), margin=1e-300)
+            if len(found):  # the lowest may be lifted too
+                assert len(found) == points
+    assert len(contacts(Capsule([0, 0, 1], [0, 0, 1], 1.0), FLOOR)) == 1
