@@ -156,13 +156,14 @@ def test_spheres_sunk_as_deep_as_they_are_round():
 
 def test_what_rounding_lifts_off_the_floor_still_touches():
     """A turned box and rod that rest on a turned floor: four corners and two ends, each time."""
-    rng = np.random.default_rng(8)
+    rng, touched = np.random.default_rng(8), 0
     for _ in range(50):
         turn, shift = turns(rng, 1)[0], rng.normal(0, 3, 3)
         box = OBB([0.3, 0.2, 0.5], np.eye(3), [1, 2, 0.5]).moved(turn, shift)
         rod = Capsule([0.1, 0.3, 0.2], [1.7, -2, 0.2], 0.2).moved(turn, shift)
         for shape, points in (box, 4), (rod, 2):
-            found = contacts(shape, FLOOR.moved(turn, shift), margin=1e-300)
-            if len(found):  # the lowest may be lifted too
-                assert len(found) == points
+            found = contacts(shape, FLOOR.moved(turn, shift))
+            assert len(found) in (0, points)  # rounding may lift the lowest too
+            touched += len(found) > 0
+    assert touched > 30
     assert len(contacts(Capsule([0, 0, 1], [0, 0, 1], 1.0), FLOOR)) == 1
