@@ -198,6 +198,10 @@ def _contacts(
 ) -> Contacts:
     """The contacts of two shapes without parts, of body 0 with body 1; ``pair`` counts the batch."""
     test, first, second, swapped = served(a, b)
+    count = int(np.prod(batch, dtype=np.intp))
+    if test.all_contacts is not None and count:
+        flat: Any = [x.broadcast_to(batch).reshaped(count) for x in (first, second)]
+        return test.all_contacts(*flat, margin, limit)  # of one kind, never swapped
     closest = test.closest(first, second).broadcast_to(batch).flat()
     rows = np.flatnonzero((closest.gap <= margin) & (closest.gap > -np.inf))
     if not rows.size:

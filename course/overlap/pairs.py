@@ -37,6 +37,8 @@ class PairTest:
             the margin, ``pair`` counting those.
         overlaps: (a, b) to the verdict, where that is quicker than gap <= 0.
         gap: (a, b) to the gap, where that is quicker than the nearest points.
+        all_contacts: (a, b, margin, limit) to the contacts of k pairs, near or not, where
+            that is quicker than the nearest points first.
     """
 
     gap_by: str
@@ -45,6 +47,7 @@ class PairTest:
     contacts: Callable[[Any, Any, Closest, float, int | None], Contacts]
     overlaps: Callable[[Any, Any], BoolArray] | None = None
     gap: Callable[[Any, Any], Array] | None = None
+    all_contacts: Callable[[Any, Any, float, int | None], Contacts] | None = None
 
 
 #: What any two convex shapes are served by, and what their contacts are, by kind of the first.
@@ -89,7 +92,9 @@ TABLE: dict[tuple[str, str], PairTest] = {
         boxes.closest_upright_boxes, convex.contacts_convex,
         boxes.upright_boxes_overlap,
     ),
-    ("obb", "obb"): replace(CONVEX, overlaps=oriented_boxes_overlap),
+    ("obb", "obb"): replace(
+        CONVEX, overlaps=oriented_boxes_overlap, all_contacts=convex.contacts_of_boxes
+    ),
     ("sphere", "half_space"): PairTest(
         "height of the centre", "one",
         planes.closest_to_half_space, planes.contacts_of_sphere,
