@@ -8,7 +8,6 @@ what is found is told the other way round. A compound is asked part by part.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -212,7 +211,7 @@ def _contacts(
     ]
     found = test.contacts(*picked, closest[rows], margin, limit)
     assert found.pair is not None
-    found = replace(found, pair=rows[found.pair])
+    found = _with(found, pair=rows[found.pair])
     return _swapped(found) if swapped else found
 
 
@@ -221,7 +220,7 @@ def _swapped(found: Contacts) -> Contacts:
     assert found.feature is not None and found.key is not None
     face_a, face_b = found.feature == "face_a", found.feature == "face_b"
     feature = np.where(face_a, "face_b", np.where(face_b, "face_a", found.feature))
-    return replace(
+    return _with(
         found,
         normal=-found.normal,
         feature=feature,
@@ -238,9 +237,8 @@ def _of_parts(found: Contacts, i: int, j: int) -> Contacts:
     if i == j == 0:
         return found
     assert found.key is not None
-    return replace(
-        found, key=found.key + np.array([0, 0, i * PART, j * PART], dtype=np.intp)
-    )
+    parts = np.array([0, 0, i * PART, j * PART], dtype=np.intp)
+    return _with(found, key=found.key + parts)
 
 
 def _bodies(
@@ -260,4 +258,14 @@ def _bodies(
 
 def _named(found: Contacts, bodies: tuple[IntArray, IntArray]) -> Contacts:
     """The same contacts, between the bodies of their pairs."""
-    return replace(found, body_a=bodies[0][found.pair], body_b=bodies[1][found.pair])
+    body_a, body_b = (ids[found.pair] for ids in bodies)
+    if np.any(same := body_a == body_b):
+        index = int(np.argmax(same))
+        got = f"body {body_b[index]} twice"
+        raise failure("body_b", "another body than body_a", got, (index,))
+    return _with(found, body_a=body_a, body_b=body_b)
+
+
+def _with(found: Contacts, **changes: Any) -> Contacts:
+    """The same contacts with some fields changed, which are known to be good."""
+    return Contacts.unchecked(**{**vars(found), **changes})
