@@ -116,9 +116,10 @@ def contacts(
 ) -> Contacts:
     """The points at which two shapes touch, penetrate, or are within a margin of each other.
 
-    N out of B toward A, d = (p_A - p_B).N, the least d of a pair being its gap (syllabus
-    row 19). Round shapes touch at one point; what lies flat on something at the corners of
-    what the two have in common.
+    N out of B toward A, d = (p_A - p_B).N (syllabus row 19). Round shapes touch at one
+    point; what lies flat on something at the corners of what the two have in common, each
+    with its own N and d. The least d of a pair is its gap, but for 1e-6 of the size where
+    several directions are as good as each other.
 
     Args:
         a, b: shapes of any kinds, whose batches broadcast; body A and body B.
