@@ -65,7 +65,7 @@ def box_manifolds(
     """
     count, p = 0, begin
     origin, normal, r, t = np.empty(3), np.empty(3), np.empty((3, 3)), np.empty(3)
-    order = np.empty(limit + 1, dtype=np.intp)
+    order = np.empty(limit, dtype=np.intp)
     corner, vertex, normals, cut, leaving, what = room
     while p < len(left) and count + cut.shape[1] <= len(numbers):
         for k in range(3):

@@ -73,7 +73,7 @@ def manifolds(
     """
     count, p = 0, begin
     origin, normal = np.empty(3), np.empty(3)
-    order = np.empty(limit + 1, dtype=np.intp)
+    order = np.empty(limit, dtype=np.intp)
     while p < len(pairs) and count + room.cut.shape[1] <= len(numbers):
         if found[p, 6] <= margin:
             i, j = pairs[p, 0], pairs[p, 1]

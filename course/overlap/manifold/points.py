@@ -15,8 +15,8 @@ from course.overlap.contact_arrays import FEATURES, Contacts
 if TYPE_CHECKING:
     from course.overlap.manifold.patches import Solids
 
-#: Rows that are filled at a time; more where one pair needs more. They stay in the cache.
-ROWS = 1 << 12
+#: Rows that are asked for at most at a time, if one pair does not need more.
+ROWS = 1 << 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +125,7 @@ def contact_points(
 def filled(
     fill: Callable[[int, IntArray, Array], tuple[int, int]], pairs: int, most: int
 ) -> Manifolds:
-    """What a loop over pairs finds, a few thousand rows at a time.
+    """What a loop over pairs finds, a million rows at a time.
 
     Args:
         fill: from a pair on fills names (r, 8) and numbers (r, 15) as far as they go, and
@@ -133,16 +133,18 @@ def filled(
         pairs: how many there are.
         most: rows that a pair may need.
     """
-    rows = max(ROWS, most)
-    names, numbers = np.empty((rows, 8), dtype=np.intp), np.empty((rows, 15))
-    what, values, begin = [names[:0]], [numbers[:0]], 0
-    while begin < pairs:
+    parts, begin = [], 0
+    while begin < pairs or not parts:
+        rows = max(min(ROWS, most * (pairs - begin)), most)
+        # What is not filled is never touched, so that it costs no memory.
+        names, numbers = np.empty((rows, 8), dtype=np.intp), np.empty((rows, 15))
         begin, count = fill(begin, names, numbers)
-        what.append(names[:count].copy())
-        values.append(numbers[:count].copy())
-    all_names = np.concatenate(what)
-    return Manifolds(all_names[:, 5], all_names[:, 6], all_names[:, 7], all_names[:, 0],
-                     np.concatenate(values))  # fmt: skip
+        parts.append((names[:count], numbers[:count]))
+    what, values = parts[0]
+    if len(parts) > 1:
+        what = np.concatenate([names for names, _ in parts])
+        values = np.concatenate([numbers for _, numbers in parts])
+    return Manifolds(what[:, 5], what[:, 6], what[:, 7], what[:, 0], values)
 
 
 def _largest_face(solids: Solids) -> int:
