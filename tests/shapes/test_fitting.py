@@ -292,7 +292,7 @@ clouds = arrays(float, st.tuples(st.integers(1, 9), st.just(3)), elements=number
 
 
 @given(clouds)
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=8, deadline=None)
 def test_any_points_are_inside_all_fits(points):
     for fit in FITS.values():
         require_inside(points, fit(points))

@@ -22,7 +22,7 @@ MADE = {
     "box": (lambda: BOX, 1),
     "icosphere": (icosphere_mesh, 1),
     "torus": (torus_mesh, 1),
-    "dumbbell": (dumbbell_mesh, 3),
+    "dumbbell": (lambda: dumbbell_mesh(sides=10), 3),
     "bracket": (bracket_mesh, 2),
     "mug": (mug_mesh, 17),
 }
@@ -49,7 +49,7 @@ def test_hulls_of_convex_parts_follow_the_mesh(name):
 def test_parts_touch_and_do_not_overlap():
     """Points drawn about a dumbbell and a mug are inside one part at most."""
     rng = np.random.default_rng(2)
-    for mesh in (dumbbell_mesh(), mug_mesh(), bracket_mesh()):
+    for mesh in (dumbbell_mesh(sides=10), mug_mesh(), bracket_mesh()):
         points = rng.uniform(*_range(mesh), size=(3000, 3))
         inside = [_inside(part, points) for part in mesh.parts()]
         assert np.sum(inside, axis=0).max() == 1

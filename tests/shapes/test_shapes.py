@@ -422,7 +422,7 @@ nonzero = vectors.filter(np.any)
 
 
 @given(points, nonzero)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 def test_any_points_have_a_hull(vertices, u):
     """Whatever the points span: the hull's corners are among them and carry every support."""
     hull = ConvexHull(vertices)
@@ -440,7 +440,7 @@ def test_any_points_have_a_hull(vertices, u):
 
 
 @given(vectors, vectors, st.floats(0, 100), nonzero)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 def test_a_capsule_is_the_hull_of_its_end_spheres(start, end, radius, u):
     capsule = Capsule(start, end, radius)
     ends = [Sphere(p, radius).support(u) @ u for p in (start, end)]

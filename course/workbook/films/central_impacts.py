@@ -96,9 +96,10 @@ def impulse(against: Any = None, exercise: str = "impulse_central") -> Exhibit:
         KNOBS,
         hold,
         PRESETS,
-        question="Ball 2 comes in with 3 m/s, ball 1 stands still, both weigh 1 kg, nothing is lost. "
-        "Which speeds do they leave with?",
-        answer="They swap them: ball 2 stops, ball 1 leaves with 3 m/s (key 1).",
+        question="Ball 2 weighs twice as much as ball 1, they meet head on at 2 m/s, and e = 0.8. "
+        "Does ball 2 go on, stop, or turn round?",
+        answer="It turns round, with 0.4 m/s: v₂ changes by half of what v₁ changes by, and that is 4.8 m/s. "
+        "With e = 0.5 it would stop.",
     )  # fmt: skip
 
 
