@@ -142,9 +142,10 @@ def contacts(
         _of_parts(_contacts(first, second, batch, reach, most), i, j)
         for i, j, first, second in _convex_parts(a, b)
     ]
-    whole = Contacts.concatenate(found)
-    assert whole.pair is not None
+    whole = found[0]
     if len(found) > 1:
+        whole = Contacts.concatenate(found)
+        assert whole.pair is not None
         whole = fewer(whole[np.argsort(whole.pair, kind="stable")], most)
     return _named(whole, ids)
 

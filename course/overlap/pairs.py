@@ -86,6 +86,7 @@ TABLE: dict[tuple[str, str], PairTest] = {
     ("capsule", "capsule"): PairTest(
         "distance of two segments", ROUND["capsule"],
         capsules.closest_capsules, convex.contacts_convex,
+        gap=capsules.two_capsules_gap,
     ),
     ("aabb", "aabb"): PairTest(
         "gaps along the three axes", CONVEX.contacts_by,
