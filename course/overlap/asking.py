@@ -204,17 +204,17 @@ def _contacts(
     test, first, second, swapped = served(a, b)
     count = int(np.prod(batch, dtype=np.intp))
     if test.all_contacts is not None and count:
-        flat: Any = [x.broadcast_to(batch).reshaped(count) for x in (first, second)]
-        return test.all_contacts(*flat, margin, limit)  # of one kind, never swapped
+        a, b = (x.broadcast_to(batch).reshaped(count) for x in (first, second))
+        return test.all_contacts(a, b, margin, limit)  # of one kind, never swapped
     closest = test.closest(first, second).broadcast_to(batch).flat()
     rows = np.flatnonzero((closest.gap <= margin) & (closest.gap > -np.inf))
     if not rows.size:
         return no_points()
-    picked: Any = [
+    a, b = (
         shape.reshaped(-1)[numbers(shape, batch).ravel()[rows]]
         for shape in (first, second)
-    ]
-    found = test.contacts(*picked, closest[rows], margin, limit)
+    )
+    found = test.contacts(a, b, closest[rows], margin, limit)
     assert found.pair is not None
     found = _with(found, pair=rows[found.pair])
     return _swapped(found) if swapped else found

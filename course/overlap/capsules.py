@@ -137,7 +137,8 @@ def closest_capsules(a: Capsule, b: Capsule) -> Closest:
 
     batch, given = _flat(a, b)
     gap, found = np.empty(len(given[0])), np.empty((3, *given[0].shape))
-    segments.closest_capsules(*given, gap, *found)
+    arrays: Any = [*given, gap, *found]
+    segments.closest_capsules(*arrays)
     normal, point_a, point_b = found.reshape(3, *batch, 3)
     return Closest(gap.reshape(batch), normal, point_a, point_b)
 
@@ -148,7 +149,8 @@ def two_capsules_gap(a: Capsule, b: Capsule) -> Array:
 
     batch, given = _flat(a, b)
     gap = np.empty(len(given[0]))
-    segments.gaps_of_capsules(*given, gap)
+    arrays: Any = [*given, gap]
+    segments.gaps_of_capsules(*arrays)
     return gap.reshape(batch)
 
 

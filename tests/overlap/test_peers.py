@@ -1,8 +1,9 @@
 """100,000 drawn pairs of each two kinds against python-fcl and coal.
 
-Neither peer is the truth. Where one differs from the library, and on a sample of all pairs, the slow ways of ``overlap.drawn_shapes`` decide: all separating axes
-where the cores overlap, else a bounded least-squares solve. The library has to be there to
-``EXACT`` every time. What the peers were off by, and why, stands beside each test.
+Neither peer is the truth. Where one differs from the library, and on a sample of all pairs,
+the slow ways of ``overlap.drawn_shapes`` decide: all separating axes where the cores
+overlap, else a bounded least-squares solve. The library has to be there to ``EXACT`` every
+time. What the peers were off by, and why, stands beside each test.
 """
 
 import itertools
