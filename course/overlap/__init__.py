@@ -2,7 +2,7 @@
 they touch.
 """
 
-from course.overlap.asking import contacts, gap, overlaps
+from course.overlap.asking import contacts, gap, nearest_points, overlaps
 from course.overlap.box_faces import stacked_box_contacts
 from course.overlap.boxes import boxes_overlap, sphere_box_gap
 from course.overlap.capsules import (
@@ -10,6 +10,7 @@ from course.overlap.capsules import (
     closest_point_on_segment,
     sphere_capsule_gap,
 )
+from course.overlap.closest import Closest, closest_points, least_translation
 from course.overlap.contact_arrays import FEATURES, Contacts
 from course.overlap.feature_pairs import FeaturePair
 from course.overlap.oriented_boxes import oriented_boxes_overlap
@@ -22,14 +23,18 @@ from course.overlap.spheres import (
 
 __all__ = [
     "FEATURES",
+    "Closest",
     "Contacts",
     "FeaturePair",
     "Spheres",
     "boxes_overlap",
     "capsule_gap",
     "closest_point_on_segment",
+    "closest_points",
     "contacts",
     "gap",
+    "least_translation",
+    "nearest_points",
     "oriented_boxes_overlap",
     "overlaps",
     "sphere_box_gap",

@@ -86,7 +86,7 @@ def toggle(rim: IntArray, count: int, p: int, q: int) -> int:
 
 @compiled
 def grow(w: Array, new: int, corner: IntArray, plane: Array, count: int, rim: IntArray) -> int:  # fmt: skip
-    """Faces that see the new vertex go, and the rim that they leave is joined to it; how many faces, -1 if that fails."""
+    """Faces that see the new vertex go, and their rim is joined to it; how many faces, -1 if that fails."""
     x, y, z, edges, f = w[new, 0], w[new, 1], w[new, 2], ZERO, 0
     while f < count:
         beyond = plane[f, 0] * x + plane[f, 1] * y + plane[f, 2] * z - plane[f, 3]

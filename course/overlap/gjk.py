@@ -33,7 +33,7 @@ from course.jit import compiled
 APART, BEYOND, INSIDE = 0, 1, 2
 
 #: A number written out has machine code of its own wherever it is an argument; these have not.
-ZERO, ONE, TWO, THREE = np.arange(4)
+ZERO, ONE, TWO, THREE = np.array([0, 1, 2, 3])
 #: The corners of a tetrahedron's face across from each corner, all going round one way.
 FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
 #: Turns after which the walk ends however it stands. Hulls of 32 vertices need five.
@@ -85,9 +85,7 @@ def on_segment(w: Array, i: int, j: int) -> tuple[float, float, float]:
 
 
 @compiled
-def on_triangle(
-    w: Array, i: int, j: int, k: int
-) -> tuple[float, float, float, float]:
+def on_triangle(w: Array, i: int, j: int, k: int) -> tuple[float, float, float, float]:
     """The point of a triangle nearest the origin: (its squared distance, three weights).
 
     The weights of the origin's projection are the areas n.(w_j x w_k), ... by their sum,
@@ -210,8 +208,13 @@ def nearest_point(w: Array, share: Array, count: int) -> tuple[float, float, flo
         t = share[m]
         ux, uy, uz = ux + t * (w[m, 0] - x), uy + t * (w[m, 1] - y), uz + t * (w[m, 2] - z)  # fmt: skip
     sx, sy, sz = x + ux, y + uy, z + uz
-    if count < 3:
+    if count == 1:
         return sx, sy, sz
+    if count == 2:
+        # Once more, so that a short v is across the segment to its own rounding.
+        vx, vy, vz = w[1, 0] - x, w[1, 1] - y, w[1, 2] - z
+        t = (sx * vx + sy * vy + sz * vz) / (vx * vx + vy * vy + vz * vz)
+        return sx - t * vx, sy - t * vy, sz - t * vz
     ux, uy, uz = w[1, 0] - x, w[1, 1] - y, w[1, 2] - z
     vx, vy, vz = w[2, 0] - x, w[2, 1] - y, w[2, 2] - z
     nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx

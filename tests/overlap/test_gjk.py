@@ -141,7 +141,15 @@ def test_epa_finds_the_depth_or_says_that_it_is_not_certain():
     assert certain > 30
 
 
-@pytest.mark.parametrize("kinds", [("hulls", "boxes"), ("points", "hulls"), ("segments", "flat hulls"), ("points", "lattice segments")])  # fmt: skip
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        ("hulls", "boxes"),
+        ("points", "hulls"),
+        ("segments", "flat hulls"),
+        ("points", "lattice segments"),
+    ],
+)
 def test_all_features_find_the_same_distance(kinds):
     rng = np.random.default_rng(4)
     a, b = (polytopes(drawn(kind, 6, rng)) for kind in kinds)
