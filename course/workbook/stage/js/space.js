@@ -4,7 +4,7 @@
 import { eyeOf, eyePlace, pixelSize } from "./camera.js";
 import { INSTANCE, LIGHT, sharedDrawing } from "./drawing.js";
 import { between, hull, momentAt, turned, turnedBetween, written } from "./film.js";
-import { drawLabels } from "./labels.js";
+import { drawLabels, inSight } from "./labels.js";
 import { corners, cross, frameAlong, projected, putPlace, shadowOn, unit } from "./matrices.js";
 
 const TRAIL = 1.8; // pixels
@@ -193,7 +193,8 @@ export function drawAbove(context, film, pane, time, eye, options) {
   for (const s of pane.segments) if (!hidden.has(s.name)) measuredLines(context, s, moment, at, theme, font, labels, lines);
   for (const a of pane.arrows) if (!hidden.has(a.name)) arrowLabels(a, moment, at, theme, font, labels, lines);
   const surroundings = { lines, bodies: outlines(pane, moment, at, eye, height), handles, bounds: [width, height], memory };
-  return { labels: drawLabels(context, labels, theme, font, surroundings), wanted: labels.length, lines };
+  const seen = inSight(labels, surroundings.bounds);
+  return { labels: drawLabels(context, seen, theme, font, surroundings), wanted: seen.length, lines };
 }
 
 function measuredLines(context, segments, moment, at, theme, font, labels, lines) {
