@@ -82,7 +82,7 @@ def float_area(one, other):
 
 @pytest.mark.parametrize("seed", range(6))
 def test_polygons_that_nearly_coincide_lose_no_area(seed):
-    """Moved, grown and turned by about the bias, which is 1e-6 of the size: the area is right to its border times that."""
+    """Moved, grown and turned by about the bias, 1e-6 of the size: the area is right to its border times that."""
     rng = np.random.default_rng(seed)
     for _ in range(50):
         corners = int(rng.integers(3, 9))
