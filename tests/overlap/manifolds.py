@@ -6,7 +6,7 @@ import numpy as np
 
 from course import rotations
 from course.overlap import Contacts
-from course.overlap.closest import as_solids, closest_points
+from course.overlap.closest import closest_points
 from course.overlap.manifold.points import contact_points
 from course.shapes import OBB, ConvexHull
 from course.shapes.rounded_polytopes import polytopes
@@ -20,7 +20,7 @@ def touching(a, b, *, margin=0.0, limit=None):
     each, zero = np.arange(len(p)), np.zeros(len(p), dtype=int)
     near = closest_points(p, q, each, each)
     found = contact_points(
-        as_solids(p), as_solids(q), each, each, 0.5 * (near.point_a + near.point_b),
+        p, q, each, each, 0.5 * (near.point_a + near.point_b),
         near.normal, near.gap, margin=margin, limit=limit,
     )  # fmt: skip
     contacts = found.contacts(

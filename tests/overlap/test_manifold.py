@@ -62,6 +62,55 @@ def test_area_is_that_of_the_common_polygon(seed):
     np.testing.assert_allclose(contacts.normal - TURNED[:, 2], 0, atol=1e-14)
 
 
+def float_area(one, other):
+    """The area that two convex polygons share, by clipping in turn without any tolerance."""
+    for p, q in zip(other, np.roll(other, -1, axis=0), strict=True):
+        height = (one - p) @ np.array([p[1] - q[1], q[0] - p[0]])
+        after, there = np.roll(height, -1), np.roll(one, -1, axis=0)
+        kept = []
+        for k in range(len(one)):
+            kept += [one[k]] if height[k] >= 0 else []
+            if (height[k] >= 0) != (after[k] >= 0):
+                t = height[k] / (height[k] - after[k])
+                kept.append(one[k] + t * (there[k] - one[k]))
+        one = np.array(kept).reshape(-1, 2)
+        if len(one) < 3:
+            return 0.0
+    x, y = one.T
+    return 0.5 * abs(x @ np.roll(y, -1) - y @ np.roll(x, -1))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_polygons_that_nearly_coincide_lose_no_area(seed):
+    """Moved, grown and turned by about the bias, 1e-6 of the size: the area is right to its border times that."""
+    rng = np.random.default_rng(seed)
+    for _ in range(50):
+        corners = int(rng.integers(3, 9))
+        one = regular(corners, 1.0, rng.uniform(0, 6))
+        small = rng.choice([0, 1e-9, 0.5e-6, 0.9e-6, 1.1e-6, 2e-6, 5e-6, 2e-5])
+        turn = rng.choice([0, 1]) * 10.0 ** rng.uniform(-9, -2)
+        c, s = np.cos(turn), np.sin(turn)
+        other = one @ np.array([[c, s], [-s, c]]) * (1 + small * rng.choice([-1, 0, 1]))
+        other = other + small * rng.normal(size=2)
+        other += rng.choice([0, 0.5, 1]) * (one[0] - one[corners // 2])
+        contacts = touching(prism(one, 0, 1), prism(other, -1, 1e-7))
+        n = np.array([0, 0, 1.0])
+        area = polygon_area(contacts.point, n) if len(contacts) > 2 else 0.0
+        assert area == pytest.approx(float_area(one, other), abs=2e-5)
+        apart = np.linalg.norm(contacts.point[:, None] - contacts.point, axis=-1)
+        assert (apart + np.eye(len(contacts))).min(initial=1) > 1e-6
+
+
+def test_bars_side_by_side_through_a_corner():
+    """An edge of one runs along an edge of the other and ends at its corner, sunk by less than the bias."""
+    a = prism(regular(7, 1.0, 0.3), 0, 1)
+    away = 2 * np.append(regular(7, 1.0, 0.3)[2], 0.0) * np.cos(np.pi / 7)
+    for by in (0.999997, 0.9999985, 1.0):
+        b = prism(regular(7, 1.0, 0.3 + np.pi), -1, 1e-3).moved(np.eye(3), by * away)
+        contacts = touching(a, b, margin=1e-6)
+        assert np.isfinite(contacts.point).all()
+
+
 def test_an_octagon_keeps_all_its_corners_and_four_of_them_are_70_percent():
     a, b = prism(regular(8), 0, 1), box([0, 0, -1], [2, 2, 1])
     whole, four = touching(a, b, margin=1e-9), touching(a, b, margin=1e-9, limit=4)

@@ -98,3 +98,19 @@ def test_a_tilted_manifold_is_a_contact_system_as_it_is(tilt):
     np.testing.assert_allclose(system.b, -9.81 * contacts.normal[:, 2], rtol=1e-12)
     level = touching(box([0.1, 0.2, 1.0], [0.5, 0.5, 0.5], 0.3), b, margin=0.01)
     assert len(level) == 5 and np.array_equal(contacts.key, level.key)
+
+
+def test_capsules_deep_in_one_another_are_a_contact_system_too():
+    """Where both are sunk deeper than they are round, the label is one that asks for no curvature."""
+    rng = np.random.default_rng(2)
+    start, end = rng.uniform(-1, 1, (2, 2, 200, 3))
+    radius = rng.uniform(0, 1, (2, 200))
+    a, b = (Capsule(start[i], end[i], radius[i]) for i in range(2))
+    contacts = touching(a, b)
+    bodies = Bodies(
+        [1.0, 1.0], np.stack([np.eye(3)] * 2), np.zeros((2, 3)), rotations.identity(2),
+        np.zeros((2, 3)), np.zeros((2, 3)),
+    )  # fmt: skip
+    zero = np.zeros((2, 3))
+    assert len(contacts) > 150 and set(contacts.feature) >= {"curved"}
+    assert np.isfinite(contact_system(bodies, contacts, zero, zero).b).all()

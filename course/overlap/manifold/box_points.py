@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.overlap.closest import as_solids, closest_points
+from course.overlap.closest import closest_points
 from course.overlap.manifold.points import Manifolds, contact_points, filled
 from course.overlap.separating_axis import as_kernels_take_it
 from course.shapes import OBB, polytopes
@@ -59,7 +59,7 @@ def _by_nearest_points(
     p, q, each = polytopes(a[which]), polytopes(b[which]), np.arange(which.size)
     near = closest_points(p, q, each, each)
     found = contact_points(
-        as_solids(p), as_solids(q), each, each, 0.5 * (near.point_a + near.point_b),
+        p, q, each, each, 0.5 * (near.point_a + near.point_b),
         near.normal, near.gap, margin=margin, limit=limit,
     )  # fmt: skip
     return Manifolds(

@@ -244,7 +244,10 @@ def curved_or(other: int, pair: Pair, numbers: Array, k: int) -> int:
         scale = min(scale, b)
     of_a = 1.0 / a if a > 0.0 else SHARP / scale
     of_b = 1.0 / b if b > 0.0 else SHARP / scale
-    if -numbers[k, SEPARATION] * min(of_a, of_b) >= DEEPEST:
+    # The flatter one has to be outside (``course.contact.curved``); which one that is, is
+    # not told by these numbers where one is round all about and the other across only.
+    flatter, rounder = min(of_a, of_b), max(of_a, of_b)
+    if -numbers[k, SEPARATION] * (rounder if rounder <= 2.0 * flatter else flatter) >= DEEPEST:  # fmt: skip
         return other
     numbers[k, CURVATURE_A], numbers[k, CURVATURE_B] = of_a, of_b
     return CURVED

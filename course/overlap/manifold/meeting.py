@@ -149,8 +149,10 @@ def common_polygon(
         mine = theirs = EDGE
         if kind == SUBJECT:
             mine, theirs, j = VERTEX, FACE, 0
-        elif kind == CLIP:
+        elif kind == CLIP and faces:
             mine, theirs, i = FACE, VERTEX, 0
+        elif kind == CLIP:  # an edge through a vertex: it crosses an edge there
+            i = 0
         if a_is_cut:
             write(names, begin + k, mine, i, theirs, j)
         else:

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from course.arrays import Array, ArrayLike, IntArray
+from course.overlap.closest import as_solids
 from course.overlap.contact_arrays import FEATURES, Contacts
-
-if TYPE_CHECKING:
-    from course.overlap.manifold.patches import Solids
+from course.shapes import Polytopes
 
 #: Rows that are asked for at most at a time, if one pair does not need more.
 ROWS = 1 << 20
@@ -85,8 +84,8 @@ class Manifolds:
 
 
 def contact_points(
-    a: Solids,
-    b: Solids,
+    a: Polytopes,
+    b: Polytopes,
     i: IntArray,
     j: IntArray,
     point: Array,
@@ -113,11 +112,13 @@ def contact_points(
     found = np.column_stack([point, normal, gap])
     pairs = np.column_stack([i, j]).astype(np.intp, copy=False)
     room = desk(_largest_face(a), _largest_face(b))
+    solids_a, solids_b = as_solids(a), as_solids(b)
 
     def fill(begin: int, names: IntArray, numbers: Array) -> tuple[int, int]:
         return manifolds(
-            a, b, pairs, found, margin, limit or 0, begin, room, names, numbers
-        )
+            solids_a, solids_b, pairs, found, margin, limit or 0, begin, room, names,
+            numbers,
+        )  # fmt: skip
 
     return filled(fill, len(pairs), room.cut.shape[1])
 
@@ -148,7 +149,7 @@ def filled(
     return Manifolds(what[:, 5], what[:, 6], what[:, 7], what[:, 0], values)
 
 
-def _largest_face(solids: Solids) -> int:
+def _largest_face(solids: Polytopes) -> int:
     return int(np.diff(solids.loop_start).max(initial=2))
 
 
