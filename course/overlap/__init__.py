@@ -3,16 +3,33 @@ they touch.
 """
 
 from course.overlap.box_faces import stacked_box_contacts
+from course.overlap.boxes import boxes_overlap, sphere_box_gap
+from course.overlap.capsules import (
+    capsule_gap,
+    closest_point_on_segment,
+    sphere_capsule_gap,
+)
 from course.overlap.contact_arrays import FEATURES, Contacts
 from course.overlap.feature_pairs import FeaturePair
-from course.overlap.spheres import Spheres, sphere_contacts, sphere_plane_contacts
+from course.overlap.spheres import (
+    Spheres,
+    sphere_contacts,
+    sphere_plane_contacts,
+    spheres_overlap,
+)
 
 __all__ = [
     "FEATURES",
     "Contacts",
     "FeaturePair",
     "Spheres",
+    "boxes_overlap",
+    "capsule_gap",
+    "closest_point_on_segment",
+    "sphere_box_gap",
+    "sphere_capsule_gap",
     "sphere_contacts",
     "sphere_plane_contacts",
+    "spheres_overlap",
     "stacked_box_contacts",
 ]
