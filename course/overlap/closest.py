@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from course.arrays import Array
+from course.arrays import Array, ArrayLike, IntArray, failure, indices
+from course.overlap.separating_axis import as_kernels_take_it
+from course.shapes import Polytopes
+
+if TYPE_CHECKING:
+    from course.overlap.separating_axis_loops import Solids
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,3 +66,43 @@ class Closest:
                 for x, y in zip(mine, theirs, strict=True)
             )
         )
+
+
+def closest_points(a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike) -> Closest:
+    """Gap, normal and witness points of solid i of a and solid j of b, for every pair (i, j).
+
+    Distances by GJK (``gjk``), depths by separating axes (``separating_axis_loops``); both are
+    exact to rounding, and each is compared with the other there where they meet.
+
+    Args:
+        a, b: rounded polytopes.
+        i, j: which of them, ints of one shape (...).
+    Raises:
+        ValueError: a number of no solid, or i and j of different shapes.
+    """
+    from course.overlap.closest_loops import closest_pairs
+
+    first, second = _pairs(a, b, i, j)
+    gap, apart = np.empty(first.size), np.empty((3, first.size, 3))
+    closest_pairs(
+        as_solids(a), as_solids(b), first, second, gap, apart[0], apart[1], apart[2]
+    )
+    batch = np.shape(i)
+    return Closest(gap.reshape(batch), *apart.reshape(3, *batch, 3))
+
+
+def _pairs(
+    a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike
+) -> tuple[IntArray, IntArray]:
+    first, second = indices("i", i, len(a)), indices("j", j, len(b))
+    if first.shape != second.shape:
+        raise failure("j", f"the shape of i, {first.shape}", f"shape {second.shape}")
+    return as_kernels_take_it(first.ravel()), as_kernels_take_it(second.ravel())
+
+
+def as_solids(polytopes: Polytopes) -> Solids:
+    """The arrays of polytopes as kernels take them."""
+    from course.overlap.separating_axis_loops import Solids
+
+    arrays: Any = (getattr(polytopes, name) for name in Solids._fields)
+    return Solids(*map(as_kernels_take_it, arrays))

@@ -1,0 +1,270 @@
+"""Distance of two convex hulls by the algorithm of Gilbert, Johnson and Keerthi (GJK).
+
+The difference A - B = {a - b} of two convex sets is convex, and its point v nearest to the
+origin is as long as the sets are apart. A - B is never built: a *simplex*, at most four
+of its vertices, walks toward the origin. Each turn finds the vertex w furthest against
+v, adds it, and keeps the fewest corners whose hull has the new nearest point.
+
+E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for computing the distance
+between complex objects in three-dimensional space", IEEE J. Robotics and Automation 4
+(1988); G. van den Bergen, *Collision Detection in Interactive 3D Environments* (2003),
+chapter 4; C. Ericson, *Real-Time Collision Detection*, section 9.5. The nearest point of a
+simplex by the signs of its volumes: M. Montanari, N. Petrinic, E. Barbieri, "Improving
+the GJK algorithm", ACM Trans. Graphics 36 (2017).
+
+Every turn shortens v, or the walk ends: there are finitely many simplices, so that it
+cannot cycle. How good its end is can be read off: no point of A - B is nearer than
+w.v / |v|, and none needs to be further than v.
+
+A kernel module (``course.jit``): import it where it is called.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from course.arrays import Array, IntArray
+from course.jit import compiled
+
+#: How the walk ended: the sets are apart and v is known; they are further apart than
+#: was asked; the origin is inside the last simplex.
+APART, BEYOND, INSIDE = 0, 1, 2
+
+#: Turns after which the walk ends however it stands. Hulls of 32 vertices need five.
+MOST_TURNS = 100
+#: Relative size of the difference of v.v and v.w that is rounding.
+ROUNDING = 4e-16
+#: A tetrahedron of which the volume is below this times its edges cubed is flat: which side
+#: of a face the origin is on is then rounding, and it is never said to be inside.
+FLAT = 1e-13
+#: Twice a triangle's area, squared, below which it is taken for its sides: the vertices
+#: are of order 1, and no two numbers of order 1 are so near each other.
+NO_AREA = 1e-70
+
+
+@compiled
+def support(points: Array, count: int, x: float, y: float, z: float) -> int:
+    """Which of the first points is furthest along (x, y, z); the first of several."""
+    best, furthest = 0, points[0, 0] * x + points[0, 1] * y + points[0, 2] * z
+    for k in range(1, count):
+        along = points[k, 0] * x + points[k, 1] * y + points[k, 2] * z
+        if along > furthest:
+            best, furthest = k, along
+    return best
+
+
+@compiled
+def on_segment(w: Array, i: int, j: int) -> tuple[float, float, float]:
+    """The point of a segment nearest the origin: (its squared distance, weights of w_i and w_j).
+
+    t = -w_i.u / u.u with u = w_j - w_i, clamped to the segment (Ericson 5.1.2).
+    """
+    x, y, z = w[i, 0], w[i, 1], w[i, 2]
+    ux, uy, uz = w[j, 0] - x, w[j, 1] - y, w[j, 2] - z
+    length, along = ux * ux + uy * uy + uz * uz, -(x * ux + y * uy + z * uz)
+    if along <= 0.0:
+        return x * x + y * y + z * z, 1.0, 0.0
+    if along >= length:
+        return w[j, 0] ** 2 + w[j, 1] ** 2 + w[j, 2] ** 2, 0.0, 1.0
+    t = along / length
+    x, y, z = x + t * ux, y + t * uy, z + t * uz
+    return x * x + y * y + z * z, 1.0 - t, t
+
+
+@compiled
+def on_triangle(
+    w: Array, i: int, j: int, k: int
+) -> tuple[float, float, float, float]:
+    """The point of a triangle nearest the origin: (its squared distance, three weights).
+
+    The weights of the origin's projection are the areas n.(w_j x w_k), ... by their sum,
+    n the triangle's normal. Where one is not above 0 the nearest point is on the side
+    across from that corner (of several such sides, on the nearest).
+    """
+    ax, ay, az = w[i, 0], w[i, 1], w[i, 2]
+    bx, by, bz = w[j, 0], w[j, 1], w[j, 2]
+    cx, cy, cz = w[k, 0], w[k, 1], w[k, 2]
+    ux, uy, uz, vx, vy, vz = bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    p = nx * (by * cz - bz * cy) + ny * (bz * cx - bx * cz) + nz * (bx * cy - by * cx)
+    q = nx * (cy * az - cz * ay) + ny * (cz * ax - cx * az) + nz * (cx * ay - cy * ax)
+    r = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx)
+    area = nx * nx + ny * ny + nz * nz
+    if area < NO_AREA:
+        p = q = r = 0.0
+    if p > 0.0 and q > 0.0 and r > 0.0:
+        total, height = p + q + r, nx * ax + ny * ay + nz * az
+        square = height * height / area
+        return square, p / total, q / total, r / total
+    least, wi, wj, wk = math.inf, 1.0, 0.0, 0.0
+    if p <= 0.0:
+        square, s, t = on_segment(w, j, k)
+        least, wi, wj, wk = square, 0.0, s, t
+    if q <= 0.0:
+        square, s, t = on_segment(w, i, k)
+        if square < least:
+            least, wi, wj, wk = square, s, 0.0, t
+    if r <= 0.0:
+        square, s, t = on_segment(w, i, j)
+        if square < least:
+            least, wi, wj, wk = square, s, t, 0.0
+    return least, wi, wj, wk
+
+
+@compiled
+def triple(w: Array, i: int, j: int, k: int) -> float:
+    """w_i . (w_j x w_k): six times the volume with the origin."""
+    return (
+        w[i, 0] * (w[j, 1] * w[k, 2] - w[j, 2] * w[k, 1])
+        + w[i, 1] * (w[j, 2] * w[k, 0] - w[j, 0] * w[k, 2])
+        + w[i, 2] * (w[j, 0] * w[k, 1] - w[j, 1] * w[k, 0])
+    )
+
+
+@compiled
+def on_tetrahedron(w: Array, weight: Array) -> float:
+    """The point of a tetrahedron nearest the origin: its squared distance, -1 if that is inside.
+
+    The origin's weights are volumes by their sum. Where one is not above 0 the nearest point
+    is on the face across from that corner, or on another such face.
+    """
+    v0, v1 = triple(w, 1, 2, 3), -triple(w, 0, 2, 3)
+    v2, v3 = triple(w, 0, 1, 3), -triple(w, 0, 1, 2)
+    total, longest = v0 + v1 + v2 + v3, 0.0
+    for m in range(4):
+        longest = max(longest, w[m, 0] ** 2 + w[m, 1] ** 2 + w[m, 2] ** 2)
+    flat = abs(total) <= FLAT * longest * math.sqrt(longest)
+    if total < 0.0:
+        v0, v1, v2, v3 = -v0, -v1, -v2, -v3
+    if not flat and v0 > 0.0 and v1 > 0.0 and v2 > 0.0 and v3 > 0.0:
+        return -1.0
+    least = math.inf
+    if flat or v3 <= 0.0:
+        least, weight[0], weight[1], weight[2] = on_triangle(w, 0, 1, 2)
+        weight[3] = 0.0
+    if flat or v2 <= 0.0:
+        square, a, b, c = on_triangle(w, 0, 1, 3)
+        if square < least:
+            least, weight[0], weight[1], weight[2], weight[3] = square, a, b, 0.0, c
+    if flat or v1 <= 0.0:
+        square, a, b, c = on_triangle(w, 0, 2, 3)
+        if square < least:
+            least, weight[0], weight[1], weight[2], weight[3] = square, a, 0.0, b, c
+    if flat or v0 <= 0.0:
+        square, a, b, c = on_triangle(w, 1, 2, 3)
+        if square < least:
+            least, weight[0], weight[1], weight[2], weight[3] = square, 0.0, a, b, c
+    return least
+
+
+@compiled
+def on_simplex(w: Array, count: int, weight: Array) -> float:
+    """The nearest point of the first one to four corners: squared distance, -1 inside; the weights are written."""
+    if count == 4:
+        return on_tetrahedron(w, weight)
+    if count == 3:
+        square, weight[0], weight[1], weight[2] = on_triangle(w, 0, 1, 2)
+        return square
+    if count == 2:
+        square, weight[0], weight[1] = on_segment(w, 0, 1)
+        return square
+    weight[0] = 1.0
+    return w[0, 0] ** 2 + w[0, 1] ** 2 + w[0, 2] ** 2
+
+
+@compiled
+def keep(w: Array, pick: IntArray, weight: Array, share: Array, count: int) -> int:
+    """Drop the corners without weight; how many are left. share takes the weights."""
+    kept = 0
+    for m in range(count):
+        if weight[m] > 0.0:
+            w[kept, 0], w[kept, 1], w[kept, 2] = w[m, 0], w[m, 1], w[m, 2]
+            pick[kept, 0], pick[kept, 1] = pick[m, 0], pick[m, 1]
+            share[kept] = weight[m]
+            kept += 1
+    return kept
+
+
+@compiled
+def nearest_point(w: Array, share: Array, count: int) -> tuple[float, float, float]:
+    """v, the sum of share times w; of a triangle n (n.w) / n.n, whose direction is its normal's to rounding."""
+    if count == 3:
+        ux, uy, uz = w[1, 0] - w[0, 0], w[1, 1] - w[0, 1], w[1, 2] - w[0, 2]
+        vx, vy, vz = w[2, 0] - w[0, 0], w[2, 1] - w[0, 1], w[2, 2] - w[0, 2]
+        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        height = nx * w[0, 0] + ny * w[0, 1] + nz * w[0, 2]
+        height /= nx * nx + ny * ny + nz * nz
+        return height * nx, height * ny, height * nz
+    if count == 2:
+        t = share[1]
+        x = w[0, 0] + t * (w[1, 0] - w[0, 0])
+        y = w[0, 1] + t * (w[1, 1] - w[0, 1])
+        z = w[0, 2] + t * (w[1, 2] - w[0, 2])
+        return x, y, z
+    return w[0, 0], w[0, 1], w[0, 2]
+
+
+@compiled
+def gjk(
+    a: Array,
+    count_a: int,
+    b: Array,
+    count_b: int,
+    v: Array,
+    reach: float,
+    w: Array,
+    pick: IntArray,
+    share: Array,
+    weight: Array,
+) -> tuple[int, int, float]:
+    """The point v of A - B nearest to the origin, out of B toward A.
+
+    Args:
+        a, b: vertices, the first count_a and count_b rows of (..., 3) [any unit].
+        v: where to begin, (3,), any vector; holds the nearest point afterwards.
+        reach: stop as soon as the sets are known to be further apart.
+        w, pick, share: (4, 3), (4, 2) and (4,): the last simplex is left there: corners a - b, which
+            vertices they are of, and the weights of v.
+        weight: (4,), room to work in.
+    Returns:
+        How the walk ended, how many corners the simplex has, and a distance below
+        which no point of A - B is (that of the plane through w across v).
+    """
+    x, y, z = v[0], v[1], v[2]
+    count, square, lower = 0, math.inf, 0.0
+    for _ in range(MOST_TURNS):
+        i, j = support(a, count_a, -x, -y, -z), support(b, count_b, x, y, z)
+        wx, wy, wz = a[i, 0] - b[j, 0], a[i, 1] - b[j, 1], a[i, 2] - b[j, 2]
+        length = math.sqrt(x * x + y * y + z * z)
+        along = x * wx + y * wy + z * wz
+        lower = along / length if length > 0.0 else 0.0
+        if lower > reach:
+            return BEYOND, count, lower
+        if count > 0:
+            known = False
+            for m in range(count):
+                known |= pick[m, 0] == i and pick[m, 1] == j
+            if known or square - along <= ROUNDING * square:
+                break
+        w[count, 0], w[count, 1], w[count, 2] = wx, wy, wz
+        pick[count, 0], pick[count, 1] = i, j
+        nearer = on_simplex(w, count + 1, weight)
+        if nearer < 0.0:
+            return INSIDE, 4, 0.0
+        if nearer >= square:
+            break
+        count, square = keep(w, pick, weight, share, count + 1), nearer
+        x, y, z = nearest_point(w, share, count)
+        v[0], v[1], v[2] = x, y, z
+        if square == 0.0:
+            return APART, count, 0.0
+    return APART, count, lower
+
+
+def warm() -> None:
+    """Call the kernel once (``course.jit``)."""
+    a, b = np.zeros((1, 3)), np.ones((1, 3))
+    room = np.zeros((4, 3)), np.zeros((4, 2), np.intp), np.zeros(4), np.zeros(4)
+    gjk(a, 1, b, 1, np.ones(3), math.inf, *room)
