@@ -24,6 +24,9 @@ from course.overlap.triples import Triple, along, cross, dot, length, minus, row
 
 #: Steps after which a pair counts as meeting.
 MOST_STEPS = 10_000
+#: Solids that touch slide if they approach by less than this times their speed
+#: (``swept.SLIDING``).
+SLIDING = 1e-12
 #: Turns of the iterations within a step; each ends earlier by itself.
 MOST_TURNS = 60
 
@@ -182,36 +185,61 @@ def first_root(table: Array, count: int, total: int, level: float, most: float) 
 
 
 @compiled
-def crossing(pair: Pair, t: float, gap: float, later: float, below: float, band: float, room: Room) -> float:  # fmt: skip
-    """When the gap is 0 between t, where it is above, and later, where it is below (regula falsi, Illinois)."""
-    high, low = gap, below
-    side = 0
+def crossing(pair: Pair, level: float, t: float, gap: float, later: float, below: float, band: float, room: Room) -> float:  # fmt: skip
+    """When the gap is at a level between t, where it is above, and later, where it is below.
+
+    Regula falsi in the Illinois form; halved where one end has stayed three times, as where
+    the gap is 0 for a while before it falls.
+    """
+    high, low, side = gap - level, below - level, 0
     for _ in range(MOST_TURNS):
         middle = t + (later - t) * (high / (high - low))
+        if abs(side) > 2:
+            middle = t + 0.5 * (later - t)
         if not t < middle < later:
-            break
+            return t if middle <= t else later
         found, _ = pair_gap(pair, middle, room)
-        if found > 0.0:
-            t, high = middle, found
-            low = 0.5 * low if side == 1 else low
-            side = 1
-        else:
-            later, low = middle, found
-            high = 0.5 * high if side == -1 else high
-            side = -1
+        found -= level
         if abs(found) <= 1e-3 * band:
             return middle
+        if found > 0.0:
+            t, high = middle, found
+            low = 0.5 * low if side > 0 else low
+            side = max(side, 0) + 1
+        else:
+            later, low = middle, found
+            high = 0.5 * high if side < 0 else high
+            side = min(side, 0) - 1
     return later
 
 
 @compiled
 def impact(pair: Pair, free: float, gap: float, t: float, below: float, band: float, room: Room) -> float:  # fmt: skip
-    """The time of impact, when the pair is free at one time and penetrates at a later one."""
-    if gap <= 0.0:
-        return free
-    found = crossing(pair, free, gap, t, below, band, room)
-    # What has moved by less than rounding has not moved.
-    return 0.0 if found * pair.speed <= 2.0 * band else found
+    """The time of impact, when the pair is free at one time and penetrates at a later one.
+
+    One that touches while it is free, as a box that tips over an edge, meets when it
+    is in by more than rounding.
+    """
+    level = 0.0 if gap > band else -2.0 * band
+    return crossing(pair, level, free, gap, t, below, band, room)
+
+
+@compiled
+def approaches(table: Array, count: int, total: int, band: float, slow: float) -> bool:
+    """Whether what is foremost along N, to within the band, comes nearer."""
+    low, high = math.inf, -math.inf
+    for k in range(total):
+        if k < count:
+            low = min(low, table[k, 0])
+        else:
+            high = max(high, table[k, 0])
+    a, b = math.inf, -math.inf
+    for k in range(total):
+        if k < count and table[k, 0] <= low + band:
+            a = min(a, table[k, 1])
+        elif k >= count and table[k, 0] >= high - band:
+            b = max(b, table[k, 1])
+    return a - b < -slow
 
 
 @compiled
@@ -220,31 +248,28 @@ def advanced(pair: Pair, limits: Limits, table: Array, room: Room) -> float:
     horizon, depth, band = limits
     t = free = 0.0
     gap, n = pair_gap(pair, t, room)
-    free_gap = gap
+    free_gap, total = gap, len(pair.a.arms) + len(pair.b.arms)
     if gap < -band:
         return 0.0
-    total = len(pair.a.arms) + len(pair.b.arms)
+    count = courses(pair, n, t, horizon, table)
+    slow = SLIDING * pair.speed
+    at_once = gap <= band and approaches(table, count, total, band, slow)
     for _ in range(MOST_STEPS):
-        if gap <= -0.5 * depth:
-            return impact(pair, free, free_gap, t, gap, band, room)
-        if gap >= -band:
-            free, free_gap = t, gap
-        most = horizon - t
-        count = courses(pair, n, t, most, table)
-        step = first_root(table, count, total, pair.radius - depth, most)
+        step = first_root(table, count, total, pair.radius - depth, horizon - t)
         # The gap never falls faster than the speed.
         sure = (gap + depth) / pair.speed if pair.speed > 0.0 else math.inf
-        step = max(step, sure)
-        if step >= most:
-            break
-        t += step
+        t = min(t + max(step, sure), horizon)
         gap, n = pair_gap(pair, t, room)
-    else:
-        return t
-    gap, n = pair_gap(pair, horizon, room)
-    if gap < -band:
-        return impact(pair, free, free_gap, horizon, gap, band, room)
-    return math.inf
+        if gap <= -0.5 * depth or (t == horizon and gap < -band):
+            if at_once and free == 0.0:
+                return 0.0
+            return impact(pair, free, free_gap, t, gap, band, room)
+        if t == horizon:
+            return math.inf
+        if gap >= -band:
+            free, free_gap = t, gap
+        count = courses(pair, n, t, horizon - t, table)
+    return t
 
 
 @compiled
