@@ -96,9 +96,7 @@ def lesson_to_open(root: Path) -> str | None:
     begun = any((root / "work" / f"{name}.ipynb").exists() for name in files)
     passed = state(root / "work").passed if begun else frozenset()
     unfinished = {
-        Path(le.file_name).stem
-        for le in all_lessons()
-        if any(e.name not in passed for e in le.core)
+        le.stem for le in all_lessons() if any(e.name not in passed for e in le.core)
     }
     wanted = files if not begun else [name for name in files if name in unfinished]
     return next(iter([*wanted, *files]), None)

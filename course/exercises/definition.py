@@ -1,8 +1,8 @@
 """What an exercise is: arguments, reference, inputs, planted mistakes, hints, as data.
 
 A definitions module, ``course/exercises/definitions/lesson_NN_name.py``, makes one
-``LESSON``. Everything that needs to know an exercise (the check, the grader, the
-syllabus, the tests) reads it from there.
+``LESSON``, and where a second notebook goes deeper, ``MORE``. Everything that needs to
+know an exercise (the check, the grader, the syllabus, the tests) reads it from there.
 """
 
 from __future__ import annotations
@@ -20,6 +20,9 @@ from typing import Any, Literal
 import numpy as np
 
 CaseKind = Literal["single", "batch", "edge"]
+
+#: How the number, and the file's name, of a notebook that goes deeper ends.
+DEEPER = "-more"
 
 
 @dataclass(frozen=True)
@@ -185,7 +188,12 @@ class Prediction:
 
 @dataclass(frozen=True)
 class Lesson:
-    """A lesson: its number, file name, question, minutes, exercises and predictions."""
+    """A notebook of the course: its number, name, question, minutes, exercises and
+    predictions.
+
+    The number of the notebook that goes deeper into lesson 05 is "05-more", its name
+    that of the lesson. All of its exercises are stretch ones.
+    """
 
     number: str
     name: str
@@ -198,17 +206,34 @@ class Lesson:
     @property
     def file_name(self) -> str:
         """The notebook's file name in lessons/ and solutions/."""
-        return f"{self.number}-{self.name}.ipynb"
+        return f"{self.stem}.ipynb"
+
+    @property
+    def stem(self) -> str:
+        """That name without its ending."""
+        return f"{self.number[:2]}-{self.name}{DEEPER if self.deeper else ''}"
+
+    @property
+    def deeper(self) -> bool:
+        """Whether it is the notebook that goes deeper, which no other one needs."""
+        return self.number.endswith(DEEPER)
 
     @property
     def core(self) -> tuple[Exercise, ...]:
-        """The exercises that progress counts."""
+        """The exercises that the course's progress counts."""
         return tuple(e for e in self.exercises if e.level == "core")
+
+    @property
+    def counted(self) -> tuple[Exercise, ...]:
+        """The exercises that the notebook's own bar counts: core ones, or where it goes
+        deeper all.
+        """
+        return self.exercises if self.deeper else self.core
 
 
 @cache
 def all_lessons() -> tuple[Lesson, ...]:
-    """Every lesson that has a definitions module, in order."""
+    """Every notebook that a definitions module describes, in order."""
     from course.exercises import definitions
 
     names = sorted(
@@ -216,9 +241,12 @@ def all_lessons() -> tuple[Lesson, ...]:
         for m in pkgutil.iter_modules(definitions.__path__)
         if m.name.startswith("lesson_")
     )
+    modules = [importlib.import_module(f"{definitions.__name__}.{n}") for n in names]
     lessons = tuple(
-        importlib.import_module(f"{definitions.__name__}.{name}").LESSON
-        for name in names
+        lesson
+        for module in modules
+        for lesson in (module.LESSON, getattr(module, "MORE", None))
+        if lesson is not None
     )
     _require_unique(
         [e.name for lesson in lessons for e in lesson.exercises], "exercise"

@@ -216,9 +216,10 @@ def _lesson_of(
     number = str(notes.get("lesson", "")) if isinstance(notes, dict) else ""
     if number in lessons:
         return lessons[number]
-    match = re.search(r"(?<!\d)(\d\d)-[a-z]", file_name)
-    if match and match.group(1) in lessons:
-        return lessons[match.group(1)]
+    match = re.search(r"(?<!\d)(\d\d)-[a-z]+(.*-more(?![a-z]))?", file_name)
+    for number in (f"{match[1]}-more",) * bool(match[2]) + (match[1],) if match else ():
+        if number in lessons:
+            return lessons[number]
     names = {name for cell in cells for name in cell.defines}
     best = max(known, key=lambda le: len(names & set(le.exercises)), default=None)
     if best is None or not names & set(best.exercises):

@@ -97,8 +97,8 @@ def _of_folder(folders: tuple[str, ...], lessons: Sequence[Lesson]) -> Student:
 
 def _of_file(file: PurePath, lessons: Sequence[Lesson]) -> Student:
     stem = file.name.removesuffix(".ipynb")
-    for lesson in lessons:
-        stem = re.sub(rf"{lesson.number}-{re.escape(lesson.name)}", " ", stem)
+    for notebook in sorted((le.stem for le in lessons), key=len, reverse=True):
+        stem = stem.replace(notebook, " ")
     rest = stem.strip(" _-.,()")
     named = rest if re.search(r"[^\W\d_]", rest) else file.stem
     place = file.parts[:-1]
@@ -119,12 +119,7 @@ def _is_lesson(name: str, lessons: Sequence[Lesson]) -> bool:
     """Whether a folder is named after a lesson: "10", "lesson 10", "10-impulse"."""
     words = re.sub(r"[\W_]+", " ", name.lower()).split()
     for lesson in lessons:
-        named = [lesson.number, *lesson.name.lower().split("-")]
-        if words in (
-            [lesson.number],
-            ["lesson", lesson.number],
-            named,
-            ["lesson", *named],
-        ):
+        number, named = lesson.number.split("-"), lesson.stem.lower().split("-")
+        if words in (number, ["lesson", *number], named, ["lesson", *named]):
             return True
     return False

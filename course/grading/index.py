@@ -63,7 +63,7 @@ def commonest_mistakes(
 def _lesson(
     lesson: Lesson, rows: Sequence[Mapping[str, str]], overviews: Mapping[str, str]
 ) -> dict[str, Any]:
-    name = f"{lesson.number}-{lesson.name}"
+    name = lesson.stem
     names = [exercise.name for exercise in lesson.exercises]
     return {
         "title": f"{lesson.number} {lesson.title}",

@@ -99,7 +99,7 @@ def cells_of(
     lesson = submission.lesson
     cells: dict[str, Any] = {
         "file": submission.file, "student": submission.student,
-        "lesson": f"{lesson.number}-{lesson.name}" if lesson else "", "total": submission.total,
+        "lesson": lesson.stem if lesson else "", "total": submission.total,
         "out_of": submission.out_of if lesson else "", "state": submission.state, "reason": submission.reason,
         "refused": "; ".join(submission.refused), "seed": seed, "isolation": isolation, "page": page,
         "key": AGAIN * submission.again + submission.key,

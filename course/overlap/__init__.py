@@ -1,7 +1,8 @@
 """One question asked of two shapes: do they overlap, how far apart are they, where do
-they touch.
+they touch, when do they meet.
 """
 
+from course.overlap.asking import contacts, gap, overlaps
 from course.overlap.box_faces import stacked_box_contacts
 from course.overlap.boxes import boxes_overlap, sphere_box_gap
 from course.overlap.capsules import (
@@ -11,6 +12,7 @@ from course.overlap.capsules import (
 )
 from course.overlap.contact_arrays import FEATURES, Contacts
 from course.overlap.feature_pairs import FeaturePair
+from course.overlap.impact_times import swept_bounds, time_of_impact
 from course.overlap.spheres import (
     Spheres,
     sphere_contacts,
@@ -26,10 +28,15 @@ __all__ = [
     "boxes_overlap",
     "capsule_gap",
     "closest_point_on_segment",
+    "contacts",
+    "gap",
+    "overlaps",
     "sphere_box_gap",
     "sphere_capsule_gap",
     "sphere_contacts",
     "sphere_plane_contacts",
     "spheres_overlap",
     "stacked_box_contacts",
+    "swept_bounds",
+    "time_of_impact",
 ]

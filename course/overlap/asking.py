@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from course.arrays import (
 from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
 from course.overlap.convex import numbers
+from course.overlap.fewer_points import fewer, no_points
 from course.overlap.pairs import KINDS, PairTest, served
 from course.shapes import Compound, Shape
 
@@ -137,13 +139,13 @@ def contacts(
     most = None if limit is None else whole_number("limit", limit, minimum=1)
     ids = _bodies(body_a, body_b, batch)
     found = [
-        _of_parts(_contacts(first, second, batch, reach), i, j)
+        _of_parts(_contacts(first, second, batch, reach, most), i, j)
         for i, j, first, second in _convex_parts(a, b)
     ]
     whole = Contacts.concatenate(found)
     assert whole.pair is not None
     if len(found) > 1:
-        whole = whole[np.argsort(whole.pair, kind="stable")]
+        whole = fewer(whole[np.argsort(whole.pair, kind="stable")], most)
     return _named(whole, ids)
 
 
@@ -191,16 +193,20 @@ def _gap(test: PairTest, a: Shape, b: Shape) -> Array:
     return test.gap(a, b) if test.gap is not None else test.closest(a, b).gap
 
 
-def _contacts(a: Shape, b: Shape, batch: tuple[int, ...], margin: float) -> Contacts:
+def _contacts(
+    a: Shape, b: Shape, batch: tuple[int, ...], margin: float, limit: int | None
+) -> Contacts:
     """The contacts of two shapes without parts, of body 0 with body 1; ``pair`` counts the batch."""
     test, first, second, swapped = served(a, b)
     closest = test.closest(first, second).broadcast_to(batch).flat()
     rows = np.flatnonzero((closest.gap <= margin) & (closest.gap > -np.inf))
-    picked = [
+    if not rows.size:
+        return no_points()
+    picked: Any = [
         shape.reshaped(-1)[numbers(shape, batch).ravel()[rows]]
         for shape in (first, second)
     ]
-    found = test.contacts(*picked, closest[rows], margin)
+    found = test.contacts(*picked, closest[rows], margin, limit)
     assert found.pair is not None
     found = replace(found, pair=rows[found.pair])
     return _swapped(found) if swapped else found
@@ -228,7 +234,9 @@ def _of_parts(found: Contacts, i: int, j: int) -> Contacts:
     if i == j == 0:
         return found
     assert found.key is not None
-    return replace(found, key=found.key + [0, 0, i * PART, j * PART])
+    return replace(
+        found, key=found.key + np.array([0, 0, i * PART, j * PART], dtype=np.intp)
+    )
 
 
 def _bodies(

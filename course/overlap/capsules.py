@@ -7,11 +7,14 @@ gap is the distance of segment and segment, or point, less both radii (C. Ericso
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from course.arrays import Array, ArrayLike, broadcast, non_negative, vectors
 from course.overlap.closest import Closest
 from course.overlap.directions import TINY, UP, directed
+from course.overlap.separating_axis import as_kernels_take_it
 from course.shapes import Capsule, Sphere
 
 #: A distance below this times the length has no digits left that give a direction.
@@ -134,12 +137,11 @@ def closest_capsules(a: Capsule, b: Capsule) -> Closest:
 
     batch = np.broadcast_shapes(a.batch, b.batch)
     count = int(np.prod(batch, dtype=np.intp))
-    given = [
-        np.broadcast_to(x, (*batch, *x.shape[x.ndim - core :])).reshape(count, *[3] * core)
-        for x, core in (
-            (a.start, 1), (a.end, 1), (a.radius, 0), (b.start, 1), (b.end, 1), (b.radius, 0)
-        )
-    ]  # fmt: skip
+    given: Any = [
+        as_kernels_take_it(wide.reshape(count, *wide.shape[len(batch) :]))
+        for shape in (a.broadcast_to(batch), b.broadcast_to(batch))
+        for wide in (shape.start, shape.end, shape.radius)
+    ]
     gap, found = np.empty(count), np.empty((3, count, 3))
     segments.closest_capsules(*given, gap, *found)
     normal, point_a, point_b = found.reshape(3, *batch, 3)

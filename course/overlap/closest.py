@@ -1,4 +1,13 @@
-"""What a question of distance finds: the gap of two solids, its direction, and the two nearest points."""
+"""How far apart two rounded polytopes are, or how deep in one another: gap, normal and witness points.
+
+A rounded polytope is the Minkowski sum of a polytope (its *core*) and a ball, so that for
+two of them
+
+    gap = gap of the cores - r_A - r_B,
+
+and the gap of the cores is their distance, or less the least translation that parts them (G. van den
+Bergen, *Collision Detection in Interactive 3D Environments*, sections 2.3 and 4.3).
+"""
 
 from __future__ import annotations
 
@@ -9,7 +18,7 @@ import numpy as np
 
 from course.arrays import Array, ArrayLike, IntArray, failure, indices
 from course.overlap.separating_axis import as_kernels_take_it
-from course.shapes import Polytopes
+from course.shapes.rounded_polytopes import Polytopes
 
 if TYPE_CHECKING:
     from course.overlap.separating_axis_loops import Solids
@@ -17,17 +26,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Closest:
-    """The nearest points of two solids, or those that are deepest in one another.
-
-    gap = (p_A - p_B).N, so that A moved by -gap N, where the gap is negative, only
-    touches B (syllabus row 19; G. van den Bergen, *Collision Detection in Interactive
-    3D Environments*, section 2.3.4).
+    """The gap of pairs of solids and where it is.
 
     Args:
-        gap: (...) [m]; above 0 apart, 0 touching, below 0 penetrating.
-        normal: (..., 3) unit vectors out of B toward A; where more than one direction
-            is right, one of them, the same every time.
-        point_a, point_b: (..., 3) [m], p_A and p_B, on the surfaces of A and B.
+        gap: (...) [m], the distance, or less the least translation that parts them.
+        normal: (..., 3) unit vectors N out of B toward A. Where several are right (equal
+            centres, say) one of them, the same every time.
+        point_a, point_b: (..., 3) [m], witness points on the two surfaces:
+            gap = (point_a - point_b) . N.
     """
 
     gap: Array

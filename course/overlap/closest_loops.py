@@ -30,6 +30,8 @@ from course.overlap.separating_axis_loops import (
 NEAR = 1e-7
 #: How far apart, in sizes of the pair, upper and lower bound of a distance may be.
 CERTAIN = 1e-14
+#: How much shorter than along an axis a distance may seem, relatively, and be the better known.
+DOUBT = 1e-6
 #: How much further back than the foremost vertex another may be and belong to the
 #: same feature, in sizes of its solid.
 LEVEL = 1e-12
@@ -160,9 +162,9 @@ def length(x: Array, y: Array) -> float:
 
 @compiled
 def front(p: Array, count: int, normal: Array, sign: float, out: Array, number: IntArray) -> int:  # fmt: skip
-    """The vertices furthest along sign times the normal, seen along it, with sign subtracted along it; how many.
+    """The vertices furthest along sign times the normal, seen along it, to out; how many.
 
-    So the fronts of two solids lie in two planes that are 2 apart, and their nearest points are opposite.
+    So the fronts of two solids lie in one plane, and their nearest points are opposite.
     """
     x, y, z = sign * normal[0], sign * normal[1], sign * normal[2]
     high, low = -math.inf, math.inf
@@ -173,9 +175,9 @@ def front(p: Array, count: int, normal: Array, sign: float, out: Array, number: 
     for k in range(count):
         along = p[k, 0] * x + p[k, 1] * y + p[k, 2] * z
         if along >= level:
-            out[found, 0] = p[k, 0] - (along + 1.0) * x
-            out[found, 1] = p[k, 1] - (along + 1.0) * y
-            out[found, 2] = p[k, 2] - (along + 1.0) * z
+            out[found, 0] = p[k, 0] - along * x
+            out[found, 1] = p[k, 1] - along * y
+            out[found, 2] = p[k, 2] - along * z
             number[found] = k
             found += 1
     return found
@@ -186,7 +188,7 @@ def opposite_points(count_a: int, count_b: int, room: Room) -> None:
     """Points of the features that meet along room.normal, the one above the other, to room.point_a and point_b."""
     fronts_a = front(room.a, count_a, room.normal, -1.0, room.front_a, room.number_a)
     fronts_b = front(room.b, count_b, room.normal, 1.0, room.front_b, room.number_b)
-    room.v[:] = room.normal
+    room.v[:] = room.front_a[0] - room.front_b[0]
     _, count, _ = gjk(room.front_a, fronts_a, room.front_b, fronts_b, room.v, math.inf, room.w, room.pick, room.share, room.weight)  # fmt: skip
     for m in range(count):
         room.pick[m, 0] = room.number_a[room.pick[m, 0]]
@@ -228,7 +230,8 @@ def nearly_touching(
     normal, v = room.normal, room.v
     sure = upper - lower <= CERTAIN and lower > 0.0
     s = greatest_separation(room.a, count_a, room.b, count_b, a, i, b, j, room.arcs_a, room.arcs_b, normal)  # fmt: skip
-    if sure and lower > s:
+    # Seen at a small angle a distance is hardly shorter: if in doubt it is that of the points.
+    if sure and lower >= s * (1.0 - DOUBT):
         distance = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
         normal[:] = v / distance
         return distance

@@ -15,6 +15,8 @@ from course.shapes import Capsule, Sphere
 SMALL = 1e-9
 #: The features of a capsule, as they are numbered in keys: its ends, and its side.
 START, END, SIDE = 0, 1, 2
+#: How much of its radius of curvature a surface may be sunk, to be called curved.
+DEEPEST = 0.999
 
 
 def curved(
@@ -22,7 +24,10 @@ def curved(
     curvature: tuple[Array, Array],
     features: tuple[IntArray, IntArray],
 ) -> Contacts:
-    """k contacts "curved", in rows of their own, of body 0 with body 1.
+    """k contacts of body 0 with body 1: "curved", unless one surface is sunk as deep as it is round.
+
+    How the point then moves over both is no question any more, and the normal counts as
+    carried by B, as in ``course.overlap.manifold``.
 
     Args:
         near: the points, (k, ...).
@@ -31,13 +36,14 @@ def curved(
     """
     rows = np.arange(len(near.normal))
     none = np.zeros_like(rows)
+    sunk = -near.gap * flatter(*curvature) >= DEEPEST
     return Contacts(
         body_a=none,
         body_b=none + 1,
         point=near.point_b + 0.5 * near.gap[:, None] * near.normal,
         normal=near.normal,
         separation=near.gap,
-        feature=np.full(rows.size, "curved"),
+        feature=np.where(sunk, "face_b", "curved"),
         curvature_a=curvature[0],
         curvature_b=curvature[1],
         pair=rows,
@@ -45,7 +51,15 @@ def curved(
     )
 
 
-def contacts_of_spheres(a: Sphere, b: Sphere, near: Closest, margin: float) -> Contacts:
+def flatter(curvature_a: Array, curvature_b: Array) -> Array:
+    """The greatest curvature of the flatter side of each contact, (k,) [1/m]."""
+    a, b = (np.abs(k).max(axis=(-2, -1)) for k in (curvature_a, curvature_b))
+    return np.minimum(a, b)
+
+
+def contacts_of_spheres(
+    a: Sphere, b: Sphere, near: Closest, margin: float, limit: int | None
+) -> Contacts:
     """The contact of each of k pairs of spheres, at their nearest points."""
     tensors = of_sphere(a.radius, near.normal), of_sphere(b.radius, near.normal)
     none = np.zeros(len(near.normal), dtype=np.intp)
@@ -53,7 +67,7 @@ def contacts_of_spheres(a: Sphere, b: Sphere, near: Closest, margin: float) -> C
 
 
 def contacts_of_sphere_capsule(
-    a: Sphere, b: Capsule, near: Closest, margin: float
+    a: Sphere, b: Capsule, near: Closest, margin: float, limit: int | None
 ) -> Contacts:
     """The contact of each of k pairs of a sphere and a capsule, at their nearest points."""
     way = b.end - b.start

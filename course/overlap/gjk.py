@@ -12,8 +12,8 @@ chapter 4; C. Ericson, *Real-Time Collision Detection*, section 9.5. The nearest
 simplex by the signs of its volumes: M. Montanari, N. Petrinic, E. Barbieri, "Improving
 the GJK algorithm", ACM Trans. Graphics 36 (2017).
 
-Every turn shortens v, or the walk ends: there are finitely many simplices, so that it
-cannot cycle. How good its end is can be read off: no point of A - B is nearer than
+Every turn shortens v, all but a few, or the walk ends: there are finitely many simplices,
+so that it cannot cycle. How good its end is can be read off: no point of A - B is nearer than
 w.v / |v|, and none needs to be further than v.
 
 A kernel module (``course.jit``): import it where it is called.
@@ -34,6 +34,8 @@ APART, BEYOND, INSIDE = 0, 1, 2
 
 #: Turns after which the walk ends however it stands. Hulls of 32 vertices need five.
 MOST_TURNS = 100
+#: Turns that may bring v no nearer: a foot beside a vertex by 1e-9 shortens it by 1e-18.
+MOST_STALLS = 4
 #: Relative size of the difference of v.v and v.w that is rounding.
 ROUNDING = 4e-16
 #: A tetrahedron of which the volume is below this times its edges cubed is flat: which side
@@ -42,6 +44,11 @@ FLAT = 1e-13
 #: Twice a triangle's area, squared, below which it is taken for its sides: the vertices
 #: are of order 1, and no two numbers of order 1 are so near each other.
 NO_AREA = 1e-70
+#: Squared sine of the angle at a triangle's corner below which it is a sliver.
+SLIVER = 1e-10
+#: How near each other two nearest points of a triangle are that differ by rounding, where the
+#: vertices are of order 1.
+SAME = 1e-14
 
 
 @compiled
@@ -92,16 +99,20 @@ def on_triangle(
     q = nx * (cy * az - cz * ay) + ny * (cz * ax - cx * az) + nz * (cx * ay - cy * ax)
     r = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx)
     area = nx * nx + ny * ny + nz * nz
-    if area < NO_AREA:
-        p = q = r = 0.0
-    if p > 0.0 and q > 0.0 and r > 0.0:
-        total, height = p + q + r, nx * ax + ny * ay + nz * az
-        square = height * height / area
-        return square, p / total, q / total, r / total
     least, wi, wj, wk = math.inf, 1.0, 0.0, 0.0
+    if area > NO_AREA and p > 0.0 and q > 0.0 and r > 0.0:
+        total = p + q + r
+        p, q, r = p / total, q / total, r / total
+        x, y, z = p * ax + q * bx + r * cx, p * ay + q * by + r * cy, p * az + q * bz + r * cz  # fmt: skip
+        least, wi, wj, wk = x * x + y * y + z * z, p, q, r
+    # Of a sliver the areas are rounding, and none is far from a side.
+    lengths = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz)
+    if area <= SLIVER * lengths:
+        p = q = r = 0.0
     if p <= 0.0:
         square, s, t = on_segment(w, j, k)
-        least, wi, wj, wk = square, 0.0, s, t
+        if square < least:
+            least, wi, wj, wk = square, 0.0, s, t
     if q <= 0.0:
         square, s, t = on_segment(w, i, k)
         if square < least:
@@ -139,6 +150,8 @@ def on_tetrahedron(w: Array, weight: Array) -> float:
     if total < 0.0:
         v0, v1, v2, v3 = -v0, -v1, -v2, -v3
     if not flat and v0 > 0.0 and v1 > 0.0 and v2 > 0.0 and v3 > 0.0:
+        total = abs(total)
+        weight[0], weight[1], weight[2], weight[3] = v0 / total, v1 / total, v2 / total, v3 / total  # fmt: skip
         return -1.0
     least = math.inf
     if flat or v3 <= 0.0:
@@ -189,21 +202,26 @@ def keep(w: Array, pick: IntArray, weight: Array, share: Array, count: int) -> i
 
 @compiled
 def nearest_point(w: Array, share: Array, count: int) -> tuple[float, float, float]:
-    """v, the sum of share times w; of a triangle n (n.w) / n.n, whose direction is its normal's to rounding."""
-    if count == 3:
-        ux, uy, uz = w[1, 0] - w[0, 0], w[1, 1] - w[0, 1], w[1, 2] - w[0, 2]
-        vx, vy, vz = w[2, 0] - w[0, 0], w[2, 1] - w[0, 1], w[2, 2] - w[0, 2]
-        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-        height = nx * w[0, 0] + ny * w[0, 1] + nz * w[0, 2]
-        height /= nx * nx + ny * ny + nz * nz
-        return height * nx, height * ny, height * nz
-    if count == 2:
-        t = share[1]
-        x = w[0, 0] + t * (w[1, 0] - w[0, 0])
-        y = w[0, 1] + t * (w[1, 1] - w[0, 1])
-        z = w[0, 2] + t * (w[1, 2] - w[0, 2])
-        return x, y, z
-    return w[0, 0], w[0, 1], w[0, 2]
+    """v, the sum of share times w; of a triangle n (n.w) / n.n, whose direction is exact however near it is.
+
+    Of a sliver, whose n is rounding, the sum.
+    """
+    x, y, z = w[0, 0], w[0, 1], w[0, 2]
+    ux = uy = uz = 0.0
+    for m in range(1, count):
+        t = share[m]
+        ux, uy, uz = ux + t * (w[m, 0] - x), uy + t * (w[m, 1] - y), uz + t * (w[m, 2] - z)  # fmt: skip
+    sx, sy, sz = x + ux, y + uy, z + uz
+    if count < 3:
+        return sx, sy, sz
+    ux, uy, uz = w[1, 0] - x, w[1, 1] - y, w[1, 2] - z
+    vx, vy, vz = w[2, 0] - x, w[2, 1] - y, w[2, 2] - z
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    height = (nx * x + ny * y + nz * z) / (nx * nx + ny * ny + nz * nz)
+    x, y, z = height * nx, height * ny, height * nz
+    if abs(x - sx) + abs(y - sy) + abs(z - sz) > SAME:
+        return sx, sy, sz
+    return x, y, z
 
 
 @compiled
@@ -233,7 +251,7 @@ def gjk(
         which no point of A - B is (that of the plane through w across v).
     """
     x, y, z = v[0], v[1], v[2]
-    count, square, lower = 0, math.inf, 0.0
+    count, stalls, square, lower = 0, 0, math.inf, 0.0
     for _ in range(MOST_TURNS):
         i, j = support(a, count_a, -x, -y, -z), support(b, count_b, x, y, z)
         wx, wy, wz = a[i, 0] - b[j, 0], a[i, 1] - b[j, 1], a[i, 2] - b[j, 2]
@@ -252,9 +270,12 @@ def gjk(
         pick[count, 0], pick[count, 1] = i, j
         nearer = on_simplex(w, count + 1, weight)
         if nearer < 0.0:
-            return INSIDE, 4, 0.0
+            return INSIDE, keep(w, pick, weight, share, 4), 0.0
         if nearer >= square:
-            break
+            # To rounding as near: the direction may still become better.
+            stalls += 1
+            if nearer > square * (1.0 + ROUNDING) or stalls > MOST_STALLS:
+                break
         count, square = keep(w, pick, weight, share, count + 1), nearer
         x, y, z = nearest_point(w, share, count)
         v[0], v[1], v[2] = x, y, z

@@ -8,7 +8,7 @@ docs/overlap.md is made from it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations_with_replacement
 from typing import Any
 
@@ -32,8 +32,8 @@ class PairTest:
         gap_by: how the gap is found, in words, for the table in docs/overlap.md.
         contacts_by: what the contacts are, in words.
         closest: (a, b) to the nearest points of the broadcast batch.
-        contacts: (a, b, near, margin) to the contacts of k pairs that are within the
-            margin, ``pair`` counting those.
+        contacts: (a, b, near, margin, limit) to the contacts of k pairs that are within
+            the margin, ``pair`` counting those.
         overlaps: (a, b) to the verdict, where that is quicker than gap <= 0.
         gap: (a, b) to the gap, where that is quicker than the nearest points.
     """
@@ -41,17 +41,19 @@ class PairTest:
     gap_by: str
     contacts_by: str
     closest: Callable[[Any, Any], Closest]
-    contacts: Callable[[Any, Any, Closest, float], Contacts]
+    contacts: Callable[[Any, Any, Closest, float, int | None], Contacts]
     overlaps: Callable[[Any, Any], BoolArray] | None = None
     gap: Callable[[Any, Any], Array] | None = None
 
 
+#: What any two convex shapes are served by, and what their contacts are, by kind of the first.
 CONVEX = PairTest(
-    "distance by GJK, depth by separating axes",
-    "corners of the features that meet",
+    "distance by GJK, depth by all separating axes",
+    "corners of what lies against what",
     convex.closest_convex,
     convex.contacts_convex,
 )
+ROUND = {"sphere": "one", "capsule": "one, or the two ends of a common stretch"}
 FLAT_ON_PLANE = PairTest(
     "support along the plane's normal",
     "the vertices within the margin",
@@ -78,14 +80,15 @@ TABLE: dict[tuple[str, str], PairTest] = {
         boxes.closest_sphere_box, convex.contacts_convex,
     ),
     ("capsule", "capsule"): PairTest(
-        "distance of two segments", "one, or the two ends of a common stretch",
+        "distance of two segments", ROUND["capsule"],
         capsules.closest_capsules, convex.contacts_convex,
     ),
     ("aabb", "aabb"): PairTest(
-        "gaps along the three axes", "corners of the features that meet",
+        "gaps along the three axes", CONVEX.contacts_by,
         boxes.closest_upright_boxes, convex.contacts_convex,
         boxes.upright_boxes_overlap,
     ),
+    ("obb", "obb"): replace(CONVEX, overlaps=boxes.turned_boxes_overlap),
     ("sphere", "half_space"): PairTest(
         "height of the centre", "one",
         planes.closest_to_half_space, planes.contacts_of_sphere,
@@ -104,7 +107,8 @@ TABLE: dict[tuple[str, str], PairTest] = {
     ),
 }  # fmt: skip
 for _pair in combinations_with_replacement(KINDS[:6], 2):
-    TABLE.setdefault(_pair, CONVEX)
+    _points = ROUND.get(_pair[0], CONVEX.contacts_by)
+    TABLE.setdefault(_pair, replace(CONVEX, contacts_by=_points))
 
 
 def served(a: Shape, b: Shape) -> tuple[PairTest, Shape, Shape, bool]:
@@ -112,3 +116,13 @@ def served(a: Shape, b: Shape) -> tuple[PairTest, Shape, Shape, bool]:
     if KINDS.index(a.kind) > KINDS.index(b.kind):
         return TABLE[b.kind, a.kind], b, a, True
     return TABLE[a.kind, b.kind], a, b, False
+
+
+def table_in_markdown() -> str:
+    """The table of docs/overlap.md."""
+    rows = ["| A | B | gap | contacts |", "|---|---|---|---|"]
+    for a, b in combinations_with_replacement(KINDS, 2):
+        test = TABLE[a, b]
+        names = (f"`{kind}`" for kind in (a, b))
+        rows.append(f"| {' | '.join([*names, test.gap_by, test.contacts_by])} |")
+    return "\n".join(rows)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
 from course.overlap.curvature import of_sphere
 from course.overlap.curved_contacts import END, START, curved
+from course.overlap.fewer_points import fewer, no_points
 from course.shapes import Capsule, HalfSpace, Shape, Sphere, polytopes
 
 #: Normals that add up to less than this are opposite to each other, but for rounding.
@@ -57,7 +58,7 @@ def closest_half_spaces(a: HalfSpace, b: HalfSpace) -> Closest:
 
 
 def contacts_of_sphere(
-    a: Sphere, b: HalfSpace, near: Closest, margin: float
+    a: Sphere, b: HalfSpace, near: Closest, margin: float, limit: int | None
 ) -> Contacts:
     """The contact of each of k pairs of a sphere and a half space."""
     none = np.zeros(len(near.normal), dtype=np.intp)
@@ -66,27 +67,27 @@ def contacts_of_sphere(
 
 
 def contacts_of_capsule(
-    a: Capsule, b: HalfSpace, near: Closest, margin: float
+    a: Capsule, b: HalfSpace, near: Closest, margin: float, limit: int | None
 ) -> Contacts:
     """The ends of capsules that are within the margin of their half spaces, as spheres.
 
     Of one that stands on an end, that one; of one that lies, both.
     """
-    found = []
+    found: list[Any] = []
     for feature, center in (START, a.start), (END, a.end):
         ball = Sphere(center, a.radius)
         below = closest_to_half_space(ball, b)
         rows = np.flatnonzero(below.gap <= np.maximum(margin, near.gap))
-        some = contacts_of_sphere(ball[rows], b[rows], below[rows], margin)
+        some = contacts_of_sphere(ball[rows], b[rows], below[rows], margin, None)
         key = np.array(some.key)
         key[:, 2] = feature
         found.append(replace(some, pair=rows, key=key))
-    both = Contacts.concatenate(found)
-    return both[np.argsort(both.pair, kind="stable")]
+    both, pair = Contacts.concatenate(found), np.concatenate([c.pair for c in found])
+    return fewer(both[np.argsort(pair, kind="stable")], limit)
 
 
 def contacts_of_polytope(
-    a: Shape, b: HalfSpace, near: Closest, margin: float
+    a: Shape, b: HalfSpace, near: Closest, margin: float, limit: int | None
 ) -> Contacts:
     """The vertices of boxes, k-DOPs and hulls that are within the margin of their half spaces."""
     solids = polytopes(a)
@@ -96,7 +97,7 @@ def contacts_of_polytope(
     which = np.flatnonzero(height <= np.maximum(margin, near.gap)[pair])
     pair, normal, height = pair[which], normal[which], height[which]
     none = np.zeros_like(pair)
-    return Contacts(
+    found = Contacts(
         body_a=none,
         body_b=none + 1,
         point=solids.vertices[which] - 0.5 * height[:, None] * normal,
@@ -106,12 +107,11 @@ def contacts_of_polytope(
         pair=pair,
         key=np.stack([none, none, which - solids.vertex_start[pair], none], axis=1),
     )
+    return fewer(found, limit)
 
 
-def no_contacts(a: HalfSpace, b: HalfSpace, near: Closest, margin: float) -> Contacts:
+def no_contacts(
+    a: HalfSpace, b: HalfSpace, near: Closest, margin: float, limit: int | None
+) -> Contacts:
     """None: what two half spaces have in common has no end."""
-    none = np.empty(0, dtype=np.intp)
-    return Contacts(
-        none, none, np.empty((0, 3)), np.empty((0, 3)), np.empty(0),
-        pair=none, key=np.empty((0, 4), dtype=np.intp),
-    )  # fmt: skip
+    return no_points()

@@ -133,5 +133,6 @@ def warm() -> None:
     import numpy as np
 
     x, r = np.eye(3), np.ones(3)
-    out = [np.empty(3), *np.empty((3, 3, 3))]
-    closest_capsules(x, x + 1.0, r, x - 1.0, x, r, *out)
+    for array in (x, r):
+        array.flags.writeable = False
+    closest_capsules(x, x, r, x, x, r, np.empty(3), *np.empty((3, 3, 3)))

@@ -16,6 +16,7 @@ from typing import Any
 
 from course.workbook.links import link_line, title_of, with_links
 from course.workbook.overview import PAGE, page
+from course.workbook.work_folder import in_order
 
 BEGIN = re.compile(r"^(\s*)# BEGIN SOLUTION\s*$")
 END = re.compile(r"^\s*# END SOLUTION\s*$")
@@ -39,7 +40,7 @@ def build(*, check: bool = False, root: Path = ROOT) -> list[str]:
     never deleted: it may be somebody's. Raises ``BrokenSource`` for unpaired markers.
     """
     drift = []
-    sources = sorted((root / "solutions").glob("*.ipynb"))
+    sources = in_order((root / "solutions").glob("*.ipynb"))
     titles = {source.name: _title(source) for source in sources}
     wanted = {
         source.name: lesson_text(source, link_line(titles, source.name))

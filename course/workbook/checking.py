@@ -103,7 +103,7 @@ def whats_next(
 ) -> str:
     """What to do after an exercise has passed; ``before`` are those that had passed before this check.
 
-    That the last core exercise was done is news once: neither at a second check of it, nor at a stretch one's.
+    That the last one that counts was done is news once: neither at a second check of it, nor at another's.
     """
     following = recording.next_exercise(lesson, exercise.name, passed)
     if following is not None:
@@ -111,9 +111,12 @@ def whats_next(
         return (
             f"{following.name}; about {left} minutes of exercises left in this lesson"
         )
-    if exercise.level == "core" and exercise.name not in before:
-        return "that was the last core exercise of this lesson"
-    return "all core exercises of this lesson have passed"
+    what, where = (
+        ("exercise", "notebook") if lesson.deeper else ("core exercise", "lesson")
+    )
+    if exercise in lesson.counted and exercise.name not in before:
+        return f"that was the last {what} of this {where}"
+    return f"all {what}s of this {where} have passed"
 
 
 def _source(answer: Any) -> str:

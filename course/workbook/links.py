@@ -12,23 +12,33 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from course.exercises.definition import DEEPER
 from course.workbook.overview import PAGE
 
 ROLE = "links"
+MORE = f"{DEEPER}.ipynb"
 
 
 def link_line(titles: Mapping[str, str], name: str) -> str:
     """The line of links of the lesson ``name``; ``titles`` are those of all lessons, in
     their order, by file name.
     """
-    names = list(titles)
-    at = names.index(name)
+    names = [each for each in titles if not _is_deeper(each)]
+    core, deeper = name.replace(f"{DEEPER}.", "."), name.replace(".ipynb", MORE)
+    at = names.index(core)
+    before = core if _is_deeper(name) else names[at - 1] if at else None
     parts = [f"[all lessons]({PAGE})"]
-    if at > 0:
-        parts.insert(0, _link(names[at - 1], f"← {titles[names[at - 1]]}"))
+    if before:
+        parts.insert(0, _link(before, f"← {titles[before]}"))
+    if deeper in titles:
+        parts.append(_link(deeper, "deeper into this"))
     if at + 1 < len(names):
         parts.append(_link(names[at + 1], f"{titles[names[at + 1]]} →"))
     return " \N{MIDDLE DOT} ".join(parts)
+
+
+def _is_deeper(name: str) -> bool:
+    return name.endswith(MORE)
 
 
 def with_links(cells: Sequence[Any], line: str) -> list[Any]:

@@ -20,7 +20,10 @@ OURS = "<!-- made by the course: what you write here is lost -->"
 
 @dataclass(frozen=True)
 class Row:
-    """A lesson's state: core exercises done, of how many, minutes left, the next one."""
+    """A notebook's state: exercises done, of how many, minutes left, the next one.
+
+    Those of a notebook that goes ``deeper`` are not among the minutes left in all.
+    """
 
     number: str
     title: str
@@ -29,6 +32,7 @@ class Row:
     total: int
     minutes: int
     following: str
+    deeper: bool = False
 
     @property
     def bar(self) -> str:
@@ -71,8 +75,8 @@ class Table:
 
 
 def minutes_left(lesson: Lesson, passed: Collection[str]) -> int:
-    """The estimated minutes of the core exercises not yet passed."""
-    return sum(e.minutes for e in lesson.core if e.name not in passed)
+    """The estimated minutes of the exercises that count and have not passed yet."""
+    return sum(e.minutes for e in lesson.counted if e.name not in passed)
 
 
 def table(passed: Collection[str]) -> Table:
@@ -83,10 +87,11 @@ def table(passed: Collection[str]) -> Table:
                 lesson.number,
                 lesson.title,
                 lesson.file_name,
-                sum(e.name in passed for e in lesson.core),
-                len(lesson.core),
+                sum(e.name in passed for e in lesson.counted),
+                len(lesson.counted),
                 minutes_left(lesson, passed),
-                next((e.name for e in lesson.core if e.name not in passed), ""),
+                next((e.name for e in lesson.counted if e.name not in passed), ""),
+                lesson.deeper,
             )
             for lesson in all_lessons()
         )
@@ -100,17 +105,18 @@ def page(names: Collection[str], passed: Collection[str] | None = None) -> str:
     rows = [row for row in table(passed or ()).rows if row.file_name in names]
     begun = passed is not None
     lines = [OURS, "", "# All lessons", ""]
-    following = next((row for row in rows if row.following), None)
+    core = [row for row in rows if not row.deeper]
+    following = next((row for row in core if row.following), None)
     if begun and following is not None:
         lines += [
             f"**Next:** {_link(following)}, exercise `{following.following}`. "
-            f"About {sum(row.minutes for row in rows)} minutes of core exercises are left in all.",
+            f"About {sum(row.minutes for row in core)} minutes of core exercises are left in all.",
             "",
         ]
     elif begun and rows:
         lines += ["All core exercises have passed.", ""]
     heads = ("lesson", "exercises done", "left", "next") if begun else (
-        "lesson", "core exercises", "minutes",
+        "lesson", "exercises", "minutes",
     )  # fmt: skip
     lines += [_line(heads), _line(["---"] * len(heads))]
     for row in rows:

@@ -126,7 +126,8 @@ def next_exercise(
     names = [e.name for e in lesson.exercises]
     start = names.index(after) + 1 if after in names else 0
     order = [*lesson.exercises[start:], *lesson.exercises[:start]]
-    return next((e for e in order if e.name not in passed and e.level == "core"), None)
+    counted = lesson.counted
+    return next((e for e in order if e.name not in passed and e in counted), None)
 
 
 def first_unfinished(folder: Path | None = None) -> Lesson | None:

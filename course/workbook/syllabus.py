@@ -171,7 +171,7 @@ def _exercise_faults(row: Row, topic: Topic) -> Iterator[str]:
         yield f"no exercise {topic.exercise!r} is registered"
         return
     lesson, exercise = found[topic.exercise]
-    if Path(lesson.file_name).stem != topic.lesson:
+    if lesson.stem != topic.lesson:
         yield f"exercise {topic.exercise!r} belongs to lesson {lesson.number}"
     if row.number and row.number not in exercise.rows:
         yield f"exercise {topic.exercise!r} names the rows {exercise.rows}, not this one"

@@ -14,9 +14,11 @@ import hashlib
 import os
 import re
 import secrets
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from course.exercises.definition import DEEPER
 from course.workbook.course_folder import append_line, kept_text
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -38,25 +40,29 @@ class Opened:
 
 def lesson_files(root: Path = ROOT) -> list[Path]:
     """The lessons that can be opened, in order."""
-    return sorted((root / "lessons").glob("[0-9][0-9]-*.ipynb"))
+    return in_order((root / "lessons").glob("[0-9][0-9]-*.ipynb"))
+
+
+def in_order(notebooks: Iterable[Path]) -> list[Path]:
+    """Notebooks as they are read: what goes deeper comes after its lesson."""
+    return sorted(notebooks, key=lambda path: path.stem)
 
 
 def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
     """The lesson that ``name`` means.
 
-    "10", "10-impulse", "impulse", "imp", or a path to the lesson or to a copy. Raises
-    ``ValueError`` naming the nearest lesson where there is none.
+    "10", "10-impulse", "impulse", "imp", or a path to the lesson or to a copy; "10-more"
+    or "impulse-more" for what goes deeper. Raises ``ValueError`` naming the nearest
+    lesson where there is none.
     """
     wanted = re.sub(r" \(new \d+\)$", "", Path(name).name.removesuffix(".ipynb"))
     known = {path.stem: path for path in lesson_files(root)}
     for stem, path in known.items():
         number, _, title = stem.partition("-")
-        if wanted in (stem, title) or (
-            wanted.isdecimal() and int(wanted) == int(number)
-        ):
+        if wanted in (stem, title) or _is_number(wanted, number, stem.endswith(DEEPER)):
             return path
     holders = [path for stem, path in known.items() if wanted and wanted in stem]
-    if len(holders) == 1:
+    if len(holders) == 1 or len(holders) == 2 and _are_of_one_lesson(*holders):
         return holders[0]
     near = difflib.get_close_matches(
         wanted, [*known, *(stem[3:] for stem in known)], n=1, cutoff=0.5
@@ -69,6 +75,19 @@ def find_lesson(name: str | Path, root: Path = ROOT) -> Path:
     raise ValueError(
         f"lesson: expected a lesson's number or name; got {str(name)!r}; {advice}"
     )
+
+
+def _is_number(wanted: str, number: str, deeper: bool) -> bool:
+    digits = wanted.removesuffix(DEEPER) if deeper else wanted
+    return (
+        digits.isdecimal()
+        and int(digits) == int(number)
+        and (digits != wanted or not deeper)
+    )
+
+
+def _are_of_one_lesson(first: Path, second: Path) -> bool:
+    return second.stem == first.stem + DEEPER
 
 
 def open_lesson(name: str | Path, root: Path = ROOT) -> Opened:

@@ -1,5 +1,6 @@
 """A film with a kernel behind it: what is dragged stays under the pointer, keys act, errors are shown."""
 
+import json
 import os
 import re
 import signal
@@ -26,6 +27,7 @@ DRAGS = {
     "plank": (0, [(80, 0), (-210, 3), (120, 0)]),
     "pushed_table": (0, [(-40, 6), (60, -12), (-120, 10)]),
 }
+#: A student's function that raises, beside the right one; and a film that cannot be made.
 RAISES = """\
 from course.workbook import stage
 from course.workbook.films.central_impacts import impulse
@@ -39,6 +41,33 @@ def impulse_of_mine(mass_1, mass_2, velocity_1, velocity_2, normal, restitution)
 
 stage.show(impulse(against=impulse_of_mine))
 """
+NO_FILM = """\
+from course.workbook import stage
+from course.workbook.stage import Exhibit, Film, Flat, Knob, Pane, ball
+
+
+def film(side):
+    if side < 0.5:
+        raise ZeroDivisionError("no side is that small")
+    place = [[[0, 0, 0]], [[side, 0, 0]]]
+    return Film([Pane([ball(0.2)], place)], [0.0, 0.5], Flat("xz"), caption=f"A side of {side:g} m.")
+
+
+stage.show(Exhibit(film, [Knob("side", "side", 1.0, 0.0, 2.0, 0.25, "m")]))
+"""
+#: The first messages of a kind are lost on their way to the kernel ("sent") or from it ("received").
+LOSSY = """([way, kind, most]) => {
+  let lost = 0;
+  const told = (data) => typeof data === "string" ? data : new TextDecoder().decode(data);
+  const loses = (data) => new RegExp(`"kind": ?"${kind}"`).test(told(data)) && lost < most && (lost += 1);
+  window.lostMessages = () => lost;
+  window.WebSocket = class extends WebSocket {
+    send(data) { if (way !== "sent" || !loses(data)) super.send(data); }
+    set onmessage(act) {
+      super.onmessage = (event) => { if (way !== "received" || !loses(event.data)) act.call(this, event); };
+    }
+  };
+}"""
 
 #: A page of another colour, whatever lies on it: the body comes last, and is looked at.
 PAPER = """color => { for (let node = document.querySelector(".stage").parentElement; node; node = node.parentElement) {
@@ -52,6 +81,7 @@ def voila(tmp_path_factory):
         shown = f"from course.workbook import demos\n\ndemos.{name}()"
         notebook(folder / f"{name}.ipynb", shown)
     notebook(folder / "raises.ipynb", RAISES)
+    notebook(folder / "no_film.ipynb", NO_FILM)
     port = free_port()
     template = ROOT / "course" / "workbook" / "demos" / "share"
     server = subprocess.Popen(
@@ -140,22 +170,82 @@ def test_what_a_students_function_raises_is_shown_and_ends_nothing(voila):
         cut_off(opened)
         played = Played(opened, f"{voila}/raises.ipynb")
         slider = opened.locator(".stage .knobs input").last
-        caption = opened.locator(".stage .caption")
-        first = caption.inner_text()
+        pictures = opened.locator(".stage .pictures")
         slider.fill("0")
         opened.wait_for_function(
-            "document.querySelector('.stage .caption').innerText.includes('no e is that small')"
+            "document.querySelector('.stage .pictures').innerText.includes('your function raised')"
         )
-        assert caption.inner_text().startswith("ZeroDivisionError")
+        said = "your function raised ZeroDivisionError: no e is that small"
+        assert said in pictures.inner_text()
         slider.fill("1000")
         opened.wait_for_function(
-            "words => document.querySelector('.stage .caption').innerText === words",
-            arg=first,
+            "!document.querySelector('.stage .pictures').innerText.includes('raised')"
         )
+        assert "your function" in pictures.inner_text()
         played.press(" ")
         opened.wait_for_function(
             "document.querySelector('.stage .now').innerText.startsWith('0.520')"
         )
+
+
+def test_why_there_is_no_film_is_said_and_ends_nothing(voila):
+    with page() as opened:
+        cut_off(opened)
+        played = Played(opened, f"{voila}/no_film.ipynb")
+        slider = opened.locator(".stage .knobs input").last
+        caption = opened.locator(".stage .caption")
+        assert caption.inner_text() == "A side of 1 m."
+        slider.fill("0")
+        _says(opened, "ZeroDivisionError: no side is that small")
+        slider.fill("1000")
+        _says(opened, "A side of 2 m.")
+        played.press(" ")
+        opened.wait_for_function(
+            "document.querySelector('.stage .now').innerText.startsWith('0.500')"
+        )
+
+
+def _says(opened, words):
+    """Until the caption is this."""
+    opened.wait_for_function(
+        "words => document.querySelector('.stage .caption')?.innerText === words",
+        arg=words, timeout=30_000,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("way, kind", [("sent", "ask"), ("received", "film")])
+def test_a_message_that_is_lost_hangs_no_hand(voila, way, kind):
+    """Once: the same is asked again. Three times: that no answer comes is said, and it comes after all."""
+    for most in (1, 3):
+        with page() as opened:
+            cut_off(opened)
+            lossy = f"({LOSSY})({json.dumps([way, kind, most])})"
+            opened.add_init_script(lossy)
+            Played(opened, f"{voila}/no_film.ipynb")
+            slider = opened.locator(".stage .knobs input").last
+            slider.fill("1000")
+            if most > 1:
+                opened.wait_for_function(
+                    "document.querySelector('.stage .caption').innerText.startsWith('Python has not answered yet')"
+                )
+            _says(opened, "A side of 2 m.")
+            assert opened.evaluate("lostMessages()") == most
+            slider.fill("500")
+            _says(opened, "A side of 1 m.")
+
+
+def test_a_question_as_soon_as_the_stage_appears_is_answered(voila):
+    with page() as opened:
+        cut_off(opened)
+        opened.add_init_script("""new MutationObserver(() => {
+          const slider = !window.asked && document.querySelector(".stage .knobs input");
+          if (!slider) return;
+          window.asked = true;
+          slider.value = 1000;
+          slider.dispatchEvent(new Event("input"));
+        }).observe(document, { childList: true, subtree: true });""")
+        opened.goto(f"{voila}/no_film.ipynb", timeout=240_000)
+        _says(opened, "A side of 2 m.")
 
 
 def test_the_keyboard_alone_does_everything(voila):

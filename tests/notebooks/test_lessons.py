@@ -10,23 +10,31 @@ import nbformat
 import pytest
 from nbval.plugin import get_sanitize_patterns
 
-from course.exercises.definition import all_lessons
+from course.exercises.definition import DEEPER, all_lessons
 from course.exercises.message import SYMBOLS, Message
 from course.workbook.building import BrokenSource, blank, build, lesson_text
 from course.workbook.links import is_link, link_line, title_of, with_links
+from course.workbook.work_folder import in_order
 
 ROOT = Path(__file__).resolve().parents[2]
-SOLUTIONS = sorted((ROOT / "solutions").glob("*.ipynb"))
+SOLUTIONS = in_order((ROOT / "solutions").glob("*.ipynb"))
+#: The parts of a lesson, in order.
 SECTIONS = (
-    "On the slide",
+    "The question",
     "Derive",
     "Build",
+    "On the slide",
     "See",
     "Speed against accuracy",
     "Where it breaks",
     "No more than needed",
     "Recap",
 )
+#: Lessons that stand in their first edition: the slide first, and no second notebook.
+FIRST_EDITION = ("00", "09", "10", "11", "12", "13", "14", "15", "16")
+FIRST_SECTIONS = ("On the slide", "Derive", "Build", *SECTIONS[4:])
+#: Of a core: words of prose, checks, and minutes of exercises; of everything together.
+WORDS, CHECKS, EXERCISE_MINUTES, MINUTES = 2600, 5, 35, 75
 # What may differ from run to run, and so is shown but not compared; each such cell says which in its tags.
 REASONS = {"measured", "widget"}
 each = pytest.mark.parametrize("path", SOLUTIONS, ids=lambda p: p.stem)
@@ -144,10 +152,45 @@ def test_figures_are_shown_with_alternative_text(path):
 @each
 def test_parts_stand_in_order(path):
     headings = re.findall(r"^## (.+)$", "\n".join(_markdown(path)), flags=re.M)
-    expected = [s for s in SECTIONS if s in headings]
-    assert [h for h in headings if h in SECTIONS] == expected
-    if not path.name.startswith("00-"):
-        assert tuple(expected) == SECTIONS
+    sections = FIRST_SECTIONS if path.name[:2] in FIRST_EDITION else SECTIONS
+    expected = [s for s in sections if s in headings]
+    assert [h for h in headings if h in sections] == expected
+    if not path.name.startswith("00-") and not path.stem.endswith(DEEPER):
+        assert tuple(expected) == sections
+
+
+CORES = [le for le in all_lessons() if le.number not in FIRST_EDITION and not le.deeper]
+
+
+@pytest.mark.parametrize("lesson", CORES, ids=lambda lesson: lesson.number)
+def test_a_core_takes_the_time_it_says(lesson):
+    """Words at 100 a minute, a minute a figure or film, and the exercises' own minutes."""
+    path = ROOT / "solutions" / lesson.file_name
+    words = sum(map(words_of_prose, _markdown(path)))
+    figures = sum(
+        "text/html" in output.get("data", {}) and "<img" in output.data["text/html"]
+        for cell in code_cells(path)
+        for output in cell.outputs
+    )
+    exercises = sum(e.minutes for e in lesson.exercises)
+    assert all(e.level == "core" for e in lesson.exercises)
+    assert words <= WORDS and exercises <= EXERCISE_MINUTES
+    assert len(lesson.exercises) <= CHECKS
+    assert abs(lesson.minutes - (words / 100 + figures + exercises)) <= 5
+    assert lesson.minutes <= MINUTES
+    assert f"{lesson.minutes} minutes" in "\n".join(_markdown(path)[:3])
+
+
+def words_of_prose(text: str) -> int:
+    """Words of a text cell; tables, formulas and code are read otherwise."""
+    text = re.sub(r"\$\$.*?\$\$|```.*?```|^\|.*?$", "", text, flags=re.S | re.M)
+    text = re.sub(r"\$[^$]*?\$|`[^`]*`", "x", text)
+    return len(re.findall(r"[A-Za-z0-9][\w'.,-]*", re.sub(r"\]\(.*?\)", "]", text)))
+
+
+def test_words_of_prose_are_counted():
+    text = "## Two boxes\n| a | b |\nTurn `a` by $x + y$:\n$$\na\n$$\n[see](x.ipynb)."
+    assert words_of_prose(text) == 7
 
 
 @each

@@ -1,7 +1,7 @@
 """Shapes of every kind, drawn by seed, and what is true of a pair, found in another way."""
 
 import numpy as np
-from scipy.optimize import lsq_linear
+from scipy.optimize import lsq_linear, nnls
 from scipy.spatial.transform import Rotation
 
 from course.shapes import (
@@ -13,6 +13,7 @@ from course.shapes import (
     ConvexHull,
     HalfSpace,
     Sphere,
+    polytopes,
 )
 
 #: Normals of the 14-DOP: the axes, and the diagonals of the cube.
@@ -142,3 +143,54 @@ def hull_depth(hull, point):
         planes = Qhull(x).equations
         found.append(-np.max(planes[:, :3] @ spot + planes[:, 3]))
     return np.reshape(found, hull.batch)
+
+
+def core_points(shape):
+    """The corners of one shape's core, (n, 3), its face normals and edge directions, and its radius."""
+    solid = polytopes(shape)
+    edges = solid.vertices[solid.edges[:, 1]] - solid.vertices[solid.edges[:, 0]]
+    return solid.vertices, solid.normals, edges, float(solid.radius[0])
+
+
+def separation_by_all_axes(a, b):
+    """The greatest separation of two cores along the normals of faces and the products of edges of both."""
+    (x_a, n_a, e_a, _), (x_b, n_b, e_b, _) = core_points(a), core_points(b)
+    crossed = np.cross(e_a[:, None], e_b[None]).reshape(-1, 3)
+    length = np.linalg.norm(crossed, axis=1)
+    sure = length > 1e-9 * max(1e-300, length.max(initial=0))
+    axes = np.vstack([n_a, n_b, crossed[sure] / length[sure, None]])
+    axes = np.vstack([axes, -axes])
+    return ((x_a @ axes.T).min(axis=0) - (x_b @ axes.T).max(axis=0)).max(
+        initial=-np.inf
+    )
+
+
+def distance_of_hulls(x_a, x_b):
+    """The distance of two hulls of points: weights at or above 0 by non-negative least
+    squares, then those that are above 0 once more, exactly."""
+    sums = np.zeros((2, len(x_a) + len(x_b)))
+    sums[0, : len(x_a)], sums[1, len(x_a) :] = 1, 1
+    matrix = np.hstack([x_a.T, -x_b.T])
+    weights, _ = nnls(np.vstack([matrix, 1e4 * sums]), np.r_[0, 0, 0, 1e4, 1e4])
+    used = weights > 1e-9
+    some, total = matrix[:, used], sums[:, used]
+    kkt = np.block([[some.T @ some, total.T], [total, np.zeros((2, 2))]])
+    found = np.linalg.lstsq(kkt, np.r_[np.zeros(used.sum()), 1, 1], rcond=None)[0]
+    return np.linalg.norm(some @ found[: used.sum()])
+
+
+def true_gap(a, b):
+    """The gap of two shapes, of which none is a compound, in a slow way that shares nothing with the library's."""
+    if isinstance(b, HalfSpace):
+        corners, _, _, radius = core_points(a)
+        return (corners @ b.normal).min() - float(b.offset) - radius
+    if isinstance(a, HalfSpace):
+        return true_gap(b, a)
+    radii = core_points(a)[3] + core_points(b)[3]
+    separation = separation_by_all_axes(a, b)
+    if -np.inf < separation < 0:
+        return separation - radii
+    simple = (Sphere, Capsule, AABB, OBB)
+    if isinstance(a, simple) and isinstance(b, simple):
+        return distance_by_least_squares(a, b) - radii
+    return distance_of_hulls(core_points(a)[0], core_points(b)[0]) - radii

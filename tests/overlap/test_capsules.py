@@ -4,6 +4,8 @@ import itertools
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from overlap.drawn_shapes import (
     capsules,
     depth_inside,
@@ -144,8 +146,8 @@ def distance_in_many_digits(p, u, q, v):
     def clamp(x):
         return min(max(x, Fraction(0)), Fraction(1))
 
-    tried = [square(Fraction(s), clamp((s * uv - vw) / vv)) for s in (0, 1)]
-    tried += [square(clamp((t * uv + uw) / uu), Fraction(t)) for t in (0, 1)]
+    tried = [square(Fraction(s), clamp((s * uv - vw) / (vv or 1))) for s in (0, 1)]
+    tried += [square(clamp((t * uv + uw) / (uu or 1)), Fraction(t)) for t in (0, 1)]
     determinant = uu * vv - uv * uv
     if determinant:
         s, t = (uw * vv - vw * uv) / determinant, (uw * uv - vw * uu) / determinant
@@ -188,6 +190,22 @@ def test_lengths_of_all_sizes():
         assert found == pytest.approx(
             truth, abs=4e-16 * (3 * max(size) + abs(p - q).max())
         )
+
+
+SPOT = st.tuples(
+    *[st.sampled_from([0.0, 1.0, -1.0, 0.5, 3.0, 1e-9, 1e6, 1 + 1e-12])] * 3
+)
+
+
+@given(SPOT, SPOT, SPOT, SPOT)
+@settings(max_examples=300, deadline=None)
+def test_segments_that_line_up(p, q, r, s):
+    """Equal coordinates everywhere: points, parallels, crossings. Exact to rounding, in both orders."""
+    p, q, r, s = (np.array(x) for x in (p, q, r, s))
+    truth = distance_in_many_digits(p, q - p, r, s - r)
+    size = max(np.abs(q - p).max(), np.abs(r - p).max(), np.abs(s - p).max())
+    for given_ in ((p, q, 0, r, s, 0), (r, s, 0, p, q, 0), (q, p, 0, r, s, 0)):
+        assert capsule_gap(*given_) == pytest.approx(truth, rel=1e-15, abs=2e-15 * size)
 
 
 def test_capsules_whose_segments_cross_are_as_deep_as_both_radii():

@@ -32,23 +32,28 @@ class StageWidget(anywidget.AnyWidget):
     ) -> None:
         self.shown, self._still = exhibit, still
         self.values = dict(exhibit.values)
+        self._answered: tuple[Any, dict[str, Any]] | None = None
         super().__init__(
             exhibit=exhibit_json(exhibit, large=large), answers=bool(exhibit.knobs)
         )
         self.on_msg(self._asked)
 
     def _asked(self, _: Any, content: Any, __: Any) -> None:
-        """A question from the browser: the film of these values, or why there is none."""
-        number = content.get("id")
-        known = {k: float(v) for k, v in content["values"].items() if k in self.values}
-        self.values |= known
+        """A question from the browser: the film of these values, or why there is none.
+
+        One that is asked again, because its answer was lost or is late, gets the same.
+        """
+        question = (content.get("id"), content["values"])
+        if self._answered is None or self._answered[0] != question:
+            self._answered = question, self._answer(content["values"])
+        self.send({**self._answered[1], "id": question[0]})
+
+    def _answer(self, values: Any) -> dict[str, Any]:
         try:
-            film = encoded(self.shown.made(**self.values))
+            self.values |= {k: float(v) for k, v in values.items() if k in self.values}
+            return {"kind": "film", "film": encoded(self.shown.made(**self.values))}
         except Exception as error:  # a student's function may raise anything
-            words = f"{type(error).__name__}: {error}"
-            self.send({"kind": "failed", "id": number, "words": words})
-            return
-        self.send({"kind": "film", "id": number, "film": film})
+            return {"kind": "failed", "words": f"{type(error).__name__}: {error}"}
 
     @property
     def picture(self) -> str:

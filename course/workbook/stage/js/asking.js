@@ -1,20 +1,45 @@
 // Questions to Python while something is dragged: one under way, the last position wins.
 
-/** @param {(values: object, id: number) => void} send */
-export function asker(send) {
-  let [busy, wanted, id, sent] = [false, null, 0, null];
+const PATIENCE = 1500; // milliseconds without an answer, after which a question is asked again
+const MOST_REPEATS = 9; // each after twice the time of the one before: for a quarter of an hour
+
+/**
+ * A question or its answer can get lost: before the kernel's channel is open, while a lost connection
+ * is made anew, in a server that sheds load. So it is asked again, under the same number: whoever has
+ * answered it says the same once more and computes nothing.
+ * @param {(values: object, id: number) => void} send may raise while there is no connection
+ * @param {{patience?: number, repeated?: (times: number) => void, later?: typeof setTimeout, never?: typeof clearTimeout}} how
+ *   `repeated` hears of each time that a question is asked again
+ */
+export function asker(send, how = {}) {
+  const { patience = PATIENCE, repeated = () => {}, later = (f, ms) => setTimeout(f, ms), never = (t) => clearTimeout(t) } = how;
+  let [busy, wanted, id, sent, timer, stopped] = [false, null, 0, null, null, false];
+  const put = (repeats) => {
+    timer = repeats < MOST_REPEATS ? later(() => { repeated(repeats + 1); put(repeats + 1); }, patience * 2 ** repeats) : null;
+    try { send(sent, id); } catch { /* no connection at this moment: it is asked again */ }
+  };
   const go = () => {
-    if (busy || wanted === null) return;
-    const values = wanted;
-    [busy, wanted] = [true, null];
+    if (busy || stopped || wanted === null) return;
+    [busy, sent, wanted] = [true, wanted, null];
     id += 1;
-    sent = values;
-    send(values, id);
+    put(0);
   };
   return {
-    ask(values) { wanted = values; go(); },
-    /** An answer came, or none will: the next question may go. */
-    answered(which) { if (which === id) { busy = false; go(); } },
+    /** @param {object} values for which a film is wanted; those that wait are forgotten */
+    ask(values) {
+      wanted = values;
+      if (busy && timer === null) busy = false; // given up on
+      go();
+    },
+    /** An answer came, or none will: the next question may go. @param {number} which */
+    answered(which) {
+      if (which !== id || !busy) return;
+      never(timer);
+      busy = false;
+      go();
+    },
+    /** Nothing is asked any more. */
+    stop() { never(timer); stopped = true; },
     get busy() { return busy; },
     /** The values of the last question: those of its answer. */
     get sent() { return sent; },

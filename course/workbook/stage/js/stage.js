@@ -12,6 +12,8 @@ const LEAST_PANE = 240; // pixels, before a room
 const LEAST_CHART = 10; // lines of text
 const REST = 150; // milliseconds without a picture, after which one is drawn finely
 const MOST_TRIES = 5; // films until what is held has come to where the pointer stands
+const TOLD_AFTER = 2; // repetitions of a question, after which it is said that no answer comes
+const UNANSWERED = "Python has not answered yet. While it runs another cell it cannot; where its kernel was started anew, run this cell again.";
 const SPEEDS = [1, 0.5, 0.25, 0.1];
 
 // Drawn, since not every machine's fonts have these signs.
@@ -50,7 +52,7 @@ export class Stage {
     this.clock = new Clock((time) => { this.#passed(time); this.paintSoon(); });
     // Where there is a question, curves and numbers wait until it has been voted on and played.
     this.told = !exhibit.question;
-    this.questions = ask && asker(ask);
+    this.questions = ask && asker(ask, { repeated: (times) => { if (times >= TOLD_AFTER) this.say(UNANSWERED); } });
     this.#build();
     this.receive(exhibit.film, null);
     for (const { arrows, segments } of this.film.panes) {
@@ -70,8 +72,18 @@ export class Stage {
     this.themes.observe(document.body, { attributes: true });
   }
 
-  /** Another film: the answer to a question, or a preset's. */
+  /** Another film: the answer to a question, or a preset's (`id` null). Whatever is wrong with it, the next may come. */
   receive(film, id) {
+    const answers = this.questions && id !== null;
+    try {
+      this.#show(film);
+      if (answers && this.held) this.#follow(this.questions.sent);
+    } finally {
+      if (answers) this.questions.answered(id);
+    }
+  }
+
+  #show(film) {
     const before = this.film;
     this.films = (this.films || 0) + 1;
     this.film = decoded(film);
@@ -86,13 +98,14 @@ export class Stage {
     }
     this.#words();
     this.paintSoon();
-    if (!this.questions || id === null) return;
-    if (this.held) this.#follow(this.questions.sent);
-    this.questions.answered(id);
   }
+
+  /** Words in place of the film's caption, until the next film. @param {string} words */
+  say(words) { this.parts.caption.textContent = words; }
 
   destroy() {
     this.clock.pause();
+    if (this.questions) this.questions.stop();
     clearTimeout(this.later);
     this.sizes.disconnect();
     this.sight.disconnect();
@@ -583,7 +596,7 @@ function render({ model, el }) {
   const stage = new Stage(root, model.get("exhibit"), ask);
   const receive = (message) => {
     if (message.kind === "film") stage.receive(message.film, message.id);
-    if (message.kind === "failed") { stage.questions.answered(message.id); stage.parts.caption.textContent = message.words; }
+    if (message.kind === "failed") { stage.say(message.words); stage.questions.answered(message.id); }
   };
   const replace = () => { stage.receive(model.get("exhibit").film, null); };
   model.on("msg:custom", receive);

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { asker, draggedValue, learnedGain, rounded, slid, unslid } from "../../../../course/workbook/stage/js/asking.js";
+import { draggedValue, learnedGain, rounded, slid, unslid } from "../../../../course/workbook/stage/js/asking.js";
 import { Clock } from "../../../../course/workbook/stage/js/clock.js";
 import {
   between, hull, momentAt, placedLabels, slerp, stepped, ticks, turned, turnedBetween, unpack, written,
@@ -127,20 +127,6 @@ test("labels never cover each other, and one without a free place is left out", 
   boxes.forEach((a, i) => boxes.slice(0, i).forEach((b) => {
     assert.ok(a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1]);
   }));
-});
-
-test("one question is under way, and the last position wins", () => {
-  const sent = [];
-  const questions = asker((values, id) => sent.push([values, id]));
-  for (let k = 0; k < 10; k += 1) questions.ask({ k });
-  assert.deepEqual(sent, [[{ k: 0 }, 1]]);
-  questions.answered(1);
-  assert.deepEqual(sent[1], [{ k: 9 }, 2]);
-  questions.answered(1); // late, of another question
-  questions.ask({ k: 10 });
-  assert.equal(sent.length, 2);
-  questions.answered(2);
-  assert.deepEqual(sent[2], [{ k: 10 }, 3]);
 });
 
 test("a hand moves a knob along its direction, within its ends, on its steps", () => {
