@@ -77,8 +77,9 @@ class Closest:
 def closest_points(a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike) -> Closest:
     """Gap, normal and witness points of solid i of a and solid j of b, for every pair (i, j).
 
-    Distances by GJK (``gjk``), depths by separating axes (``separating_axis_loops``); both are
-    exact to rounding, and each is compared with the other there where they meet.
+    Distances by GJK (``gjk``), depths by EPA (``epa``), each as soon as it is certain to
+    rounding; what is left, and what nearly touches, by separating axes
+    (``separating_axis_loops``) and, very rarely, by all features (``nearest_features``).
 
     Args:
         a, b: rounded polytopes.
@@ -95,6 +96,33 @@ def closest_points(a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike) -> Cl
     )
     batch = np.shape(i)
     return Closest(gap.reshape(batch), *apart.reshape(3, *batch, 3))
+
+
+def least_translation(
+    a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike
+) -> tuple[Array, Array]:
+    """The greatest separation along an axis of solid i of a and solid j of b, and that axis, for every pair.
+
+    Where the cores overlap -s is the least translation of A that parts them, along N. Where
+    they are apart s is above 0 and a lower bound of their distance (C. Ericson, *Real-Time
+    Collision Detection*, section 5.2.1).
+
+    Args:
+        a, b: rounded polytopes.
+        i, j: which of them, ints of one shape (...).
+    Returns:
+        s less both radii (...) [m] and N (..., 3), out of B toward A.
+    Raises:
+        ValueError: a number of no solid, or i and j of different shapes.
+    """
+    from course.overlap.closest_loops import least_translations
+
+    first, second = _pairs(a, b, i, j)
+    separation, normal = np.empty(first.size), np.empty((first.size, 3))
+    solids = as_solids(a), as_solids(b)
+    least_translations(*solids, first, second, separation, normal)
+    batch = np.shape(i)
+    return separation.reshape(batch), normal.reshape(*batch, 3)
 
 
 def _pairs(

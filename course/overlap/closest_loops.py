@@ -18,13 +18,10 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.gjk import APART, BEYOND, INSIDE, gjk
+from course.overlap.epa import epa, epa_room
+from course.overlap.gjk import APART, INSIDE, gjk
 from course.overlap.nearest_features import nearest_features
-from course.overlap.separating_axis_loops import (
-    Solids,
-    greatest_separation,
-    separation_along,
-)
+from course.overlap.separating_axis_loops import Solids, greatest_separation
 
 #: What is as near as this, in sizes of the pair, has its direction from the separating axes.
 NEAR = 1e-7
@@ -48,6 +45,10 @@ class Room(NamedTuple):
     number_b: IntArray
     arcs_a: Array
     arcs_b: Array
+    hull: Array  # of EPA
+    corner: IntArray
+    plane: Array
+    rim: IntArray
     w: Array  # the simplex of GJK
     pick: IntArray
     share: Array
@@ -71,6 +72,7 @@ def most(start: IntArray) -> int:
 def room_for(a: Solids, b: Solids) -> Room:
     """Room for every pair of a solid of a and one of b."""
     p, q = most(a.vertex_start), most(b.vertex_start)
+    hull, corner, plane, rim = epa_room()
     return Room(
         np.empty((p, 3)),
         np.empty((q, 3)),
@@ -80,6 +82,10 @@ def room_for(a: Solids, b: Solids) -> Room:
         np.empty(q, np.intp),
         np.empty((most(a.edge_start), 12)),
         np.empty((most(b.edge_start), 12)),
+        hull,
+        corner,
+        plane,
+        rim,
         np.empty((4, 3)),
         np.empty((4, 2), np.intp),
         np.empty(4),
@@ -198,14 +204,31 @@ def opposite_points(count_a: int, count_b: int, room: Room) -> None:
 
 
 @compiled
-def by_all_features(a: Solids, i: int, b: Solids, j: int, room: Room) -> float:
-    """The distance where GJK failed: normal and points are written to room."""
-    nearest_features(room.a, room.b, a, i, b, j, room.pick, room.share)
-    combine(room.a, room.pick, 0, room.share, 3, room.point_a)
-    combine(room.b, room.pick, 1, room.share, 3, room.point_b)
-    distance = length(room.point_a, room.point_b)
-    if distance > 0.0:
-        room.normal[:] = (room.point_a - room.point_b) / distance
+def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
+    """GJK from room.v: how it ended, lower and upper bound of the distance; points of the upper one to room."""
+    ended, count, lower = gjk(room.a, count_a, room.b, count_b, room.v, math.inf, room.w, room.pick, room.share, room.weight)  # fmt: skip
+    if ended != APART:
+        return ended, lower, math.inf
+    combine(room.a, room.pick, 0, room.share, count, room.point_a)
+    combine(room.b, room.pick, 1, room.share, count, room.point_b)
+    return ended, lower, length(room.point_a, room.point_b)
+
+
+@compiled
+def by_all_features(a: Solids, i: int, b: Solids, j: int, count_a: int, count_b: int, room: Room) -> float:  # fmt: skip
+    """The distance where GJK lost its way: normal and points are written to room."""
+    for once_more in (True, False):
+        nearest_features(room.a, room.b, a, i, b, j, room.pick, room.share)
+        combine(room.a, room.pick, 0, room.share, 3, room.point_a)
+        combine(room.b, room.pick, 1, room.share, 3, room.point_b)
+        room.v[:] = room.point_a - room.point_b
+        # Of features that are as near to rounding the first was taken; from so near GJK finds the best.
+        if once_more:
+            _, lower, upper = by_gjk(count_a, count_b, room)
+            if upper - lower <= CERTAIN:
+                break
+    distance = math.sqrt(room.v[0] ** 2 + room.v[1] ** 2 + room.v[2] ** 2)
+    room.normal[:] = room.v / distance
     return distance
 
 
@@ -217,6 +240,7 @@ def nearly_touching(
     j: int,
     count_a: int,
     count_b: int,
+    ended: int,
     lower: float,
     upper: float,
     room: Room,
@@ -224,10 +248,16 @@ def nearly_touching(
     """The gap of two polytopes that overlap, nearly touch, or are apart by what GJK is not sure of.
 
     Args:
+        ended: how GJK did.
         lower, upper: bounds of their distance by GJK, which has left the points of the upper
             one and the vector v of the lower one in room.
     """
     normal, v = room.normal, room.v
+    if ended == INSIDE:
+        depth = epa(room.a, count_a, room.b, count_b, room.w, room.hull, room.corner, room.plane, room.rim, normal)  # fmt: skip
+        if depth >= 0.0:
+            opposite_points(count_a, count_b, room)
+            return -depth
     sure = upper - lower <= CERTAIN and lower > 0.0
     s = greatest_separation(room.a, count_a, room.b, count_b, a, i, b, j, room.arcs_a, room.arcs_b, normal)  # fmt: skip
     # Seen at a small angle a distance is hardly shorter: if in doubt it is that of the points.
@@ -235,10 +265,10 @@ def nearly_touching(
         distance = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
         normal[:] = v / distance
         return distance
-    if s > CERTAIN and upper - s > CERTAIN:
-        return by_all_features(a, i, b, j, room)
     opposite_points(count_a, count_b, room)
-    return s
+    if s <= CERTAIN or length(room.point_a, room.point_b) - s <= CERTAIN:
+        return s
+    return by_all_features(a, i, b, j, count_a, count_b, room)
 
 
 @compiled
@@ -271,7 +301,7 @@ def closest_pairs(
             apart = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
             n[0], n[1], n[2] = v[0] / apart, v[1] / apart, v[2] / apart
         else:
-            apart = nearly_touching(a, i[p], b, j[p], count_a, count_b, lower, upper, room)  # fmt: skip
+            apart = nearly_touching(a, i[p], b, j[p], count_a, count_b, ended, lower, upper, room)  # fmt: skip
         r_a, r_b, at = radius_a[i[p]], radius_b[j[p]], start_a[i[p]]
         gap[p] = apart / scale - r_a - r_b
         for k in range(3):
@@ -281,5 +311,24 @@ def closest_pairs(
             point_b[p, k] = p_b[k] / scale + r_b * n[k] + origin
 
 
+@compiled
+def least_translations(
+    a: Solids, b: Solids, i: IntArray, j: IntArray, separation: Array, normal: Array
+) -> None:
+    """The greatest separation of the pairs (i, j) and its axis, written to the last two, (p,) and (p, 3)."""
+    room = room_for(a, b)
+    for p in range(i.size):
+        count_a, count_b, scale = in_own_measure(a.vertices, a.vertex_start, i[p], b.vertices, b.vertex_start, j[p], room.a, room.b, room.v)  # fmt: skip
+        s = greatest_separation(room.a, count_a, room.b, count_b, a, i[p], b, j[p], room.arcs_a, room.arcs_b, room.normal)  # fmt: skip
+        separation[p] = s / scale - a.radius[i[p]] - b.radius[j[p]]
+        normal[p] = room.normal
+
+
 def warm() -> None:
-    """Call the kernel once (``course.jit``)."""
+    """Call the kernels once (``course.jit``)."""
+    from course.overlap.closest import closest_points, least_translation
+    from course.shapes import AABB, polytopes
+
+    box = polytopes(AABB(np.zeros((1, 3)), np.ones((1, 3))))
+    closest_points(box, box, [0], [0])
+    least_translation(box, box, [0], [0])

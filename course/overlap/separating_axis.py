@@ -17,13 +17,15 @@ from typing import Any
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, IntArray, broadcast
+from course.arrays import Array, IntArray
 
 #: Sine of the angle below which two edges are parallel; two of the other axes then stand for them.
 PARALLEL = 1e-14
 #: How near to touching two boxes are, in sizes of the pair, where their vertices decide: rotations are
 #: exact to 1e-9 (``course.arrays.UNIT_TOLERANCE``).
 BAND = 4e-9
+#: What is said of pairs of boxes.
+APART, OVERLAPPING, UNSURE = 0, 1, 2
 
 
 def box_axes(axes_a: Array, axes_b: Array) -> Array:
@@ -85,7 +87,7 @@ def box_pairs_told(
     axes_b: Array,
     half_b: Array,
 ) -> IntArray:
-    """Of every pair of boxes 0 if they are apart, 1 if they overlap, 2 if they are too near touching to tell.
+    """APART, OVERLAPPING or, too near touching to tell, UNSURE, for every pair of boxes.
 
     ``box_separation`` against -+BAND times the size of the pair, axis by axis in a loop.
 
