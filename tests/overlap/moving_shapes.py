@@ -1,7 +1,7 @@
 """Shapes in motion, and what brute force proves of when two of them meet."""
 
 import numpy as np
-from drawn_shapes import DRAW
+from overlap.drawn_shapes import DRAW
 from scipy.spatial.transform import Rotation
 
 from course.overlap.asking import gap

@@ -4,8 +4,8 @@ from itertools import combinations_with_replacement, product
 
 import numpy as np
 import pytest
-from drawn_shapes import DRAW
-from moving_shapes import STILL, at, drawn_pair, gaps, least_gap
+from overlap.drawn_shapes import DRAW
+from overlap.moving_shapes import STILL, at, drawn_pair, gaps, least_gap
 from scipy.spatial.transform import Rotation
 
 from course.overlap import overlaps, swept_bounds, time_of_impact
