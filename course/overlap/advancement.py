@@ -1,7 +1,7 @@
 """Time of impact of shapes that turn, by conservative advancement.
 
 x(t) = c + v t + exp(t omega x)(x - c), v and omega constant. ``follow`` is the algorithm
-as it is told; ``turning_loops`` takes longer steps, by what is known of each vertex.
+as it is told; ``advancement_loops`` takes longer steps, by what is known of each vertex.
 """
 
 from __future__ import annotations
@@ -119,17 +119,29 @@ def _times(
     tolerance: Array | None,
     plane: bool,
 ) -> Array:
-    from course.overlap.turning_loops import turning_times
+    from course.overlap.advancement_loops import motion_times
 
     measures = pair_measures(a, b, i, j)
     depth, radius = _depth(a, b, i, j, measures, horizon, tolerance, plane)
-    limits = np.stack([horizon, depth, measures.band], axis=1)
+    slow = measures.slope * np.linalg.norm(motion_a[:, 0] - motion_b[:, 0], axis=1)
+    for motion, solids, which in (motion_a, a, i), (motion_b, b, j):
+        slow = slow + measures.slope * _swing(motion, solids, which)
+    limits = np.stack([horizon, depth, measures.band, slow], axis=1)
     time = np.empty(i.size)
     rows = map(as_kernels_take_it, (i, j, motion_a, motion_b, radius))
-    turning_times(
+    motion_times(
         as_solids(a), as_solids(b), *rows, plane, as_kernels_take_it(limits), time
     )
     return time
+
+
+def _swing(motion: Array, solids: Polytopes, which: IntArray) -> Array:
+    """How fast a spin moves what is farthest from the pivot, or more, (p,) [m/s]."""
+    low = np.minimum.reduceat(solids.vertices, solids.vertex_start[:-1], axis=0)
+    high = np.maximum.reduceat(solids.vertices, solids.vertex_start[:-1], axis=0)
+    pivot = motion[:, 2]
+    far = np.maximum(np.abs(low[which] - pivot), np.abs(high[which] - pivot))
+    return np.asarray(length(motion[:, 1]) * length(far))
 
 
 def _depth(

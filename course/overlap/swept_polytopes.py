@@ -2,7 +2,7 @@
 
 Boxes and polytopes by swept separating axes (``swept_loops``). Where a ball is rolled
 around one of the two, as around a capsule's segment, it is a ray against their Minkowski
-difference, cast by the gap at its points (``advancement_loops.ray_times``).
+difference, cast by the gap at its points (``advancement_loops``).
 """
 
 from __future__ import annotations
@@ -51,26 +51,47 @@ def swept_convex(a: Shape, b: Shape, velocity: Array, horizon: Array) -> Array:
         velocity: of A as seen from B, (..., 3) [m/s].
         horizon: (...) [s].
     """
-    from course.overlap.advancement_loops import ray_times
-    from course.overlap.swept_loops import polytope_times
-
     batch = batch_of(a, b, velocity, horizon)
     first, second = polytopes(a), polytopes(b)
     i, j = numbers(a, batch).ravel(), numbers(b, batch).ravel()
     v, end = rows(velocity, 1, batch), rows(horizon, 0, batch)
     measures = pair_measures(first, second, i, j)
     slow = np.sqrt(np.einsum("pi,pi->p", v, v)) * measures.slope
-    round_ones = first.radius[i] + second.radius[j] > 0
     time = np.empty(i.size)
-    for which, kernel in (round_ones, ray_times), (~round_ones, polytope_times):
-        some = np.flatnonzero(which)
-        found = np.empty(some.size)
-        given = (i, j, v, end, measures.band, slow)
-        if some.size:
-            picked = (as_kernels_take_it(x[some]) for x in given)
-            kernel(as_solids(first), as_solids(second), *picked, found)
-        time[some] = found
+    balls = first.radius[i] + second.radius[j] > 0
+    for which, kernel in (balls, _ray_times), (~balls, _polytope_times):
+        k = np.flatnonzero(which)
+        if k.size:
+            given = (i[k], j[k], v[k], end[k], measures.band[k], slow[k])
+            time[k] = kernel(first, second, *map(as_kernels_take_it, given))
     return time.reshape(batch)
+
+
+def _polytope_times(
+    a: Polytopes, b: Polytopes, i: Any, j: Any, v: Any, end: Any, band: Any, slow: Any
+) -> Array:
+    from course.overlap.swept_loops import polytope_times
+
+    time = np.empty(i.size)
+    polytope_times(as_solids(a), as_solids(b), i, j, v, end, band, slow, time)
+    return time
+
+
+def _ray_times(
+    a: Polytopes, b: Polytopes, i: Any, j: Any, v: Any, end: Any, band: Any, slow: Any
+) -> Array:
+    from course.overlap.advancement_loops import motion_times
+
+    none = np.zeros_like(v)
+    starts = a.vertices[a.vertex_start[i]], b.vertices[b.vertex_start[j]]
+    motion_a = np.stack([v, none, starts[0]], axis=1)
+    motion_b = np.stack([none, none, starts[1]], axis=1)
+    radius, time = a.radius[i] + b.radius[j], np.empty(i.size)
+    limits = np.stack([end, np.zeros_like(end), band, slow], axis=1)
+    given = map(as_kernels_take_it, (i, j, motion_a, motion_b, radius))
+    last = as_kernels_take_it(limits)
+    motion_times(as_solids(a), as_solids(b), *given, False, last, time)
+    return time
 
 
 class Measures(NamedTuple):

@@ -33,7 +33,7 @@ UNIT = {
     "half_space": HalfSpace((1.0, 0, 0), 1.0),
 }
 KINDS = list(UNIT)
-each_pair = pytest.mark.parametrize("kind_a, kind_b", product(KINDS, repeat=2))
+each_pair = pytest.mark.parametrize("kind_a, kind_b", list(product(KINDS, repeat=2)))
 X = np.array([1.0, 0, 0])
 #: Spins about x, which move nothing of these shapes along x.
 SPINS = [{}, {"spin_a": 2.0 * X, "spin_b": -3.0 * X, "pivot_a": STILL, "pivot_b": STILL}]  # fmt: skip
@@ -178,7 +178,7 @@ def check_random_pairs(kind_a, kind_b, seed, count):
 
 
 @pytest.mark.parametrize(
-    "kind_a, kind_b", combinations_with_replacement(list(DRAW), 2)
+    "kind_a, kind_b", list(combinations_with_replacement(DRAW, 2))
 )
 def test_random_pairs_meet_where_the_gap_closes(kind_a, kind_b):
     check_random_pairs(kind_a, kind_b, 1, 4)
@@ -186,7 +186,7 @@ def test_random_pairs_meet_where_the_gap_closes(kind_a, kind_b):
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    "kind_a, kind_b", combinations_with_replacement(list(DRAW), 2)
+    "kind_a, kind_b", list(combinations_with_replacement(DRAW, 2))
 )
 def test_many_random_pairs_meet_where_the_gap_closes(kind_a, kind_b):
     time = check_random_pairs(kind_a, kind_b, 2, 300)
