@@ -104,7 +104,10 @@ def turning_time(
         flat = a.reshaped(a.count)[i], b.reshaped(b.count)[j]
         return _turning_planes(*flat, *moves, end, depth)
     plane = isinstance(b, HalfSpace)
-    first, second = polytopes(a), planes(b) if isinstance(b, HalfSpace) else polytopes(b)
+    first, second = (
+        polytopes(a),
+        planes(b) if isinstance(b, HalfSpace) else polytopes(b),
+    )
     return _times(first, second, i, j, *moves, end, depth, plane)
 
 

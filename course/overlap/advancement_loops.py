@@ -71,7 +71,9 @@ class Search(NamedTuple):
     t: float
     done: bool
     at_once: bool  # it touches and approaches at the start
-    early: float  # the last time at which it did not penetrate, and its gap over the level
+    early: (
+        float  # the last time at which it did not penetrate, and its gap over the level
+    )
     high: float
     late: float  # when it was in by the depth, inf before that, and its gap over the level
     low: float
@@ -258,7 +260,9 @@ def narrowed(s: Search, gap: float, band: float) -> Search:
     if found > 0.0:
         low = 0.5 * s.low if s.side > 0 else s.low
         side = max(s.side, 0) + 1
-        return between(Search(s.t, False, False, s.t, found, s.late, low, s.level, side))
+        return between(
+            Search(s.t, False, False, s.t, found, s.late, low, s.level, side)
+        )
     high = 0.5 * s.high if s.side < 0 else s.high
     side = min(s.side, 0) - 1
     return between(Search(s.t, False, False, s.early, high, s.t, found, s.level, side))

@@ -61,7 +61,9 @@ def time_along_axes(
 
 def largest(*coordinates: Array) -> Array:
     """The largest finite coordinate, (...), of vectors (..., 3)."""
-    sizes = [np.max(np.where(np.isinf(x), 0.0, np.abs(x)), axis=-1) for x in coordinates]
+    sizes = [
+        np.max(np.where(np.isinf(x), 0.0, np.abs(x)), axis=-1) for x in coordinates
+    ]
     return np.asarray(np.max(np.broadcast_arrays(*sizes), axis=0))
 
 

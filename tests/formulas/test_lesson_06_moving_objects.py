@@ -32,7 +32,8 @@ def test_spheres_meet_when_a_film_of_them_shows_it():
         r, s = rng.uniform(0.1, 0.7, 2)
         found = formulas.swept_spheres_time(c, r, v, d, s, w, 2.0)
         stepped = first_overlap(
-            lambda t: np.linalg.norm(c + v * t - d - w * t) <= r + s, 2.0  # noqa: B023
+            lambda t: np.linalg.norm(c + v * t - d - w * t) <= r + s,
+            2.0,  # noqa: B023
         )
         assert agree(found, stepped, 2.0 / 4000)
         kinds.add("never" if np.isinf(found) else "at once" if found == 0 else "later")
@@ -47,7 +48,8 @@ def test_boxes_meet_when_a_film_of_them_shows_it():
         e, f = rng.uniform(0.2, 1.2, (2, 3))
         found = formulas.swept_boxes_time(c - e, c + e, v, d - f, d + f, w, 2.0)
         stepped = first_overlap(
-            lambda t: np.all(np.abs(c + v * t - d - w * t) <= e + f), 2.0  # noqa: B023
+            lambda t: np.all(np.abs(c + v * t - d - w * t) <= e + f),
+            2.0,  # noqa: B023
         )
         assert agree(found, stepped, 2.0 / 4000)
         kinds.add("never" if np.isinf(found) else "at once" if found == 0 else "later")

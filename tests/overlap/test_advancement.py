@@ -115,7 +115,10 @@ def test_half_spaces_that_turn():
 
 def test_solids_without_thickness_are_not_passed():
     """Two rods of radius 0, a sheet and a rod: to the tolerance of 1e-6 of their size."""
-    rod, post = Capsule(STILL, (2.0, 0, 0), 0.0), Capsule((0, 1, -1.0), (0, 1, 1.0), 0.0)
+    rod, post = (
+        Capsule(STILL, (2.0, 0, 0), 0.0),
+        Capsule((0, 1, -1.0), (0, 1, 1.0), 0.0),
+    )
     found = meets(rod, post, spin_a=Z, pivot_a=STILL)
     assert found == pytest.approx(np.pi / 2, abs=5e-6)
     sheet = AABB((-3.0, 1, -1), (-0.1, 1, 1))

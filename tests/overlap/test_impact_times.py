@@ -71,7 +71,9 @@ def test_published_figures():
     """Half extents 1 and 1, centres 10 apart, speed 2: 4 s. Spheres of radius .35 and .5,
     0.1 a step from x = -5: touching after 41.5 steps (libccd's spheresphere: hits from 42).
     Boxes (1, 2, 1) and (2, 1, 2) there: after 35 steps (its boxbox: 35 touches)."""
-    boxes = [AABB(np.array(c) - 1.0, np.array(c) + 1.0) for c in ((0, 0, 0), (10, 0, 0))]
+    boxes = [
+        AABB(np.array(c) - 1.0, np.array(c) + 1.0) for c in ((0, 0, 0), (10, 0, 0))
+    ]
     assert time_of_impact(*boxes, 2 * X, STILL, horizon=10.0) == 4.0
     ball, other = Sphere(-5 * X, 0.35), Sphere(STILL, 0.5)
     found = time_of_impact(ball, other, 0.1 * X, STILL, horizon=100.0)
@@ -130,7 +132,11 @@ def test_a_box_that_slides_on_a_floor_does_not_meet_it(lean):
     down = turn @ (0, 0, -1.0)
     box = OBB(turn @ (0, 0, 0.3), turn, (0.1, 0.2, 0.3))
     slab = OBB(turn @ (0, 0, -1.0), turn, (5, 5, 1.0))
-    floors = slab, HalfSpace(-down, 0.0), ConvexHull(CORNERS * (5, 5, 1) @ turn.T + down)
+    floors = (
+        slab,
+        HalfSpace(-down, 0.0),
+        ConvexHull(CORNERS * (5, 5, 1) @ turn.T + down),
+    )
     for floor, along in product(floors, (turn[:, 0], turn @ (0.6, -0.8, 0))):
         assert time_of_impact(box, floor, along, STILL, horizon=3.0) == np.inf
         assert time_of_impact(box, floor, STILL, along, horizon=3.0) == np.inf
@@ -177,17 +183,13 @@ def check_random_pairs(kind_a, kind_b, seed, count):
     return time
 
 
-@pytest.mark.parametrize(
-    "kind_a, kind_b", list(combinations_with_replacement(DRAW, 2))
-)
+@pytest.mark.parametrize("kind_a, kind_b", list(combinations_with_replacement(DRAW, 2)))
 def test_random_pairs_meet_where_the_gap_closes(kind_a, kind_b):
     check_random_pairs(kind_a, kind_b, 1, 4)
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(
-    "kind_a, kind_b", list(combinations_with_replacement(DRAW, 2))
-)
+@pytest.mark.parametrize("kind_a, kind_b", list(combinations_with_replacement(DRAW, 2)))
 def test_many_random_pairs_meet_where_the_gap_closes(kind_a, kind_b):
     time = check_random_pairs(kind_a, kind_b, 2, 300)
     if "half_space" not in (kind_a, kind_b):
@@ -279,7 +281,12 @@ def test_an_endless_horizon_serves_straight_motion_alone():
     ],
 )  # fmt: skip
 def test_bad_arguments_are_named(change, said):
-    arguments = {"a": UNIT["obb"], "b": UNIT["sphere"], "velocity_a": X, "velocity_b": X}
+    arguments = {
+        "a": UNIT["obb"],
+        "b": UNIT["sphere"],
+        "velocity_a": X,
+        "velocity_b": X,
+    }
     with pytest.raises(ValueError, match=said):
         time_of_impact(**{**arguments, "horizon": 1.0, **change})
 
