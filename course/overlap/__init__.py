@@ -12,6 +12,7 @@ from course.overlap.capsules import (
 )
 from course.overlap.contact_arrays import FEATURES, Contacts
 from course.overlap.feature_pairs import FeaturePair
+from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.overlap.impact_times import swept_bounds, time_of_impact
 from course.overlap.spheres import (
     Spheres,
@@ -30,6 +31,7 @@ __all__ = [
     "closest_point_on_segment",
     "contacts",
     "gap",
+    "oriented_boxes_overlap",
     "overlaps",
     "sphere_box_gap",
     "sphere_capsule_gap",

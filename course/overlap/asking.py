@@ -8,7 +8,6 @@ what is found is told the other way round. A compound is asked part by part.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -117,9 +116,10 @@ def contacts(
 ) -> Contacts:
     """The points at which two shapes touch, penetrate, or are within a margin of each other.
 
-    N out of B toward A, d = (p_A - p_B).N, the least d of a pair being its gap (syllabus
-    row 19). Round shapes touch at one point; what lies flat on something at the corners of
-    what the two have in common.
+    N out of B toward A, d = (p_A - p_B).N (syllabus row 19). Round shapes touch at one
+    point; what lies flat on something at the corners of what the two have in common, each
+    with its own N and d. The least d of a pair is its gap, but for 1e-6 of the size where
+    several directions are as good as each other.
 
     Args:
         a, b: shapes of any kinds, whose batches broadcast; body A and body B.
@@ -142,9 +142,10 @@ def contacts(
         _of_parts(_contacts(first, second, batch, reach, most), i, j)
         for i, j, first, second in _convex_parts(a, b)
     ]
-    whole = Contacts.concatenate(found)
-    assert whole.pair is not None
+    whole = found[0]
     if len(found) > 1:
+        whole = Contacts.concatenate(found)
+        assert whole.pair is not None
         whole = fewer(whole[np.argsort(whole.pair, kind="stable")], most)
     return _named(whole, ids)
 
@@ -158,10 +159,13 @@ def _checked(a: Shape, b: Shape) -> tuple[int, ...]:
             known = ", ".join((*KINDS, Compound.kind))
             raise failure(name, f"a shape of a kind among {known}", written(shape.kind))
         for array in _arrays(shape):
-            largest = np.max(np.abs(array), initial=0.0)
-            if not largest <= LARGEST:
-                got = written(largest)
-                raise failure(name, f"coordinates up to {LARGEST:g}", got)
+            row = array.ravel()
+            if row @ row <= LARGEST:  # the squares, so that each is far below
+                continue
+            largest = np.abs(row).max()
+            if largest > LARGEST:
+                expected = f"coordinates up to {LARGEST:g}"
+                raise failure(name, expected, written(largest))
     ones = [np.empty(shape.batch, dtype=bool) for shape in (a, b)]
     return broadcast(a=(ones[0], 0), b=(ones[1], 0))
 
@@ -198,17 +202,21 @@ def _contacts(
 ) -> Contacts:
     """The contacts of two shapes without parts, of body 0 with body 1; ``pair`` counts the batch."""
     test, first, second, swapped = served(a, b)
+    count = int(np.prod(batch, dtype=np.intp))
+    if test.all_contacts is not None and count:
+        a, b = (x.broadcast_to(batch).reshaped(count) for x in (first, second))
+        return test.all_contacts(a, b, margin, limit)  # of one kind, never swapped
     closest = test.closest(first, second).broadcast_to(batch).flat()
     rows = np.flatnonzero((closest.gap <= margin) & (closest.gap > -np.inf))
     if not rows.size:
         return no_points()
-    picked: Any = [
+    a, b = (
         shape.reshaped(-1)[numbers(shape, batch).ravel()[rows]]
         for shape in (first, second)
-    ]
-    found = test.contacts(*picked, closest[rows], margin, limit)
+    )
+    found = test.contacts(a, b, closest[rows], margin, limit)
     assert found.pair is not None
-    found = replace(found, pair=rows[found.pair])
+    found = _with(found, pair=rows[found.pair])
     return _swapped(found) if swapped else found
 
 
@@ -217,7 +225,7 @@ def _swapped(found: Contacts) -> Contacts:
     assert found.feature is not None and found.key is not None
     face_a, face_b = found.feature == "face_a", found.feature == "face_b"
     feature = np.where(face_a, "face_b", np.where(face_b, "face_a", found.feature))
-    return replace(
+    return _with(
         found,
         normal=-found.normal,
         feature=feature,
@@ -234,9 +242,8 @@ def _of_parts(found: Contacts, i: int, j: int) -> Contacts:
     if i == j == 0:
         return found
     assert found.key is not None
-    return replace(
-        found, key=found.key + np.array([0, 0, i * PART, j * PART], dtype=np.intp)
-    )
+    parts = np.array([0, 0, i * PART, j * PART], dtype=np.intp)
+    return _with(found, key=found.key + parts)
 
 
 def _bodies(
@@ -256,4 +263,14 @@ def _bodies(
 
 def _named(found: Contacts, bodies: tuple[IntArray, IntArray]) -> Contacts:
     """The same contacts, between the bodies of their pairs."""
-    return replace(found, body_a=bodies[0][found.pair], body_b=bodies[1][found.pair])
+    body_a, body_b = (ids[found.pair] for ids in bodies)
+    if np.any(same := body_a == body_b):
+        index = int(np.argmax(same))
+        got = f"body {body_b[index]} twice"
+        raise failure("body_b", "another body than body_a", got, (index,))
+    return _with(found, body_a=body_a, body_b=body_b)
+
+
+def _with(found: Contacts, **changes: Any) -> Contacts:
+    """The same contacts with some fields changed, which are known to be good."""
+    return Contacts.unchecked(**{**vars(found), **changes})

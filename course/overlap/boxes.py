@@ -6,9 +6,7 @@ import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, broadcast, non_negative, vectors
 from course.overlap.closest import Closest
-from course.overlap.convex import closest_convex
 from course.overlap.directions import directed
-from course.overlap.separating_axis import box_pairs_told
 from course.shapes import AABB, OBB, Sphere
 
 
@@ -131,18 +129,3 @@ def closest_sphere_box(a: Sphere, b: OBB) -> Closest:
         point_a=a.center - a.radius[..., None] * normal,
         point_b=b.center + np.einsum("...ij,...j", b.rotation, surface),
     )
-
-
-def turned_boxes_overlap(a: OBB, b: OBB) -> BoolArray:
-    """Whether two oriented boxes overlap, (...): by 15 axes, and by the gap where these leave it open.
-
-    (Ericson, section 4.4.1; ``course.overlap.separating_axis``)
-    """
-    batch = np.broadcast_shapes(a.batch, b.batch)
-    first, second = (x.broadcast_to(batch).reshaped(-1) for x in (a, b))
-    given = [(x.center, x.rotation, x.half_extents) for x in (first, second)]
-    told = box_pairs_told(*given[0], *given[1])
-    verdict, near = told == 1, np.flatnonzero(told == 2)
-    if near.size:
-        verdict[near] = closest_convex(first[near], second[near]).gap <= 0
-    return verdict.reshape(batch)

@@ -101,7 +101,7 @@ def capsule_gap(
         start_a=(p_a, 1), end_a=(q_a, 1), radius_a=(r_a, 0),
         start_b=(p_b, 1), end_b=(q_b, 1), radius_b=(r_b, 0),
     )  # fmt: skip
-    return closest_capsules(Capsule(p_a, q_a, r_a), Capsule(p_b, q_b, r_b)).gap
+    return two_capsules_gap(Capsule(p_a, q_a, r_a), Capsule(p_b, q_b, r_b))
 
 
 def closest_sphere_capsule(a: Sphere, b: Capsule) -> Closest:
@@ -135,14 +135,31 @@ def closest_capsules(a: Capsule, b: Capsule) -> Closest:
     """The nearest points of two capsules, by the compiled loop over their segments."""
     from course.overlap import segments
 
+    batch, given = _flat(a, b)
+    gap, found = np.empty(len(given[0])), np.empty((3, *given[0].shape))
+    arrays: Any = [*given, gap, *found]
+    segments.closest_capsules(*arrays)
+    normal, point_a, point_b = found.reshape(3, *batch, 3)
+    return Closest(gap.reshape(batch), normal, point_a, point_b)
+
+
+def two_capsules_gap(a: Capsule, b: Capsule) -> Array:
+    """Their gap alone, (...) [m]."""
+    from course.overlap import segments
+
+    batch, given = _flat(a, b)
+    gap = np.empty(len(given[0]))
+    arrays: Any = [*given, gap]
+    segments.gaps_of_capsules(*arrays)
+    return gap.reshape(batch)
+
+
+def _flat(a: Capsule, b: Capsule) -> tuple[tuple[int, ...], Any]:
+    """The broadcast batch, and start, end and radius of A and of B along one axis."""
     batch = np.broadcast_shapes(a.batch, b.batch)
     count = int(np.prod(batch, dtype=np.intp))
-    given: Any = [
+    return batch, [
         as_kernels_take_it(wide.reshape(count, *wide.shape[len(batch) :]))
         for shape in (a.broadcast_to(batch), b.broadcast_to(batch))
         for wide in (shape.start, shape.end, shape.radius)
     ]
-    gap, found = np.empty(count), np.empty((3, count, 3))
-    segments.closest_capsules(*given, gap, *found)
-    normal, point_a, point_b = found.reshape(3, *batch, 3)
-    return Closest(gap.reshape(batch), normal, point_a, point_b)

@@ -19,7 +19,7 @@ import numpy as np
 from course.arrays import Array, IntArray
 from course.jit import compiled
 from course.overlap.epa import epa, epa_room
-from course.overlap.gjk import APART, INSIDE, gjk
+from course.overlap.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk
 from course.overlap.nearest_features import nearest_features
 from course.overlap.separating_axis_loops import Solids, greatest_separation
 
@@ -167,6 +167,15 @@ def length(x: Array, y: Array) -> float:
 
 
 @compiled
+def unit(v: Array, normal: Array) -> float:
+    """|v|; v / |v| is written to normal."""
+    size = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
+    for k in range(3):
+        normal[k] = v[k] / size
+    return size
+
+
+@compiled
 def front(p: Array, count: int, normal: Array, sign: float, out: Array, number: IntArray) -> int:  # fmt: skip
     """The vertices furthest along sign times the normal, seen along it, to out; how many.
 
@@ -194,13 +203,14 @@ def opposite_points(count_a: int, count_b: int, room: Room) -> None:
     """Points of the features that meet along room.normal, the one above the other, to room.point_a and point_b."""
     fronts_a = front(room.a, count_a, room.normal, -1.0, room.front_a, room.number_a)
     fronts_b = front(room.b, count_b, room.normal, 1.0, room.front_b, room.number_b)
-    room.v[:] = room.front_a[0] - room.front_b[0]
+    for k in range(3):
+        room.v[k] = room.front_a[0, k] - room.front_b[0, k]
     _, count, _ = gjk(room.front_a, fronts_a, room.front_b, fronts_b, room.v, math.inf, room.w, room.pick, room.share, room.weight)  # fmt: skip
     for m in range(count):
         room.pick[m, 0] = room.number_a[room.pick[m, 0]]
         room.pick[m, 1] = room.number_b[room.pick[m, 1]]
-    combine(room.a, room.pick, 0, room.share, count, room.point_a)
-    combine(room.b, room.pick, 1, room.share, count, room.point_b)
+    combine(room.a, room.pick, ZERO, room.share, count, room.point_a)
+    combine(room.b, room.pick, ONE, room.share, count, room.point_b)
 
 
 @compiled
@@ -209,8 +219,8 @@ def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
     ended, count, lower = gjk(room.a, count_a, room.b, count_b, room.v, math.inf, room.w, room.pick, room.share, room.weight)  # fmt: skip
     if ended != APART:
         return ended, lower, math.inf
-    combine(room.a, room.pick, 0, room.share, count, room.point_a)
-    combine(room.b, room.pick, 1, room.share, count, room.point_b)
+    combine(room.a, room.pick, ZERO, room.share, count, room.point_a)
+    combine(room.b, room.pick, ONE, room.share, count, room.point_b)
     return ended, lower, length(room.point_a, room.point_b)
 
 
@@ -219,17 +229,16 @@ def by_all_features(a: Solids, i: int, b: Solids, j: int, count_a: int, count_b:
     """The distance where GJK lost its way: normal and points are written to room."""
     for once_more in (True, False):
         nearest_features(room.a, room.b, a, i, b, j, room.pick, room.share)
-        combine(room.a, room.pick, 0, room.share, 3, room.point_a)
-        combine(room.b, room.pick, 1, room.share, 3, room.point_b)
-        room.v[:] = room.point_a - room.point_b
+        combine(room.a, room.pick, ZERO, room.share, THREE, room.point_a)
+        combine(room.b, room.pick, ONE, room.share, THREE, room.point_b)
+        for k in range(3):
+            room.v[k] = room.point_a[k] - room.point_b[k]
         # Of features that are as near to rounding the first was taken; from so near GJK finds the best.
         if once_more:
             _, lower, upper = by_gjk(count_a, count_b, room)
             if upper - lower <= CERTAIN:
                 break
-    distance = math.sqrt(room.v[0] ** 2 + room.v[1] ** 2 + room.v[2] ** 2)
-    room.normal[:] = room.v / distance
-    return distance
+    return unit(room.v, room.normal)
 
 
 @compiled
@@ -262,9 +271,7 @@ def nearly_touching(
     s = greatest_separation(room.a, count_a, room.b, count_b, a, i, b, j, room.arcs_a, room.arcs_b, normal)  # fmt: skip
     # Seen at a small angle a distance is hardly shorter: if in doubt it is that of the points.
     if sure and lower >= s * (1.0 - DOUBT):
-        distance = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
-        normal[:] = v / distance
-        return distance
+        return unit(v, normal)
     opposite_points(count_a, count_b, room)
     if s <= CERTAIN or length(room.point_a, room.point_b) - s <= CERTAIN:
         return s
@@ -294,12 +301,11 @@ def closest_pairs(
         ended, count, lower = gjk(core_a, count_a, core_b, count_b, v, math.inf, w, pick, share, weight)  # fmt: skip
         upper = math.inf
         if ended == APART:
-            combine(core_a, pick, 0, share, count, p_a)
-            combine(core_b, pick, 1, share, count, p_b)
+            combine(core_a, pick, ZERO, share, count, p_a)
+            combine(core_b, pick, ONE, share, count, p_b)
             upper = length(p_a, p_b)
         if lower > NEAR and upper - lower <= CERTAIN:
-            apart = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
-            n[0], n[1], n[2] = v[0] / apart, v[1] / apart, v[2] / apart
+            apart = unit(v, n)
         else:
             apart = nearly_touching(a, i[p], b, j[p], count_a, count_b, ended, lower, upper, room)  # fmt: skip
         r_a, r_b, at = radius_a[i[p]], radius_b[j[p]], start_a[i[p]]
@@ -321,7 +327,8 @@ def least_translations(
         count_a, count_b, scale = in_own_measure(a.vertices, a.vertex_start, i[p], b.vertices, b.vertex_start, j[p], room.a, room.b, room.v)  # fmt: skip
         s = greatest_separation(room.a, count_a, room.b, count_b, a, i[p], b, j[p], room.arcs_a, room.arcs_b, room.normal)  # fmt: skip
         separation[p] = s / scale - a.radius[i[p]] - b.radius[j[p]]
-        normal[p] = room.normal
+        for k in range(3):
+            normal[p, k] = room.normal[k]
 
 
 def warm() -> None:

@@ -122,6 +122,22 @@ class Contacts:
         for name, array in checked.items():
             object.__setattr__(self, name, None if array is None else read_only(array))
 
+    @staticmethod
+    def unchecked(**arrays: NDArray[Any] | None) -> Contacts:
+        """Contacts of arrays that a compiled loop has just made: nothing is checked or copied.
+
+        Args:
+            arrays: the fields, of the right shape and type; what is not given is None.
+                Nobody may write to them any more.
+        """
+        contacts = object.__new__(Contacts)
+        for field in fields(Contacts):
+            array = arrays.get(field.name)
+            if array is not None:
+                array.setflags(write=False)
+            object.__setattr__(contacts, field.name, array)
+        return contacts
+
     def __len__(self) -> int:
         return self.body_a.size
 

@@ -37,7 +37,7 @@ def curved(
     rows = np.arange(len(near.normal))
     none = np.zeros_like(rows)
     sunk = -near.gap * flatter(*curvature) >= DEEPEST
-    return Contacts(
+    return Contacts.unchecked(
         body_a=none,
         body_b=none + 1,
         point=near.point_b + 0.5 * near.gap[:, None] * near.normal,

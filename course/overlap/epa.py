@@ -24,7 +24,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.gjk import SLIVER, support
+from course.overlap.gjk import FACES, SLIVER, ZERO, support
 
 #: Room for vertices and faces of the polytope, which has about twice as many faces.
 MOST_VERTICES, MOST_FACES = 64, 128
@@ -62,15 +62,14 @@ def tetrahedron(w: Array, corner: IntArray, plane: Array) -> int:
     vx, vy, vz = w[2, 0] - w[0, 0], w[2, 1] - w[0, 1], w[2, 2] - w[0, 2]
     x, y, z = w[3, 0] - w[0, 0], w[3, 1] - w[0, 1], w[3, 2] - w[0, 2]
     height = x * (uy * vz - uz * vy) + y * (uz * vx - ux * vz) + z * (ux * vy - uy * vx)
-    # Seen from vertex 3 the others go round counterclockwise; if not, two change places.
-    p, q = (1, 2) if height > 0.0 else (2, 1)
-    count = add_face(w, 0, q, p, corner, plane, 0)
-    if count > 0:
-        count = add_face(w, 0, p, 3, corner, plane, count)
-    if count > 0:
-        count = add_face(w, p, q, 3, corner, plane, count)
-    if count > 0:
-        count = add_face(w, q, 0, 3, corner, plane, count)
+    # The faces go round counterclockwise seen from outside, or all the other way.
+    count = ZERO
+    for m in range(4):
+        i, j, k = FACES[m, 0], FACES[m, 1], FACES[m, 2]
+        if height < 0.0:
+            j, k = k, j
+        if count >= 0:
+            count = add_face(w, i, j, k, corner, plane, count)
     return count
 
 
@@ -88,7 +87,7 @@ def toggle(rim: IntArray, count: int, p: int, q: int) -> int:
 @compiled
 def grow(w: Array, new: int, corner: IntArray, plane: Array, count: int, rim: IntArray) -> int:  # fmt: skip
     """Faces that see the new vertex go, and the rim that they leave is joined to it; how many faces, -1 if that fails."""
-    x, y, z, edges, f = w[new, 0], w[new, 1], w[new, 2], 0, 0
+    x, y, z, edges, f = w[new, 0], w[new, 1], w[new, 2], ZERO, 0
     while f < count:
         beyond = plane[f, 0] * x + plane[f, 1] * y + plane[f, 2] * z - plane[f, 3]
         if beyond <= LEVEL:

@@ -32,6 +32,10 @@ from course.jit import compiled
 #: was asked; the origin is inside the last simplex.
 APART, BEYOND, INSIDE = 0, 1, 2
 
+#: A number written out has machine code of its own wherever it is an argument; these have not.
+ZERO, ONE, TWO, THREE = np.arange(4)
+#: The corners of a tetrahedron's face across from each corner, all going round one way.
+FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
 #: Turns after which the walk ends however it stands. Hulls of 32 vertices need five.
 MOST_TURNS = 100
 #: Turns that may bring v no nearer: a foot beside a vertex by 1e-9 shortens it by 1e-18.
@@ -141,34 +145,28 @@ def on_tetrahedron(w: Array, weight: Array) -> float:
     The origin's weights are volumes by their sum. Where one is not above 0 the nearest point
     is on the face across from that corner, or on another such face.
     """
-    v0, v1 = triple(w, 1, 2, 3), -triple(w, 0, 2, 3)
-    v2, v3 = triple(w, 0, 1, 3), -triple(w, 0, 1, 2)
-    total, longest = v0 + v1 + v2 + v3, 0.0
+    total = longest = 0.0
     for m in range(4):
+        # Faces go round the way that makes all four volumes those of one sign.
+        weight[m] = triple(w, FACES[m, 0], FACES[m, 1], FACES[m, 2])
+        total += weight[m]
         longest = max(longest, w[m, 0] ** 2 + w[m, 1] ** 2 + w[m, 2] ** 2)
-    flat = abs(total) <= FLAT * longest * math.sqrt(longest)
-    if total < 0.0:
-        v0, v1, v2, v3 = -v0, -v1, -v2, -v3
-    if not flat and v0 > 0.0 and v1 > 0.0 and v2 > 0.0 and v3 > 0.0:
-        total = abs(total)
-        weight[0], weight[1], weight[2], weight[3] = v0 / total, v1 / total, v2 / total, v3 / total  # fmt: skip
+    flat, inside = abs(total) <= FLAT * longest * math.sqrt(longest), True
+    for m in range(4):
+        weight[m] = weight[m] / total if not flat else -1.0
+        inside &= weight[m] > 0.0
+    if inside:
         return -1.0
+    v0, v1, v2, v3 = weight[0], weight[1], weight[2], weight[3]
     least = math.inf
-    if flat or v3 <= 0.0:
-        least, weight[0], weight[1], weight[2] = on_triangle(w, 0, 1, 2)
-        weight[3] = 0.0
-    if flat or v2 <= 0.0:
-        square, a, b, c = on_triangle(w, 0, 1, 3)
+    for m in range(4):
+        if (v0, v1, v2, v3)[m] > 0.0:
+            continue
+        i, j, k = FACES[m, 0], FACES[m, 1], FACES[m, 2]
+        square, p, q, r = on_triangle(w, i, j, k)
         if square < least:
-            least, weight[0], weight[1], weight[2], weight[3] = square, a, b, 0.0, c
-    if flat or v1 <= 0.0:
-        square, a, b, c = on_triangle(w, 0, 2, 3)
-        if square < least:
-            least, weight[0], weight[1], weight[2], weight[3] = square, a, 0.0, b, c
-    if flat or v0 <= 0.0:
-        square, a, b, c = on_triangle(w, 1, 2, 3)
-        if square < least:
-            least, weight[0], weight[1], weight[2], weight[3] = square, 0.0, a, b, c
+            least, weight[m] = square, 0.0
+            weight[i], weight[j], weight[k] = p, q, r
     return least
 
 
@@ -178,10 +176,10 @@ def on_simplex(w: Array, count: int, weight: Array) -> float:
     if count == 4:
         return on_tetrahedron(w, weight)
     if count == 3:
-        square, weight[0], weight[1], weight[2] = on_triangle(w, 0, 1, 2)
+        square, weight[0], weight[1], weight[2] = on_triangle(w, ZERO, ONE, TWO)
         return square
     if count == 2:
-        square, weight[0], weight[1] = on_segment(w, 0, 1)
+        square, weight[0], weight[1] = on_segment(w, ZERO, ONE)
         return square
     weight[0] = 1.0
     return w[0, 0] ** 2 + w[0, 1] ** 2 + w[0, 2] ** 2
@@ -270,7 +268,7 @@ def gjk(
         pick[count, 0], pick[count, 1] = i, j
         nearer = on_simplex(w, count + 1, weight)
         if nearer < 0.0:
-            return INSIDE, keep(w, pick, weight, share, 4), 0.0
+            return INSIDE, keep(w, pick, weight, share, count + 1), 0.0
         if nearer >= square:
             # To rounding as near: the direction may still become better.
             stalls += 1

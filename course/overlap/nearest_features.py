@@ -16,8 +16,11 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.gjk import on_triangle
+from course.overlap.gjk import ONE, TWO, ZERO, on_triangle
 from course.overlap.separating_axis_loops import Solids
+
+#: Whether the vertices are B's; no words written out, see ``ZERO``.
+PLAIN, SWAPPED = np.array([False, True])
 
 
 @compiled
@@ -32,7 +35,7 @@ def offer(
     w: Array, trial: IntArray, least: float, pick: IntArray, share: Array
 ) -> float:
     """The triangle w against the least squared distance so far; what is nearer is kept in pick and share."""
-    square, p, q, r = on_triangle(w, 0, 1, 2)
+    square, p, q, r = on_triangle(w, ZERO, ONE, TWO)
     if square >= least:
         return least
     share[0], share[1], share[2] = p, q, r
@@ -63,13 +66,13 @@ def vertices_and_faces(
             for n in range(faces.loop_start[f] + 2, faces.loop_start[f + 1]):
                 other = faces.loop[n - 1] - first, faces.loop[n] - first
                 if swapped:
-                    put(w, trial, 0, a, corner, b, k)
-                    put(w, trial, 1, a, other[0], b, k)
-                    put(w, trial, 2, a, other[1], b, k)
+                    put(w, trial, ZERO, a, corner, b, k)
+                    put(w, trial, ONE, a, other[0], b, k)
+                    put(w, trial, TWO, a, other[1], b, k)
                 else:
-                    put(w, trial, 0, a, k, b, corner)
-                    put(w, trial, 1, a, k, b, other[0])
-                    put(w, trial, 2, a, k, b, other[1])
+                    put(w, trial, ZERO, a, k, b, corner)
+                    put(w, trial, ONE, a, k, b, other[0])
+                    put(w, trial, TWO, a, k, b, other[1])
                 least = offer(w, trial, least, pick, share)
     return least
 
@@ -79,7 +82,7 @@ def edge_ends(solids: Solids, i: int, e: int) -> tuple[int, int]:
     """The vertices of edge e of solid i, counted from its own first; a point's one edge is from 0 to 0."""
     k = solids.edge_start[i] + e
     if k >= solids.edge_start[i + 1]:
-        return 0, 0
+        return ZERO, ZERO
     first = solids.vertex_start[i]
     return solids.edges[k, 0] - first, solids.edges[k, 1] - first
 
@@ -104,11 +107,11 @@ def edges_and_edges(
         p, q = edge_ends(solids_a, i, e)
         for f in range(edges_b):
             r, s = edge_ends(solids_b, j, f)
-            put(w, trial, 0, a, p, b, r)
-            put(w, trial, 1, a, q, b, r)
-            put(w, trial, 2, a, q, b, s)
+            put(w, trial, ZERO, a, p, b, r)
+            put(w, trial, ONE, a, q, b, r)
+            put(w, trial, TWO, a, q, b, s)
             least = offer(w, trial, least, pick, share)
-            put(w, trial, 1, a, p, b, s)
+            put(w, trial, ONE, a, p, b, s)
             least = offer(w, trial, least, pick, share)
     return least
 
@@ -132,8 +135,8 @@ def nearest_features(
             weights at the nearest points.
     """
     least = edges_and_edges(a, b, solids_a, i, solids_b, j, math.inf, pick, share)
-    least = vertices_and_faces(a, b, solids_a, i, solids_b, j, False, least, pick, share)  # fmt: skip
-    return vertices_and_faces(a, b, solids_b, j, solids_a, i, True, least, pick, share)
+    least = vertices_and_faces(a, b, solids_a, i, solids_b, j, PLAIN, least, pick, share)  # fmt: skip
+    return vertices_and_faces(a, b, solids_b, j, solids_a, i, SWAPPED, least, pick, share)
 
 
 def warm() -> None:

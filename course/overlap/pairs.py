@@ -16,6 +16,7 @@ from course.arrays import Array, BoolArray
 from course.overlap import boxes, capsules, convex, curved_contacts, planes, spheres
 from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
+from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.shapes import Shape
 
 #: The kinds in the table's order; two shapes are asked in this order.
@@ -36,6 +37,8 @@ class PairTest:
             the margin, ``pair`` counting those.
         overlaps: (a, b) to the verdict, where that is quicker than gap <= 0.
         gap: (a, b) to the gap, where that is quicker than the nearest points.
+        all_contacts: (a, b, margin, limit) to the contacts of k pairs, near or not, where
+            that is quicker than the nearest points first.
     """
 
     gap_by: str
@@ -44,11 +47,12 @@ class PairTest:
     contacts: Callable[[Any, Any, Closest, float, int | None], Contacts]
     overlaps: Callable[[Any, Any], BoolArray] | None = None
     gap: Callable[[Any, Any], Array] | None = None
+    all_contacts: Callable[[Any, Any, float, int | None], Contacts] | None = None
 
 
 #: What any two convex shapes are served by, and what their contacts are, by kind of the first.
 CONVEX = PairTest(
-    "distance by GJK, depth by all separating axes",
+    "distance by GJK, depth by EPA or separating axes",
     "corners of what lies against what",
     convex.closest_convex,
     convex.contacts_convex,
@@ -82,13 +86,16 @@ TABLE: dict[tuple[str, str], PairTest] = {
     ("capsule", "capsule"): PairTest(
         "distance of two segments", ROUND["capsule"],
         capsules.closest_capsules, convex.contacts_convex,
+        gap=capsules.two_capsules_gap,
     ),
     ("aabb", "aabb"): PairTest(
         "gaps along the three axes", CONVEX.contacts_by,
         boxes.closest_upright_boxes, convex.contacts_convex,
         boxes.upright_boxes_overlap,
     ),
-    ("obb", "obb"): replace(CONVEX, overlaps=boxes.turned_boxes_overlap),
+    ("obb", "obb"): replace(
+        CONVEX, overlaps=oriented_boxes_overlap, all_contacts=convex.contacts_of_boxes
+    ),
     ("sphere", "half_space"): PairTest(
         "height of the centre", "one",
         planes.closest_to_half_space, planes.contacts_of_sphere,

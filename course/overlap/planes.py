@@ -17,6 +17,8 @@ from course.shapes import Capsule, HalfSpace, Shape, Sphere, polytopes
 
 #: Normals that add up to less than this are opposite to each other, but for rounding.
 OPPOSITE = 1e-12
+#: What differs by less is level: in sizes of the shape, and in its largest coordinate.
+LEVEL, ROUNDING = 1e-9, 32 * 2.0**-52
 
 
 class Bounded(Protocol):
@@ -66,6 +68,16 @@ def contacts_of_sphere(
     return curved(near, tensors, (none, none))
 
 
+def level_with(near: Closest, size: Array, margin: float) -> Array:
+    """The height up to which points count, (k,) [m]: the margin, and in any case what is level with the lowest.
+
+    Else of four legs on a floor those would be left out that rounding lifts.
+    """
+    largest = np.abs(near.point_a).max(axis=-1, initial=0.0)
+    alike = near.gap + LEVEL * size + ROUNDING * largest
+    return np.maximum(margin, alike)
+
+
 def contacts_of_capsule(
     a: Capsule, b: HalfSpace, near: Closest, margin: float, limit: int | None
 ) -> Contacts:
@@ -73,11 +85,14 @@ def contacts_of_capsule(
 
     Of one that stands on an end, that one; of one that lies, both.
     """
+    length = np.linalg.norm(a.end - a.start, axis=-1)
+    level = level_with(near, length + a.radius, margin)
     found: list[Any] = []
     for feature, center in (START, a.start), (END, a.end):
         ball = Sphere(center, a.radius)
         below = closest_to_half_space(ball, b)
-        rows = np.flatnonzero(below.gap <= np.maximum(margin, near.gap))
+        other = (feature == START) | (length > 0)  # one that is a sphere has one end
+        rows = np.flatnonzero((below.gap <= level) & other)
         some = contacts_of_sphere(ball[rows], b[rows], below[rows], margin, None)
         key = np.array(some.key)
         key[:, 2] = feature
@@ -94,7 +109,9 @@ def contacts_of_polytope(
     pair = np.repeat(np.arange(len(solids)), np.diff(solids.vertex_start))
     normal = b.normal[pair]
     height = np.einsum("ki,ki->k", solids.vertices, normal) - b.offset[pair]
-    which = np.flatnonzero(height <= np.maximum(margin, near.gap)[pair])
+    far = np.linalg.norm(solids.vertices - near.point_a[pair], axis=-1)
+    size = np.maximum.reduceat(far, solids.vertex_start[:-1])
+    which = np.flatnonzero(height <= level_with(near, size, margin)[pair])
     pair, normal, height = pair[which], normal[which], height[which]
     none = np.zeros_like(pair)
     found = Contacts(

@@ -2,14 +2,17 @@
 
 A kernel module (``course.jit``): import it where it is called.
 
-The squared distance of s u and w + t v is a convex quadratic of s and t on the
-square 0 <= s, t <= 1: it is least inside, where the two lines are nearest, or on one of
-the square's four sides, where an end of one segment is nearest to the other. All five
-are tried and measured, so that nothing hangs on whether two directions count as
-parallel (C. Ericson, *Real-Time Collision Detection*, section 5.1.9, divides by what
-tells that; D. Eberly, "Robust computation of distance between line segments", 2015, has
-the same five candidates). Inside, s comes from u x v and not from u.u v.v - (u.v)^2,
-which has lost all its digits at an angle of 1e-8.
+Two lines are nearest where s = (w x v).n / n.n, n = u x v, between s u and w + t v. Clamped to the
+segment, with the t that is nearest to that point, and where that is an end, the s
+nearest to it: this is the answer (C. Ericson, *Real-Time Collision Detection*, section 5.1.9;
+D. Sunday, "Distance between lines, segments and rays", 2001).
+
+Nearly parallel that s has lost its digits. The squared distance is a convex quadratic of s
+and t on the square 0 <= s, t <= 1, so that it is least inside or on one of the four sides,
+where an end of one segment is nearest to the other: all five are tried and measured, and
+nothing hangs on what counts as parallel (D. Eberly, "Robust computation of distance
+between line segments", 2015). And s comes from u x v, not from u.u v.v - (u.v)^2, which has no
+digits left at an angle of 1e-8.
 """
 
 from __future__ import annotations
@@ -34,6 +37,8 @@ from course.overlap.triples import (
 Candidate = tuple[float, float, float]
 #: Lengths below this are none: their squares have lost digits [m].
 TINY = 1e-150
+#: Square of the sine of the angle below which lines are nearly parallel.
+NEARLY_PARALLEL = 1e-6
 #: A distance below this times the lengths has no digits left that give a direction.
 TOUCHING = 1e-11
 
@@ -48,17 +53,22 @@ def nearest(point: Triple, start: Triple, way: Triple) -> float:
 
 
 @compiled
-def nearer(
-    best: Candidate, u: Triple, w: Triple, v: Triple, s: float, t: float
-) -> Candidate:
-    """The best candidate so far, or the points s u and w + t v where these are nearer."""
-    distance = length(minus(scaled(s, u), along(w, t, v)))
-    return (distance, s, t) if distance < best[0] else best
+def nearest_parameters(u: Triple, w: Triple, v: Triple) -> tuple[float, float]:
+    """(s, t) of the nearest points s u and w + t v, 0 <= s, t <= 1."""
+    n = cross(u, v)
+    square = dot(n, n)
+    if square <= NEARLY_PARALLEL * dot(u, u) * dot(v, v):
+        return nearest_of_five(u, w, v)
+    s = min(1.0, max(0.0, dot(cross(w, v), n) / square))
+    t = nearest(scaled(s, u), w, v)
+    if t == 0.0 or t == 1.0:
+        s = nearest(along(w, t, v), (0.0, 0.0, 0.0), u)
+    return s, t
 
 
 @compiled
-def nearest_parameters(u: Triple, w: Triple, v: Triple) -> Candidate:
-    """(distance, s, t) of the nearest points s u and w + t v, 0 <= s, t <= 1."""
+def nearest_of_five(u: Triple, w: Triple, v: Triple) -> tuple[float, float]:
+    """The same for segments that are nearly parallel, parallel, or points."""
     zero = (0.0, 0.0, 0.0)
     best = (inf, 0.0, 0.0)
     for end in (0.0, 1.0):
@@ -72,7 +82,16 @@ def nearest_parameters(u: Triple, w: Triple, v: Triple) -> Candidate:
             t = nearest(scaled(s, u), w, v)
             s = nearest(along(w, t, v), zero, u)
             best = nearer(best, u, w, v, s, t)
-    return best
+    return best[1], best[2]
+
+
+@compiled
+def nearer(
+    best: Candidate, u: Triple, w: Triple, v: Triple, s: float, t: float
+) -> Candidate:
+    """The best candidate so far, or the points s u and w + t v where these are nearer."""
+    distance = length(minus(scaled(s, u), along(w, t, v)))
+    return (distance, s, t) if distance < best[0] else best
 
 
 @compiled
@@ -113,8 +132,9 @@ def closest_capsules(
         p, q = row(start_a, i), row(start_b, i)
         u, v = minus(row(end_a, i), p), minus(row(end_b, i), q)
         w = minus(q, p)  # seen from p, so that no digits are lost far from the origin
-        distance, s, t = nearest_parameters(u, w, v)
+        s, t = nearest_parameters(u, w, v)
         difference = minus(scaled(s, u), along(w, t, v))
+        distance = length(difference)
         if distance > max(TINY, TOUCHING * (length(u) + length(v))):
             n = scaled(1.0 / distance, difference)
         else:
@@ -128,6 +148,25 @@ def closest_capsules(
             point_b[i, k] = b[k]
 
 
+@compiled
+def gaps_of_capsules(
+    start_a: Array,
+    end_a: Array,
+    radius_a: Array,
+    start_b: Array,
+    end_b: Array,
+    radius_b: Array,
+    gap: Array,
+) -> None:
+    """Fill gap (n,) alone."""
+    for i in range(gap.size):
+        p, q = row(start_a, i), row(start_b, i)
+        u, w, v = minus(row(end_a, i), p), minus(q, p), minus(row(end_b, i), q)
+        s, t = nearest_parameters(u, w, v)
+        distance = length(minus(scaled(s, u), along(w, t, v)))
+        gap[i] = distance - (radius_a[i] + radius_b[i])
+
+
 def warm() -> None:
     """Compile the kernels."""
     import numpy as np
@@ -136,3 +175,4 @@ def warm() -> None:
     for array in (x, r):
         array.flags.writeable = False
     closest_capsules(x, x, r, x, x, r, np.empty(3), *np.empty((3, 3, 3)))
+    gaps_of_capsules(x, x, r, x, x, r, np.empty(3))

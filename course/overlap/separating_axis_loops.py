@@ -32,6 +32,9 @@ PARALLEL = 1e-14
 #: Cosine of half the angle of the arc between an edge's faces below which it does not say
 #: which way is out.
 THIN = 1e-3
+#: Where in an arc's row its direction and its two normals begin; from an array, because a number
+#: written out has machine code of its own wherever it is an argument.
+ALONG, ONE, OTHER = np.array([3, 6, 9])
 #: What is said of two boxes.
 APART, OVERLAPPING, UNSURE = 0, 1, 2
 
@@ -169,10 +172,10 @@ def arcs_cross(p: Array, k: int, q: Array, m: int) -> bool:
     n_1 and n_2 on either side of the plane across w, m_1 and m_2 on either side of that
     across u, and both pairs on one hemisphere (Gregorius 2013).
     """
-    c, d = -dot(q, m, 6, p, k, 3), -dot(q, m, 9, p, k, 3)
+    c, d = -dot(q, m, ONE, p, k, ALONG), -dot(q, m, OTHER, p, k, ALONG)
     if c * d >= 0.0:
         return False
-    s, t = dot(p, k, 6, q, m, 3), dot(p, k, 9, q, m, 3)
+    s, t = dot(p, k, ONE, q, m, ALONG), dot(p, k, OTHER, q, m, ALONG)
     return s * t < 0.0 and c * t > 0.0
 
 

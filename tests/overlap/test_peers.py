@@ -1,9 +1,9 @@
 """100,000 drawn pairs of each two kinds against python-fcl and coal.
 
-Neither peer is the truth. Where one is further than ``CLOSE`` from the library, and on a
-sample of all pairs, the slow ways of ``overlap.drawn_shapes`` decide: all separating axes
-where the cores overlap, else a bounded least-squares solve. The library has to be there to
-``EXACT`` every time. What the peers were off by, and why, stands beside each test.
+Neither peer is the truth. Where one differs from the library, and on a sample of all pairs,
+the slow ways of ``overlap.drawn_shapes`` decide: all separating axes where the cores
+overlap, else a bounded least-squares solve. The library has to be there to ``EXACT`` every
+time. What the peers were off by, and why, stands beside each test.
 """
 
 import itertools
@@ -20,8 +20,8 @@ pytestmark = [pytest.mark.peers, pytest.mark.long]
 COUNT = 100_000
 #: How many pairs of each two kinds are looked at in the slow way, of all and of those that differ.
 SAMPLE = 150
-#: What peers are asked for, and what the library has to reach, in sizes of order 1.
-CLOSE, EXACT = 1e-6, 1e-9
+#: What the library has to reach, in sizes of order 1.
+EXACT = 1e-9
 FCL_KINDS = ("sphere", "capsule", "obb")
 COAL_KINDS = ("sphere", "capsule", "obb", "convex_hull", "half_space")
 
@@ -109,9 +109,9 @@ def fcl_gaps(a, b):
     return found
 
 
-def judged(a, b, mine, theirs):
-    """Rows where a peer differs; the library is right in all of these that are looked at, and in a sample."""
-    off = np.flatnonzero(np.abs(mine - theirs) > CLOSE)
+def judged(a, b, mine, theirs, close):
+    """Rows where a peer is not close; the library is right in all of these that are looked at, and in a sample."""
+    off = np.flatnonzero(~(np.abs(mine - theirs) <= close))
     rng = np.random.default_rng(1)
     some = rng.choice(a.count, SAMPLE, replace=False)
     disputed = rng.choice(off, min(SAMPLE, off.size), replace=False)
@@ -124,23 +124,57 @@ def judged(a, b, mine, theirs):
     "kind_a, kind_b", list(itertools.combinations_with_replacement(COAL_KINDS, 2))[:-1]
 )
 def test_against_coal(kind_a, kind_b):
+    """With its tolerances at 1e-8 coal is as exact as the library, in distance and in depth."""
     pytest.importorskip("coal")
     a, b = drawn(kind_a, kind_b)
     mine = gap(a, b)
-    assert 0.1 < np.mean(overlaps(a, b)) < 0.99
+    assert 0.1 < np.mean(mine <= 0) < 0.99
     np.testing.assert_array_equal(overlaps(a, b), mine <= 0)
-    off = judged(a, b, mine, coal_gaps(a, b))
-    assert off.size <= 0.01 * COUNT
+    off = judged(a, b, mine, coal_gaps(a, b), close=1e-7)
+    assert off.size <= 1e-4 * COUNT
 
 
 @pytest.mark.parametrize(
     "kind_a, kind_b", list(itertools.combinations_with_replacement(FCL_KINDS, 2))
 )
 def test_against_python_fcl(kind_a, kind_b):
+    """Two boxes agree. Of a round shape FCL asks libccd, whose GJK on the curved surface itself ends
+    when its steps are small: it says up to 6e-4 too much where they are apart."""
     pytest.importorskip("fcl")
     a, b = drawn(kind_a, kind_b)
     mine, theirs = gap(a, b), fcl_gaps(a, b)
-    off = judged(a, b, mine, theirs)
-    assert np.sum(mine[off] > 0) <= 0.001 * COUNT
-    # A distance that is none is no depth: the verdict is compared instead.
+    off = judged(a, b, mine, theirs, close=1e-6)
     assert np.mean((theirs > 0) != (mine > 0)) <= 1e-4
+    if kind_a == kind_b == "obb":
+        assert off.size <= 1e-4 * COUNT
+    np.testing.assert_allclose(theirs, mine, atol=5e-3)
+
+
+def test_depths_of_python_fcl_s_contacts():
+    """A fifth of the depths that its collision test gives for two boxes is up to 5 percent too large.
+
+    That test is ODE's, which takes a face for the direction unless the product of two edges
+    is better by a factor of 1.05; the least translation is no larger.
+    """
+    fcl = pytest.importorskip("fcl")
+    rng = np.random.default_rng(0)
+    a, b = DRAW["obb"](rng, 3000, 0.8), DRAW["obb"](rng, 3000, 0.8)
+    mine, sides = gap(a, b), []
+    for shape in (a, b):
+        solids = [fcl.Box(*size) for size in sizes(shape)]
+        places = [fcl.Transform(r, t) for r, t in zip(*poses(shape), strict=True)]
+        sides.append(
+            [fcl.CollisionObject(*x) for x in zip(solids, places, strict=True)]
+        )
+    deep = np.flatnonzero(mine < 0)
+    share = []
+    for i in deep:
+        request = fcl.CollisionRequest(num_max_contacts=8, enable_contact=True)
+        result = fcl.CollisionResult()
+        fcl.collide(sides[0][i], sides[1][i], request, result)
+        depth = max(c.penetration_depth for c in result.contacts)
+        share.append(depth / -mine[i] - 1)
+    assert -1e-9 <= min(share) and 0.03 <= max(share) <= 0.0501
+    assert 0.1 < np.mean(np.array(share) > 1e-6) < 0.3
+    for i in deep[:SAMPLE]:
+        assert mine[i] == pytest.approx(true_gap(a[i], b[i]), abs=EXACT)

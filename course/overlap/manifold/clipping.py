@@ -3,10 +3,12 @@
 Sutherland and Hodgman's clipping ("Reentrant polygon clipping", Communications of the ACM
 17(1), 1974; C. Ericson, *Real-Time Collision Detection*, section 8.3.4): the *subject* is
 cut by the line of each edge of the *clip* polygon in turn, and what is on its inner side
-stays. Each corner remembers the edge that leaves it, so that a new corner is
+stays. Every corner remembers only the edge that leaves it: edge i of the subject as i, edge
+j of the clip polygon as -1 - j. So in the end a corner between
 
-* on an edge of the subject and an edge of the clip polygon: a *crossing*;
-* on two edges of the clip polygon: one of its vertices.
+* two edges of the subject is a vertex of it;
+* two edges of the clip polygon is one of its vertices;
+* an edge of each is a *crossing*.
 
 **Ties.** What is within ``bias`` of a line counts as inside, so a vertex of the subject on
 the border of the clip polygon stays and makes no crossings; a crossing within ``bias`` of a
@@ -40,8 +42,9 @@ def clip(
     n: int,
     bias: float,
     cut: Array,
+    leaving: IntArray,
     what: IntArray,
-) -> tuple[int, int]:
+) -> int:
     """Clip one side's patch by the other's.
 
     Args:
@@ -49,17 +52,17 @@ def clip(
         subject: the side that is cut.
         m, n: corners of the subject (1: a point, 2: a segment), and of the polygon.
         bias: what counts as in one place [m].
-        cut: (2, l, 3), two polygons by turns: x, y, height above a line.
-        what: (2, l, 4) of each corner: what it is; the subject's edge (or vertex, if it
-            is one), the clip polygon's; and the edge that leaves it: i of the
-            subject, -1 - j of the clip polygon.
+        cut, leaving: (2, l, 3), (2, l), two polygons by turns: x, y, height above a line;
+            the edge that leaves.
+        what: (l, 3), what each corner of the common part is: kind, edge (or vertex, if
+            it is one) of the subject, and of the clip polygon.
     Returns:
-        How many corners the common part has, and which of the two polygons it is.
+        How many corners the common part has.
     """
     now, count, polygon = 0, m, 1 - subject
     for i in range(m):
         cut[0, i, 0], cut[0, i, 1] = corner[subject, i, 3], corner[subject, i, 4]
-        name(what, 0, i, SUBJECT, i, -1, i)
+        leaving[0, i] = i
     for j in range(n):
         k = j + 1 if j + 1 < n else 0
         x, y = corner[polygon, j, 3], corner[polygon, j, 4]
@@ -75,50 +78,63 @@ def clip(
             lowest = min(lowest, above)
         if lowest >= -bias:
             continue
-        count = cut_by_line(cut, what, now, count, corner, polygon, n, j, bias)
+        count = cut_by_line(cut, leaving, now, count, j, bias)
         now = 1 - now
         if count == 0:
-            return 0, now
-    return merged(cut, what, now, count, corner, subject, m, n, bias), now
+            return 0
+    name(cut, leaving, now, count, corner, polygon, n, what)
+    return merged(cut, what, now, count, corner, subject, m, n, bias)
 
 
 @compiled
 def cut_by_line(
-    cut: Array,
-    what: IntArray,
-    now: int,
-    count: int,
-    corner: Array,
-    polygon: int,
-    n: int,
-    line: int,
-    bias: float,
+    cut: Array, leaving: IntArray, now: int, count: int, line: int, bias: float
 ) -> int:
     """What lies inside one line, by the heights above it; it goes to the other polygon."""
     new, kept, room = 1 - now, 0, cut.shape[1] - 1
     for i in range(count):
         k = i + 1 if i + 1 < count else 0
         here, there = cut[now, i, 2], cut[now, k, 2]
-        if here >= -bias:
-            move(cut, what, now, i, new, kept)
+        inside = here >= -bias
+        x, y, edge = cut[now, i, 0], cut[now, i, 1], leaving[now, i]
+        if inside:
+            cut[new, kept, 0], cut[new, kept, 1], leaving[new, kept] = x, y, edge
             kept += 1
-        if (here >= -bias) != (there >= -bias):
+        if inside != (there >= -bias):
             t = min(max(here / (here - there), 0.0), 1.0)
-            for axis in range(2):
-                cut[new, kept, axis] = cut[now, i, axis] + t * (
-                    cut[now, k, axis] - cut[now, i, axis]
-                )
-            edge = what[now, i, 3]
-            leaving = -1 - line if here >= -bias else edge
-            if edge >= 0:
-                name(what, new, kept, CROSSING, edge, line, leaving)
-            else:
-                v = shared(cut, new, kept, corner, polygon, n, -1 - edge, line)
-                name(what, new, kept, CLIP, -1, v, leaving)
+            cut[new, kept, 0] = x + t * (cut[now, k, 0] - x)
+            cut[new, kept, 1] = y + t * (cut[now, k, 1] - y)
+            leaving[new, kept] = -1 - line if inside else edge
             kept += 1
         if kept >= room:
             break
     return kept
+
+
+@compiled
+def name(
+    cut: Array,
+    leaving: IntArray,
+    now: int,
+    count: int,
+    corner: Array,
+    polygon: int,
+    n: int,
+    what: IntArray,
+) -> None:
+    """Say what each corner is, by the edges that arrive there and leave."""
+    arrives = leaving[now, count - 1]
+    for i in range(count):
+        leaves = leaving[now, i]
+        if arrives >= 0 and leaves >= 0:
+            what[i, 0], what[i, 1], what[i, 2] = SUBJECT, leaves, -1
+        elif arrives < 0 and leaves < 0:
+            v = shared(cut, now, i, corner, polygon, n, -1 - arrives, -1 - leaves)
+            what[i, 0], what[i, 1], what[i, 2] = CLIP, -1, v
+        else:
+            what[i, 0] = CROSSING
+            what[i, 1], what[i, 2] = max(arrives, leaves), -1 - min(arrives, leaves)
+        arrives = leaves
 
 
 @compiled
@@ -157,23 +173,24 @@ def merged(
     """Crossings beside a vertex become it; what is in one place twice goes, and so do crossings on a straight line."""
     close, kept = bias * bias, 0
     for i in range(count):
-        if what[now, i, 0] == CROSSING:
+        if what[i, 0] == CROSSING:
             take_vertex_beside(cut, what, now, i, corner, subject, m, n, close)
         if kept and twice(cut, now, kept - 1, i) <= close:
-            if what[now, i, 0] < what[now, kept - 1, 0]:
-                move(cut, what, now, i, now, kept - 1)
+            if what[i, 0] < what[kept - 1, 0]:
+                move(cut, what, now, i, kept - 1)
             continue
-        move(cut, what, now, i, now, kept)
+        if kept < i:
+            move(cut, what, now, i, kept)
         kept += 1
     while kept > 1 and twice(cut, now, kept - 1, 0) <= close:
-        if what[now, kept - 1, 0] < what[now, 0, 0]:
-            move(cut, what, now, kept - 1, now, 0)
+        if what[kept - 1, 0] < what[0, 0]:
+            move(cut, what, now, kept - 1, 0)
         kept -= 1
     i = 0
     while kept > 2 and i < kept:
-        if what[now, i, 0] == CROSSING and straight(cut, now, kept, i, bias):
+        if what[i, 0] == CROSSING and straight(cut, now, kept, i, close):
             for k in range(i + 1, kept):
-                move(cut, what, now, k, now, k - 1)
+                move(cut, what, now, k, k - 1)
             kept -= 1
         else:
             i += 1
@@ -193,52 +210,34 @@ def take_vertex_beside(
     close: float,
 ) -> None:
     """A crossing that is in one place with an end of one of its edges is that vertex, the subject's before the other."""
-    edge, line, polygon = what[now, i, 1], what[now, i, 2], 1 - subject
+    edge, line, polygon = what[i, 1], what[i, 2], 1 - subject
     for end in (edge, edge + 1 if edge + 1 < m else 0):
         if squared(cut, now, i, corner, subject, end) <= close:
             cut[now, i, 0], cut[now, i, 1] = corner[subject, end, 3], corner[subject, end, 4]  # fmt: skip
-            name(what, now, i, SUBJECT, end, -1, what[now, i, 3])
+            what[i, 0], what[i, 1], what[i, 2] = SUBJECT, end, -1
             return
     for end in (line, line + 1 if line + 1 < n else 0):
         if squared(cut, now, i, corner, polygon, end) <= close:
             cut[now, i, 0], cut[now, i, 1] = corner[polygon, end, 3], corner[polygon, end, 4]  # fmt: skip
-            name(what, now, i, CLIP, -1, end, what[now, i, 3])
+            what[i, 0], what[i, 1], what[i, 2] = CLIP, -1, end
             return
 
 
 @compiled
-def straight(cut: Array, now: int, count: int, i: int, bias: float) -> bool:
+def straight(cut: Array, now: int, count: int, i: int, close: float) -> bool:
     """Whether corner i lies between its neighbours, on the line through them."""
     p, q = i - 1 if i else count - 1, i + 1 if i + 1 < count else 0
     ux, uy = cut[now, q, 0] - cut[now, p, 0], cut[now, q, 1] - cut[now, p, 1]
     wx, wy = cut[now, i, 0] - cut[now, p, 0], cut[now, i, 1] - cut[now, p, 1]
-    square, along = ux * ux + uy * uy, wx * ux + wy * uy
-    if not 0.0 <= along <= square:
-        return False
-    return abs(ux * wy - uy * wx) <= bias * math.sqrt(square)
+    square, along, across = ux * ux + uy * uy, wx * ux + wy * uy, ux * wy - uy * wx
+    return 0.0 <= along <= square and across * across <= close * square
 
 
 @compiled
-def name(
-    what: IntArray,
-    now: int,
-    i: int,
-    kind: int,
-    of_subject: int,
-    of_polygon: int,
-    leaving: int,
-) -> None:
-    """Say what a corner is."""
-    what[now, i, 0], what[now, i, 1] = kind, of_subject
-    what[now, i, 2], what[now, i, 3] = of_polygon, leaving
-
-
-@compiled
-def move(cut: Array, what: IntArray, now: int, i: int, new: int, k: int) -> None:
-    """Corner i of one polygon becomes corner k of another or of the same."""
-    cut[new, k, 0], cut[new, k, 1] = cut[now, i, 0], cut[now, i, 1]
-    for column in range(4):
-        what[new, k, column] = what[now, i, column]
+def move(cut: Array, what: IntArray, now: int, i: int, k: int) -> None:
+    """Corner i becomes corner k."""
+    cut[now, k, 0], cut[now, k, 1] = cut[now, i, 0], cut[now, i, 1]
+    what[k, 0], what[k, 1], what[k, 2] = what[i, 0], what[i, 1], what[i, 2]
 
 
 @compiled
@@ -262,4 +261,4 @@ def warm() -> None:
     room = desk(4, 4)
     room.corner[0, :, 3:] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
     room.corner[1, :, 3:] = room.corner[0, :, 3:] + 0.5
-    clip(room.corner, A, 4, 4, 1e-9, room.cut, room.what)
+    clip(room.corner, A, 4, 4, 1e-9, *room[3:])

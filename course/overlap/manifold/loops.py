@@ -73,7 +73,7 @@ def manifolds(
     """
     count, p = 0, begin
     origin, normal = np.empty(3), np.empty(3)
-    order = np.empty(limit + 1, dtype=np.intp)
+    order = np.empty(limit, dtype=np.intp)
     while p < len(pairs) and count + room.cut.shape[1] <= len(numbers):
         if found[p, 6] <= margin:
             i, j = pairs[p, 0], pairs[p, 1]
@@ -123,7 +123,7 @@ def manifold(
         first = set_manifold_normal(room.normal, count_a, count_b, normal)
         pair = Pair(count_a, count_b, radius_a, radius_b, scale, bias, first)
         flatten(room.corner, room.normal, count_a, count_b)
-        count = meet(pair, room.corner, room.normal, room.cut, room.what, names, numbers, begin)  # fmt: skip
+        count = meet(pair, room.corner, room.normal, *room[3:], names, numbers, begin)  # fmt: skip
         if count or not chosen:
             break
     rounding = SAME_DEPTH * scale + noise

@@ -98,6 +98,7 @@ def meet(
     corner: Array,
     normal: Array,
     cut: Array,
+    leaving: IntArray,
     what: IntArray,
     names: IntArray,
     numbers: Array,
@@ -106,14 +107,14 @@ def meet(
     """The points that two patches have in common, flattened before: their names and numbers.
 
     Args:
-        corner, normal, cut, what: of the ``Desk``.
+        corner, normal, cut, leaving, what: of the ``Desk``.
         names, numbers: tables (``labels``) with room for all points from row ``begin`` on.
     Returns:
         How many; none where the patches pass each other by.
     """
     count = 0
     if pair.count_a > 2 or pair.count_b > 2:
-        count = common_polygon(pair, corner, cut, what, names, begin)
+        count = common_polygon(pair, corner, cut, leaving, what, names, begin)
     elif pair.count_a == 2 and pair.count_b == 2:
         count = two_edges(pair, corner, names, begin)
     elif pair.count_a == 1 and pair.count_b == 1:
@@ -126,17 +127,23 @@ def meet(
 
 @compiled
 def common_polygon(
-    pair: Pair, corner: Array, cut: Array, what: IntArray, names: IntArray, begin: int
+    pair: Pair,
+    corner: Array,
+    cut: Array,
+    leaving: IntArray,
+    what: IntArray,
+    names: IntArray,
+    begin: int,
 ) -> int:
     """The corners of what a face and the other patch have in common."""
     faces = pair.count_a > 2 and pair.count_b > 2
     a_is_cut = pair.first == A if faces else pair.count_b > 2
     if a_is_cut:
-        count, now = clip(corner, A, pair.count_a, pair.count_b, pair.bias, cut, what)
+        count = clip(corner, A, pair.count_a, pair.count_b, pair.bias, cut, leaving, what)
     else:
-        count, now = clip(corner, B, pair.count_b, pair.count_a, pair.bias, cut, what)
+        count = clip(corner, B, pair.count_b, pair.count_a, pair.bias, cut, leaving, what)
     for k in range(count):
-        kind, i, j = what[now, k, 0], what[now, k, 1], what[now, k, 2]
+        kind, i, j = what[k, 0], what[k, 1], what[k, 2]
         mine = theirs = EDGE
         if kind == SUBJECT:
             mine, theirs, j = VERTEX, FACE, 0
@@ -291,6 +298,6 @@ def warm() -> None:
     flatten(room.corner, room.normal, 2, 2)
     pair = Pair(2, 2, 0.0, 0.0, 1.0, 1e-6, first)
     rows = np.zeros((9, 8), dtype=np.intp), np.zeros((9, WIDTH))
-    meet(pair, room.corner, room.normal, room.cut, room.what, *rows, 0)
+    meet(pair, room.corner, room.normal, *room[3:], *rows, 0)
     point_found(pair, room.corner, room.normal, up, 0.0, *rows, 0)
     kept(*rows, 0, 1, 0.0, 1e-9)

@@ -21,6 +21,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
+from course.overlap.separating_axis_loops import Solids
 
 #: A face or edge that leans by less than this may touch with all of itself [rad].
 FLAT_ANGLE = 0.02
@@ -33,33 +34,20 @@ LEAN_BIAS = 1e-6
 A, B, MANIFOLD = 0, 1, 2
 
 
-class Solids(NamedTuple):
-    """The arrays of ``Polytopes`` that the kernels here read: m solids end to end."""
-
-    vertices: Array
-    vertex_start: IntArray
-    radius: Array
-    normals: Array
-    face_start: IntArray
-    loop: IntArray
-    loop_start: IntArray
-    edges: IntArray
-    edge_start: IntArray
-
-
 class Desk(NamedTuple):
     """Where a pair is worked on: room for its patches and for clipping.
 
     corner (2, k, 5): A's and B's corners, counter-clockwise about N: x, y, z from the
     pair's origin, then their two coordinates in the plane of the manifold; vertex (2, k):
     the corners' numbers in their solids; normal (3, 3): see ``MANIFOLD``;
-    cut (2, l, 3) and what (2, l, 4): see ``clipping``.
+    cut (2, l, 3), leaving (2, l) and what (l, 3): see ``clipping``.
     """
 
     corner: Array
     vertex: IntArray
     normal: Array
     cut: Array
+    leaving: IntArray
     what: IntArray
 
 
@@ -72,7 +60,8 @@ def desk(corners_a: int, corners_b: int) -> Desk:
         np.zeros((2, corners), dtype=np.intp),
         np.zeros((3, 3)),
         np.zeros((2, length, 3)),
-        np.zeros((2, length, 4), dtype=np.intp),
+        np.zeros((2, length), dtype=np.intp),
+        np.zeros((length, 3), dtype=np.intp),
     )
 
 
@@ -254,12 +243,12 @@ def edge_between(
 
 def ball() -> Solids:
     """One sphere of radius 1 about the origin, on which kernels are warmed."""
+    from course.overlap.separating_axis import as_kernels_take_it
+
     whole, none = np.array([0, 1], dtype=np.intp), np.zeros(2, dtype=np.intp)
     arrays = (np.zeros((1, 3)), whole, np.ones(1), np.zeros((0, 3)), none, none[:0],
-              none[:1], np.zeros((0, 2), dtype=np.intp), none)  # fmt: skip
-    for array in arrays:
-        array.setflags(write=False)
-    return Solids(*arrays)
+              none[:1], *np.zeros((2, 0, 2), dtype=np.intp), none)  # fmt: skip
+    return Solids(*map(as_kernels_take_it, arrays))
 
 
 def warm() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,8 +15,8 @@ from course.overlap.contact_arrays import FEATURES, Contacts
 if TYPE_CHECKING:
     from course.overlap.manifold.patches import Solids
 
-#: Rows that are filled at a time; more where one pair needs more.
-ROWS = 1 << 13
+#: Rows that are asked for at most at a time, if one pair does not need more.
+ROWS = 1 << 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,24 +52,24 @@ class Manifolds:
         crossing, curved = self.label == 2, self.label == 3
         optional: dict[str, Any] = {}
         if np.any(crossing):
-            optional |= {"edge_a": numbers[:, 7:10], "edge_b": numbers[:, 10:13]}
+            optional |= {"edge_a": numbers[:, 7:10].copy()}
+            optional |= {"edge_b": numbers[:, 10:13].copy()}
         if np.any(curved):
-            optional |= {
-                "curvature_a": self._curvature(13, 7, curved),
-                "curvature_b": self._curvature(14, 10, curved),
-            }
-        columns = [np.asarray(handle_a)[which], np.asarray(handle_b)[which],
-                   self.feature_a, self.feature_b]  # fmt: skip
-        return Contacts(
-            np.asarray(body_a)[which],
-            np.asarray(body_b)[which],
-            numbers[:, :3],
-            numbers[:, 3:6],
-            numbers[:, 6],
-            np.array(FEATURES)[self.label],
+            optional |= {"curvature_a": self._curvature(13, 7, curved)}
+            optional |= {"curvature_b": self._curvature(14, 10, curved)}
+        key = np.empty((which.size, 4), dtype=np.intp)
+        key[:, 0], key[:, 1] = _each(handle_a, which), _each(handle_b, which)
+        key[:, 2], key[:, 3] = self.feature_a, self.feature_b
+        return Contacts.unchecked(
+            body_a=_each(body_a, which),
+            body_b=_each(body_b, which),
+            point=numbers[:, :3].copy(),
+            normal=numbers[:, 3:6].copy(),
+            separation=numbers[:, 6].copy(),
+            feature=np.array(FEATURES)[self.label],
             **optional,
-            pair=which if pair is None else np.asarray(pair)[which],
-            key=np.stack(columns, axis=1),
+            pair=which.copy() if pair is None else _each(pair, which),
+            key=key,
         )
 
     def _curvature(self, curvature: int, edge: int, rows: NDArray[np.bool_]) -> Array:
@@ -112,18 +113,43 @@ def contact_points(
     found = np.column_stack([point, normal, gap])
     pairs = np.column_stack([i, j]).astype(np.intp, copy=False)
     room = desk(_largest_face(a), _largest_face(b))
-    rows = max(ROWS, room.cut.shape[1])
-    names, numbers = np.empty((rows, 8), dtype=np.intp), np.empty((rows, 15))
-    parts, begin = [], 0
-    while begin < len(pairs) or not parts:
-        begin, count = manifolds(
+
+    def fill(begin: int, names: IntArray, numbers: Array) -> tuple[int, int]:
+        return manifolds(
             a, b, pairs, found, margin, limit or 0, begin, room, names, numbers
         )
-        parts.append((names[:count].copy(), numbers[:count].copy()))
-    what = np.concatenate([part[0] for part in parts])
-    return Manifolds(what[:, 5], what[:, 6], what[:, 7], what[:, 0],
-                     np.concatenate([part[1] for part in parts]))  # fmt: skip
+
+    return filled(fill, len(pairs), room.cut.shape[1])
+
+
+def filled(
+    fill: Callable[[int, IntArray, Array], tuple[int, int]], pairs: int, most: int
+) -> Manifolds:
+    """What a loop over pairs finds, a million rows at a time.
+
+    Args:
+        fill: from a pair on fills names (r, 8) and numbers (r, 15) as far as they go, and
+            says which pair is next and how many rows are filled.
+        pairs: how many there are.
+        most: rows that a pair may need.
+    """
+    parts, begin = [], 0
+    while begin < pairs or not parts:
+        rows = max(min(ROWS, most * (pairs - begin)), most)
+        # What is not filled is never touched, so that it costs no memory.
+        names, numbers = np.empty((rows, 8), dtype=np.intp), np.empty((rows, 15))
+        begin, count = fill(begin, names, numbers)
+        parts.append((names[:count], numbers[:count]))
+    what, values = parts[0]
+    if len(parts) > 1:
+        what = np.concatenate([names for names, _ in parts])
+        values = np.concatenate([numbers for _, numbers in parts])
+    return Manifolds(what[:, 5], what[:, 6], what[:, 7], what[:, 0], values)
 
 
 def _largest_face(solids: Solids) -> int:
     return int(np.diff(solids.loop_start).max(initial=2))
+
+
+def _each(values: ArrayLike, which: IntArray) -> IntArray:
+    return np.asarray(values, dtype=np.intp)[which]

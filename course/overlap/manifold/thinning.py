@@ -13,16 +13,14 @@ A kernel module (``course.jit``): import it where it is called.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
 from course.overlap.manifold.labels import POINT, SEPARATION, WIDTH
 
-#: Lengths and areas that differ by less are alike, relative.
-ALIKE = 1e-6
+#: Squares of lengths and areas that differ by less are alike, relative.
+ALIKE = 2e-6
 
 
 @compiled
@@ -42,7 +40,7 @@ def thin(
             corners of a convex polygon in its order.
         limit: how many may stay, at least 1.
         bias: separations that differ by less are alike [m].
-        order: room for ``limit`` + 1 indices.
+        order: room for ``limit`` indices.
     Returns:
         How many stay.
     """
@@ -51,13 +49,13 @@ def thin(
     order[0] = deepest(numbers, begin, count, bias)
     chosen = 1
     while chosen < limit:
-        best, most = -1, 0.0
+        best, most = -1, -1.0
         for k in range(begin, begin + count):
-            if contains(order, chosen, k):
-                continue
-            gain = spread(numbers, order, chosen, k)
-            if best < 0 or gain > most * (1.0 + ALIKE):
-                best, most = k, gain
+            more = gain(numbers, order, chosen, k)
+            if more > most + ALIKE * abs(most):
+                best, most = k, more
+        if best < 0:  # not before all are chosen
+            break
         order[chosen] = best
         chosen += 1
     for k in range(limit):
@@ -81,57 +79,38 @@ def deepest(numbers: Array, begin: int, count: int, bias: float) -> int:
 
 
 @compiled
-def contains(order: IntArray, chosen: int, k: int) -> bool:
-    """Whether k is among the first so many."""
+def gain(numbers: Array, order: IntArray, chosen: int, k: int) -> float:
+    """What point k adds: its distance from the first; once there are two, the area beyond the polygon they make.
+
+    That is a triangle: k, the last point before it that is chosen, and the next after it.
+    The squares of both are returned; -1 for a point that is chosen already.
+    """
+    before, after, least, most = -1, -1, order[0], order[0]
     for at in range(chosen):
-        if order[at] == k:
-            return True
-    return False
-
-
-@compiled
-def spread(numbers: Array, order: IntArray, chosen: int, k: int) -> float:
-    """The distance from the first point; once there are two, the area of their polygon with k."""
-    first = order[0]
+        i = order[at]
+        if i == k:
+            return -1.0
+        least, most = min(least, i), max(most, i)
+        if i < k and i > before:
+            before = i
+        if i > k and (after < 0 or i < after):
+            after = i
+    before, after = before if before >= 0 else most, after if after >= 0 else least
+    px, py, pz = seen_from(numbers, k, before)
     if chosen == 1:
-        x = numbers[k, POINT] - numbers[first, POINT]
-        y = numbers[k, POINT + 1] - numbers[first, POINT + 1]
-        z = numbers[k, POINT + 2] - numbers[first, POINT + 2]
-        return math.sqrt(x * x + y * y + z * z)
-    order[chosen] = k
-    x = y = z = 0.0
-    here = next_above(order, chosen + 1, -1)
-    start = here
-    while True:
-        there = next_above(order, chosen + 1, here)
-        last = there < 0
-        if last:
-            there = start
-        px, py, pz = seen_from(numbers, here, first)
-        qx, qy, qz = seen_from(numbers, there, first)
-        x, y, z = x + py * qz - pz * qy, y + pz * qx - px * qz, z + px * qy - py * qx
-        if last:
-            return 0.5 * math.sqrt(x * x + y * y + z * z)
-        here = there
+        return px * px + py * py + pz * pz
+    qx, qy, qz = seen_from(numbers, k, after)
+    x, y, z = py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx
+    return x * x + y * y + z * z
 
 
 @compiled
-def next_above(order: IntArray, count: int, after: int) -> int:
-    """The least of the indices above one; -1 if there is none."""
-    best = -1
-    for at in range(count):
-        if order[at] > after and (best < 0 or order[at] < best):
-            best = order[at]
-    return best
-
-
-@compiled
-def seen_from(numbers: Array, k: int, first: int) -> tuple[float, float, float]:
-    """From the first point to point k."""
+def seen_from(numbers: Array, k: int, other: int) -> tuple[float, float, float]:
+    """From another point to point k."""
     return (
-        numbers[k, POINT] - numbers[first, POINT],
-        numbers[k, POINT + 1] - numbers[first, POINT + 1],
-        numbers[k, POINT + 2] - numbers[first, POINT + 2],
+        numbers[k, POINT] - numbers[other, POINT],
+        numbers[k, POINT + 1] - numbers[other, POINT + 1],
+        numbers[k, POINT + 2] - numbers[other, POINT + 2],
     )
 
 
