@@ -21,7 +21,11 @@ from course.jit import compiled
 from course.overlap.epa import epa, epa_room
 from course.overlap.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk
 from course.overlap.nearest_features import nearest_features
-from course.overlap.separating_axis_loops import Solids, greatest_separation
+from course.overlap.separating_axis_loops import (
+    Solids,
+    greatest_separation,
+    separation_along,
+)
 
 #: What is as near as this, in sizes of the pair, has its direction from the separating axes.
 NEAR = 1e-7
@@ -29,9 +33,10 @@ NEAR = 1e-7
 CERTAIN = 1e-14
 #: How much shorter than along an axis a distance may seem, relatively, and be the better known.
 DOUBT = 1e-6
-#: How much further back than the foremost vertex another may be and belong to the
-#: same feature, in sizes of its solid.
-LEVEL = 1e-12
+#: How much further back than the foremost vertex another may be and belong to the same feature, in
+#: sizes of the pair, and in units of the last place of its coordinates.
+LEVEL, PLACES = 4e-15, 8.0
+EPS = 2.0**-52
 
 
 class Room(NamedTuple):
@@ -167,6 +172,12 @@ def length(x: Array, y: Array) -> float:
 
 
 @compiled
+def largest(p: Array, i: int) -> float:
+    """The largest coordinate of p_i, without its sign."""
+    return max(abs(p[i, 0]), max(abs(p[i, 1]), abs(p[i, 2])))
+
+
+@compiled
 def unit(v: Array, normal: Array) -> float:
     """|v|; v / |v| is written to normal."""
     size = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
@@ -176,20 +187,18 @@ def unit(v: Array, normal: Array) -> float:
 
 
 @compiled
-def front(p: Array, count: int, normal: Array, sign: float, out: Array, number: IntArray) -> int:  # fmt: skip
-    """The vertices furthest along sign times the normal, seen along it, to out; how many.
+def front(p: Array, count: int, normal: Array, sign: float, thick: float, out: Array, number: IntArray) -> int:  # fmt: skip
+    """The vertices furthest along sign times the normal to within thick, seen along it, to out; how many.
 
     So the fronts of two solids lie in one plane, and their nearest points are opposite.
     """
     x, y, z = sign * normal[0], sign * normal[1], sign * normal[2]
-    high, low = -math.inf, math.inf
+    high, found = -math.inf, 0
+    for k in range(count):
+        high = max(high, p[k, 0] * x + p[k, 1] * y + p[k, 2] * z)
     for k in range(count):
         along = p[k, 0] * x + p[k, 1] * y + p[k, 2] * z
-        high, low = max(high, along), min(low, along)
-    level, found = high - LEVEL * (high - low) - CERTAIN, 0
-    for k in range(count):
-        along = p[k, 0] * x + p[k, 1] * y + p[k, 2] * z
-        if along >= level:
+        if along >= high - thick:
             out[found, 0] = p[k, 0] - along * x
             out[found, 1] = p[k, 1] - along * y
             out[found, 2] = p[k, 2] - along * z
@@ -199,10 +208,10 @@ def front(p: Array, count: int, normal: Array, sign: float, out: Array, number: 
 
 
 @compiled
-def opposite_points(count_a: int, count_b: int, room: Room) -> None:
+def opposite_points(count_a: int, count_b: int, thick: float, room: Room) -> None:
     """Points of the features that meet along room.normal, the one above the other, to room.point_a and point_b."""
-    fronts_a = front(room.a, count_a, room.normal, -1.0, room.front_a, room.number_a)
-    fronts_b = front(room.b, count_b, room.normal, 1.0, room.front_b, room.number_b)
+    fronts_a = front(room.a, count_a, room.normal, -1.0, thick, room.front_a, room.number_a)
+    fronts_b = front(room.b, count_b, room.normal, 1.0, thick, room.front_b, room.number_b)
     for k in range(3):
         room.v[k] = room.front_a[0, k] - room.front_b[0, k]
     _, count, _ = gjk(room.front_a, fronts_a, room.front_b, fronts_b, room.v, math.inf, room.w, room.pick, room.share, room.weight)  # fmt: skip
@@ -226,7 +235,7 @@ def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
 
 @compiled
 def by_all_features(a: Solids, i: int, b: Solids, j: int, count_a: int, count_b: int, room: Room) -> float:  # fmt: skip
-    """The distance where GJK lost its way: normal and points are written to room."""
+    """The distance where GJK lost its way: points and the vector v between them are written to room."""
     for once_more in (True, False):
         nearest_features(room.a, room.b, a, i, b, j, room.pick, room.share)
         combine(room.a, room.pick, ZERO, room.share, THREE, room.point_a)
@@ -238,7 +247,7 @@ def by_all_features(a: Solids, i: int, b: Solids, j: int, count_a: int, count_b:
             _, lower, upper = by_gjk(count_a, count_b, room)
             if upper - lower <= CERTAIN:
                 break
-    return unit(room.v, room.normal)
+    return length(room.point_a, room.point_b)
 
 
 @compiled
@@ -252,6 +261,7 @@ def nearly_touching(
     ended: int,
     lower: float,
     upper: float,
+    thick: float,
     room: Room,
 ) -> float:
     """The gap of two polytopes that overlap, nearly touch, or are apart by what GJK is not sure of.
@@ -260,22 +270,28 @@ def nearly_touching(
         ended: how GJK did.
         lower, upper: bounds of their distance by GJK, which has left the points of the upper
             one and the vector v of the lower one in room.
+        thick: how much further back a vertex may be and belong to the same feature.
     """
     normal, v = room.normal, room.v
     if ended == INSIDE:
         depth = epa(room.a, count_a, room.b, count_b, room.w, room.hull, room.corner, room.plane, room.rim, normal)  # fmt: skip
         if depth >= 0.0:
-            opposite_points(count_a, count_b, room)
+            opposite_points(count_a, count_b, thick, room)
             return -depth
     sure = upper - lower <= CERTAIN and lower > 0.0
     s = greatest_separation(room.a, count_a, room.b, count_b, a, i, b, j, room.arcs_a, room.arcs_b, normal)  # fmt: skip
     # Seen at a small angle a distance is hardly shorter: if in doubt it is that of the points.
     if sure and lower >= s * (1.0 - DOUBT):
         return unit(v, normal)
-    opposite_points(count_a, count_b, room)
+    opposite_points(count_a, count_b, thick, room)
     if s <= CERTAIN or length(room.point_a, room.point_b) - s <= CERTAIN:
         return s
-    return by_all_features(a, i, b, j, count_a, count_b, room)
+    distance = by_all_features(a, i, b, j, count_a, count_b, room)
+    size = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
+    x, y, z = v[0] / size, v[1] / size, v[2] / size
+    if separation_along(room.a, count_a, room.b, count_b, x, y, z) <= s and distance - s <= CERTAIN:  # fmt: skip
+        return s
+    return unit(v, normal)
 
 
 @compiled
@@ -307,7 +323,8 @@ def closest_pairs(
         if lower > NEAR and upper - lower <= CERTAIN:
             apart = unit(v, n)
         else:
-            apart = nearly_touching(a, i[p], b, j[p], count_a, count_b, ended, lower, upper, room)  # fmt: skip
+            thick = LEVEL + PLACES * EPS * scale * largest(vertices_a, start_a[i[p]])
+            apart = nearly_touching(a, i[p], b, j[p], count_a, count_b, ended, lower, upper, thick, room)  # fmt: skip
         r_a, r_b, at = radius_a[i[p]], radius_b[j[p]], start_a[i[p]]
         gap[p] = apart / scale - r_a - r_b
         for k in range(3):

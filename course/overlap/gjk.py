@@ -210,8 +210,13 @@ def nearest_point(w: Array, share: Array, count: int) -> tuple[float, float, flo
         t = share[m]
         ux, uy, uz = ux + t * (w[m, 0] - x), uy + t * (w[m, 1] - y), uz + t * (w[m, 2] - z)  # fmt: skip
     sx, sy, sz = x + ux, y + uy, z + uz
-    if count < 3:
+    if count == 1:
         return sx, sy, sz
+    if count == 2:
+        # Once more, so that a short v is across the segment to its own rounding.
+        vx, vy, vz = w[1, 0] - x, w[1, 1] - y, w[1, 2] - z
+        t = (sx * vx + sy * vy + sz * vz) / (vx * vx + vy * vy + vz * vz)
+        return sx - t * vx, sy - t * vy, sz - t * vz
     ux, uy, uz = w[1, 0] - x, w[1, 1] - y, w[1, 2] - z
     vx, vy, vz = w[2, 0] - x, w[2, 1] - y, w[2, 2] - z
     nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
