@@ -95,20 +95,20 @@ def turning_time(
     if isinstance(a, HalfSpace):
         a, b, motion_a, motion_b = b, a, motion_b, motion_a
     i, j = numbers(a, which.shape)[which], numbers(b, which.shape)[which]
-    moves = [_picked(m, which) for m in (motion_a, motion_b)]
+    move_a, move_b = _picked(motion_a, which), _picked(motion_b, which)
     end = np.broadcast_to(horizon, which.shape)[which]
     depth = None
     if tolerance is not None:
         depth = np.broadcast_to(tolerance, which.shape)[which]
     if isinstance(a, HalfSpace) and isinstance(b, HalfSpace):
-        flat = a.reshaped(a.count)[i], b.reshaped(b.count)[j]
-        return _turning_planes(*flat, *moves, end, depth)
+        one, other = a.reshaped(a.count)[i], b.reshaped(b.count)[j]
+        return _turning_planes(one, other, move_a, move_b, end, depth)
     plane = isinstance(b, HalfSpace)
     first, second = (
         polytopes(a),
         planes(b) if isinstance(b, HalfSpace) else polytopes(b),
     )
-    return _times(first, second, i, j, *moves, end, depth, plane)
+    return _times(first, second, i, j, move_a, move_b, end, depth, plane)
 
 
 def _times(
@@ -131,10 +131,11 @@ def _times(
         slow = slow + measures.slope * _swing(motion, solids, which)
     limits = np.stack([horizon, depth, measures.band, slow], axis=1)
     time = np.empty(i.size)
-    rows = map(as_kernels_take_it, (i, j, motion_a, motion_b, radius))
+    take = as_kernels_take_it
     motion_times(
-        as_solids(a), as_solids(b), *rows, plane, as_kernels_take_it(limits), time
-    )
+        as_solids(a), as_solids(b), take(i), take(j), take(motion_a), take(motion_b),
+        take(radius), plane, take(limits), time,
+    )  # fmt: skip
     return time
 
 
@@ -216,7 +217,7 @@ def _turning_planes(
     turn = motion_a[:, 1] - motion_b[:, 1]
     across = length(np.cross(turn, b.normal))
     alike = facing & (across <= TOUCHING * length(turn))
-    point = polytopes(Sphere(a.normal * a.offset[:, None], 0.0))
+    point = polytopes(Sphere(a.normal * a.offset[:, None], np.zeros(a.count)))
     each = np.arange(a.count)
     follows = _times(
         point, planes(b), each, each, motion_a, motion_b, horizon, tolerance, True

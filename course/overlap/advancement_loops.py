@@ -29,8 +29,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.closest_loops import room_for
-from course.overlap.moving_bodies import Body, body_of, gap_at
+from course.overlap.moving_bodies import Body, body_of, gap_at, room_to_find
 from course.overlap.separating_axis_loops import Solids
 from course.overlap.triples import Triple, along, cross, dot, length, minus, row
 
@@ -111,7 +110,9 @@ def course_of(body: Body, k: int, pivot: Triple, n: Triple, foot: Triple) -> Cou
 
 
 @compiled
-def course_over(pair: Pair, k: int, pivot_a: Triple, pivot_b: Triple, n: Triple, foot: Triple, most: float) -> Course:  # fmt: skip
+def course_over(
+    pair: Pair, k: int, pivot_a: Triple, pivot_b: Triple, n: Triple, foot: Triple, most: float
+) -> Course:  # fmt: skip
     """How high vertex k of A is over a half space that turns, for steps up to ``most``.
 
     h = n.y + const with y from B's pivot, n_dot = omega_B x n: h' = n_dot.y + n.y',
@@ -283,7 +284,9 @@ def deep(s: Search, gap: float, band: float) -> Search:
 
 
 @compiled
-def turning_look(pair: Pair, s: Search, first: bool, gap: float, n: Triple, limits: Limits, table: Array) -> Search:  # fmt: skip
+def turning_look(
+    pair: Pair, s: Search, first: bool, gap: float, n: Triple, limits: Limits, table: Array
+) -> Search:  # fmt: skip
     """What follows from the gap and N of a pair that turns."""
     horizon, depth, band, slow = limits
     if s.late < math.inf:
@@ -331,15 +334,17 @@ def motion_times(
             rate [m/s].
         time: (p,) [s].
     """
-    room = room_for(solids_a, solids_b)
+    found = room_to_find()
     for p in range(time.size):
-        pair = pair_of(solids_a, solids_b, i[p], j[p], motion_a[p], motion_b[p], radius[p], plane, limits[p, 0])  # fmt: skip
+        pair = pair_of(
+            solids_a, solids_b, i[p], j[p], motion_a[p], motion_b[p], radius[p], plane, limits[p, 0]
+        )  # fmt: skip
         bounds = Limits(limits[p, 0], limits[p, 1], limits[p, 2], limits[p, 3])
         table = np.empty((len(pair.a.arms) + len(pair.b.arms), 3))
         straight = length(pair.a.spin) == 0.0 and length(pair.b.spin) == 0.0
         s = Search(0.0, False, False, 0.0, 0.0, math.inf, 0.0, 0.0, 0)
         for k in range(MOST_LOOKS_STRAIGHT if straight else MOST_LOOKS):
-            gap, n = gap_at(pair.a, pair.b, pair.radius, plane, s.t, room)
+            gap, n = gap_at(pair.a, pair.b, pair.radius, plane, s.t, found)
             if straight:
                 s = straight_look(pair, s, k == 0, gap, n, bounds)
             else:
@@ -376,5 +381,5 @@ def warm() -> None:
     from course.overlap.impact_times import time_of_impact
     from course.shapes import AABB, Sphere
 
-    box, ball = AABB(np.zeros(3), np.ones(3)), Sphere(np.full(3, 3.0), 0.5)
+    box, ball = AABB(np.zeros(3), np.ones(3)), Sphere(np.full(3, 3.0), np.float64(0.5))
     time_of_impact(box, ball, np.ones(3), np.zeros(3), horizon=1.0)

@@ -131,7 +131,7 @@ def swept_bounds(a: Shape, velocity: ArrayLike, horizon: ArrayLike) -> AABB:
     v, end = _rate("velocity", velocity), non_negative("horizon", horizon)
     own = np.empty(a.batch, dtype=bool)
     broadcast(a=(own, 0), velocity=(v, 1), horizon=(end, 0))
-    way, box = v * end[..., None], a.bounds()
+    way, box = v * end[..., None], _bounds(a)
     return AABB(box.lower + np.minimum(way, 0.0), box.upper + np.maximum(way, 0.0))
 
 
@@ -151,7 +151,13 @@ def _motion(
         return Motion(v, omega, np.zeros(3))
     if shape.kind == "half_space":
         raise failure(f"pivot_{which}", "what a half space turns about", "None")
-    return Motion(v, omega, shape.bounds().center)
+    return Motion(v, omega, _bounds(shape).center)
+
+
+def _bounds(shape: Any) -> AABB:
+    """Every kind has bounds; their common class does not say so."""
+    box: AABB = shape.bounds()
+    return box
 
 
 def _rate(name: str, value: ArrayLike) -> Array:

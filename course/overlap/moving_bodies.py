@@ -12,16 +12,18 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.closest_loops import (
-    CERTAIN,
-    NEAR,
-    Room,
-    by_gjk,
-    in_own_measure,
-    nearly_touching,
-)
+from course.overlap.closest_loops import closest_pairs
 from course.overlap.separating_axis_loops import Solids
 from course.overlap.triples import Triple, along, cross, dot, length, minus, row, scaled
+
+
+class Found(NamedTuple):
+    """Room for what ``closest_pairs`` finds of one pair: the radius of both is left out there."""
+
+    one: IntArray  # the number of the only solid
+    gap: Array
+    normal: Array
+    point: Array
 
 
 class Body(NamedTuple):
@@ -36,46 +38,67 @@ class Body(NamedTuple):
 
 
 @compiled
-def some_of(rows: IntArray, first: int, last: int, shift: int) -> IntArray:
-    """Rows of numbers counted from ``shift``; none stays none (-1)."""
+def numbers_of(numbers: IntArray, first: int, last: int, shift: int) -> IntArray:
+    """numbers[first:last] counted from the shift."""
+    picked = np.empty(last - first, np.intp)
+    for k in range(last - first):
+        picked[k] = numbers[first + k] - shift
+    return picked
+
+
+@compiled
+def pairs_of(pairs: IntArray, first: int, last: int, shift: int) -> IntArray:
+    """pairs[first:last] counted from the shift; none stays none (-1)."""
     picked = np.empty((last - first, 2), np.intp)
     for k in range(last - first):
         for c in range(2):
-            n = rows[first + k, c]
+            n = pairs[first + k, c]
             picked[k, c] = n - shift if n >= 0 else n
+    return picked
+
+
+@compiled
+def rows_of(rows: Array, first: int, last: int, origin: Triple) -> Array:
+    """rows[first:last] as seen from the origin."""
+    picked = np.empty((last - first, 3))
+    for k in range(last - first):
+        for c in range(3):
+            picked[k, c] = rows[first + k, c] - origin[c]
     return picked
 
 
 @compiled
 def one_of(solids: Solids, i: int) -> Solids:
     """Solid i alone, in arrays of its own."""
+    none = (0.0, 0.0, 0.0)
     v, w = solids.vertex_start[i], solids.vertex_start[i + 1]
     f, g = solids.face_start[i], solids.face_start[i + 1]
     e, h = solids.edge_start[i], solids.edge_start[i + 1]
     first, last = solids.loop_start[f], solids.loop_start[g]
+    core = np.zeros(1)  # without its radius
     return Solids(
-        solids.vertices[v:w].copy(),
-        np.array([0, w - v]),
-        solids.radius[i : i + 1].copy(),
-        solids.normals[f:g].copy(),
-        np.array([0, g - f]),
-        solids.loop[first:last] - v,
-        solids.loop_start[f : g + 1] - first,
-        some_of(solids.edges, e, h, v),
-        some_of(solids.edge_faces, e, h, f),
-        np.array([0, h - e]),
+        rows_of(solids.vertices, v, w, none),
+        numbers_of(solids.vertex_start, i, i + 2, v),
+        core,
+        rows_of(solids.normals, f, g, none),
+        numbers_of(solids.face_start, i, i + 2, f),
+        numbers_of(solids.loop, first, last, v),
+        numbers_of(solids.loop_start, f, g + 1, first),
+        pairs_of(solids.edges, e, h, v),
+        pairs_of(solids.edge_faces, e, h, f),
+        numbers_of(solids.edge_start, i, i + 2, e),
     )
 
 
 @compiled
 def body_of(solids: Solids, i: int, origin: Triple, pivot: Triple, velocity: Triple, spin: Triple) -> Body:  # fmt: skip
     """Solid i as a body, seen from the origin."""
-    now = one_of(solids, i)
-    for k in range(len(now.vertices)):
-        for c in range(3):
-            now.vertices[k, c] -= pivot[c]
-    arms, facing = now.vertices.copy(), now.normals.copy()
-    return Body(now, arms, facing, minus(pivot, origin), velocity, spin)
+    first, last = solids.vertex_start[i], solids.vertex_start[i + 1]
+    arms = rows_of(solids.vertices, first, last, pivot)
+    first, last = solids.face_start[i], solids.face_start[i + 1]
+    facing = rows_of(solids.normals, first, last, (0.0, 0.0, 0.0))
+    place = minus(pivot, origin)
+    return Body(one_of(solids, i), arms, facing, place, velocity, spin)
 
 
 @compiled
@@ -107,7 +130,7 @@ def place(body: Body, t: float) -> Triple:
 
 
 @compiled
-def gap_at(a: Body, b: Body, radius: float, plane: bool, t: float, room: Room) -> tuple[float, Triple]:  # fmt: skip
+def gap_at(a: Body, b: Body, radius: float, plane: bool, t: float, found: Found) -> tuple[float, Triple]:  # fmt: skip
     """Gap and N of two bodies at time t; they are put there.
 
     Args:
@@ -122,14 +145,15 @@ def gap_at(a: Body, b: Body, radius: float, plane: bool, t: float, room: Room) -
         for k in range(len(a.arms)):
             gap = min(gap, dot(n, minus(row(a.now.vertices, k), foot)))
         return gap - radius, n
-    count_a, count_b, scale = in_own_measure(a.now.vertices, a.now.vertex_start, 0, b.now.vertices, b.now.vertex_start, 0, room.a, room.b, room.v)  # fmt: skip
-    ended, lower, upper = by_gjk(count_a, count_b, room)
-    if lower > NEAR and upper - lower <= CERTAIN:
-        toward = (room.v[0], room.v[1], room.v[2])
-        apart = length(toward)
-        return apart / scale - radius, scaled(1.0 / apart, toward)
-    apart = nearly_touching(a.now, 0, b.now, 0, count_a, count_b, ended, lower, upper, room)  # fmt: skip
-    return apart / scale - radius, (room.normal[0], room.normal[1], room.normal[2])
+    closest_pairs(a.now, b.now, found.one, found.one, found.gap, found.normal, found.point, found.point)  # fmt: skip
+    return found.gap[0] - radius, row(found.normal, 0)
+
+
+@compiled
+def room_to_find() -> Found:
+    """Room for what is found."""
+    one, gap, normal, point = np.zeros(1, np.intp), np.empty(1), np.empty((1, 3)), np.empty((1, 3))  # fmt: skip
+    return Found(one, gap, normal, point)
 
 
 def warm() -> None:

@@ -194,5 +194,6 @@ def _along_one_axis(
 ) -> Array:
     rate = np.sum(normal * velocity, axis=-1)
     batch = np.broadcast_shapes(separation.shape, rate.shape)
-    columns = (np.broadcast_to(x, batch)[..., None] for x in (separation, rate))
-    return time_along_axes(*columns, length(velocity), horizon, band)
+    s = np.broadcast_to(separation, batch)[..., None]
+    w = np.broadcast_to(rate, batch)[..., None]
+    return time_along_axes(s, w, length(velocity), horizon, band)

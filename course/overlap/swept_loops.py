@@ -21,6 +21,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
+from course.overlap.moving_bodies import rows_of
 from course.overlap.separating_axis_loops import (
     PARALLEL,
     Solids,
@@ -81,7 +82,7 @@ def both_sides(found: Overlap, c: float, reach: float, w: float, limits: Limits)
 def box_axes_found(
     half_a: Array, half_b: Array, p: int, r: Array, t: Array, u: Array, limits: Limits
 ) -> Overlap:  # fmt: skip
-    """The 15 axes of pair p in A's axes: r = R_A' R_B, t and u the centre of B and its velocity from A (Ericson 4.4.1)."""
+    """The 15 axes of pair p in A's axes (Ericson 4.4.1): r = R_A' R_B, B's centre t and velocity u."""
     found = (-math.inf, -math.inf, math.inf, False)
     for i in range(3):
         reach = half_a[p, i]
@@ -161,7 +162,9 @@ def try_both(found: Overlap, a: Array, b: Array, n: Triple, v: Triple, limits: L
 
 
 @compiled
-def face_axes(found: Overlap, a: Array, b: Array, solids: Solids, i: int, sign: float, v: Triple, limits: Limits) -> Overlap:  # fmt: skip
+def face_axes(
+    found: Overlap, a: Array, b: Array, solids: Solids, i: int, sign: float, v: Triple, limits: Limits
+) -> Overlap:  # fmt: skip
     """With the normals of solid i, which is B with sign 1, A with sign -1."""
     for f in range(solids.face_start[i], solids.face_start[i + 1]):
         n = scaled(sign, row(solids.normals, f))
@@ -239,22 +242,13 @@ def flat_axes(found: Overlap, a: Array, b: Array, edges: Array, v: Triple, limit
 def directions(arcs_a: Array, arcs_b: Array) -> Array:
     """x, y, z and the directions of all edges, a row each."""
     found = np.zeros((3 + len(arcs_a) + len(arcs_b), 3))
-    for k in range(3):
-        found[k, k] = 1.0
-    found[3 : 3 + len(arcs_a)] = arcs_a[:, 3:6]
-    found[3 + len(arcs_a) :] = arcs_b[:, 3:6]
+    for c in range(3):
+        found[c, c] = 1.0
+        for k in range(len(arcs_a)):
+            found[3 + k, c] = arcs_a[k, 3 + c]
+        for k in range(len(arcs_b)):
+            found[3 + len(arcs_a) + k, c] = arcs_b[k, 3 + c]
     return found
-
-
-@compiled
-def from_origin(solids: Solids, i: int, origin: Triple) -> Array:
-    """The vertices of solid i as seen from a point."""
-    first, last = solids.vertex_start[i], solids.vertex_start[i + 1]
-    seen = np.empty((last - first, 3))
-    for k in range(last - first):
-        for c in range(3):
-            seen[k, c] = solids.vertices[first + k, c] - origin[c]
-    return seen
 
 
 @compiled
@@ -269,10 +263,13 @@ def arcs_of(solids: Solids, i: int, seen: Array) -> tuple[Array, bool]:
 
 
 @compiled
-def polytope_axes_found(solids_a: Solids, i: int, solids_b: Solids, j: int, v: Triple, limits: Limits) -> Overlap:  # fmt: skip
+def polytope_axes_found(
+    solids_a: Solids, i: int, solids_b: Solids, j: int, v: Triple, limits: Limits
+) -> Overlap:  # fmt: skip
     """All axes of the cores of solid i of A and solid j of B."""
     origin = row(solids_a.vertices, solids_a.vertex_start[i])
-    a, b = from_origin(solids_a, i, origin), from_origin(solids_b, j, origin)
+    a = rows_of(solids_a.vertices, solids_a.vertex_start[i], solids_a.vertex_start[i + 1], origin)  # fmt: skip
+    b = rows_of(solids_b.vertices, solids_b.vertex_start[j], solids_b.vertex_start[j + 1], origin)  # fmt: skip
     arcs_a, solid_a = arcs_of(solids_a, i, a)
     arcs_b, solid_b = arcs_of(solids_b, j, b)
     flat = not (solid_a or solid_b)

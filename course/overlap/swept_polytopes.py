@@ -30,7 +30,7 @@ def swept_boxes(a: AABB | OBB, b: OBB, velocity: Array, horizon: Array) -> Array
 
     first = a if isinstance(a, OBB) else a.moved(np.eye(3), np.zeros(3))
     batch = batch_of(a, b, velocity, horizon)
-    given: list[Array] = []
+    given: list[Any] = []
     for box in first, b:
         given += [
             rows(box.center, 1, batch),
@@ -40,7 +40,7 @@ def swept_boxes(a: AABB | OBB, b: OBB, velocity: Array, horizon: Array) -> Array
     given += [rows(velocity, 1, batch), rows(horizon, 0, batch)]
     given += [rows(swept.box_band(first, b), 0, batch)]
     time = np.empty(int(np.prod(batch)))
-    box_times(*given, time)
+    box_times(*[*given, time])
     return time.reshape(batch)
 
 
@@ -84,13 +84,14 @@ def _ray_times(
 
     none = np.zeros_like(v)
     starts = a.vertices[a.vertex_start[i]], b.vertices[b.vertex_start[j]]
-    motion_a = np.stack([v, none, starts[0]], axis=1)
-    motion_b = np.stack([none, none, starts[1]], axis=1)
+    motion_a = as_kernels_take_it(np.stack([v, none, starts[0]], axis=1))
+    motion_b = as_kernels_take_it(np.stack([none, none, starts[1]], axis=1))
     radius, time = a.radius[i] + b.radius[j], np.empty(i.size)
     limits = np.stack([end, np.zeros_like(end), band, slow], axis=1)
-    given = map(as_kernels_take_it, (i, j, motion_a, motion_b, radius))
-    last = as_kernels_take_it(limits)
-    motion_times(as_solids(a), as_solids(b), *given, False, last, time)
+    motion_times(
+        as_solids(a), as_solids(b), i, j, motion_a, motion_b,
+        as_kernels_take_it(radius), False, as_kernels_take_it(limits), time,
+    )  # fmt: skip
     return time
 
 

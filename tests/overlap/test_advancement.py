@@ -226,7 +226,10 @@ def test_the_textbook_s_loop_comes_to_the_same_time_from_below():
         t = time_of_impact(a, b, v, w, horizon=4.0, **turning)[0]
         if not 0 < t < np.inf:
             continue
-        motions = [(u[0], turning[f"spin_{x}"][0], turning[f"pivot_{x}"][0]) for u, x in ((v, "a"), (w, "b"))]  # fmt: skip
+        motions = [
+            (u[0], turning[f"spin_{x}"][0], turning[f"pivot_{x}"][0])
+            for u, x in ((v, "a"), (w, "b"))
+        ]
         pair = (a[0], b[0], *motions)
         slow = follow(lambda t, p=pair: gaps(*p, [t])[0], speed_bound(*pair), 4.0, 1e-5, 500)  # fmt: skip
         found.append((slow, t))

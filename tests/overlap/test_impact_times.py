@@ -1,4 +1,4 @@
-"""Time of impact in straight motion: conventions, published figures, every pair of kinds against what the gap proves."""
+"""Time of impact in straight motion: conventions, figures, every pair of kinds against what the gap proves."""
 
 from itertools import combinations_with_replacement, product
 
@@ -196,7 +196,16 @@ def test_many_random_pairs_meet_where_the_gap_closes(kind_a, kind_b):
         assert 100 < np.sum((time > 0) & (time < np.inf)) and np.any(time == np.inf)
 
 
-@pytest.mark.parametrize("kind_a, kind_b", [("obb", "obb"), ("capsule", "convex_hull"), ("kdop", "kdop"), ("sphere", "sphere"), ("obb", "capsule")])  # fmt: skip
+@pytest.mark.parametrize(
+    "kind_a, kind_b",
+    [
+        ("obb", "obb"),
+        ("capsule", "convex_hull"),
+        ("kdop", "kdop"),
+        ("sphere", "sphere"),
+        ("obb", "capsule"),
+    ],
+)
 def test_the_time_is_the_same_however_it_is_looked_at(kind_a, kind_b):
     """Turned, shifted, seen from a moving place, in other units of length and time."""
     rng = np.random.default_rng(3)

@@ -115,7 +115,8 @@ def test_nearly_parallel_edges_do_no_harm(angle):
     a, b = OBB(STILL, np.eye(3), thin), OBB((0, 0, 1.2), turn, thin)
     found = time_of_impact(a, b, (0, 0, 1.0), STILL, horizon=9.0)
     assert found == pytest.approx(1.0, abs=1e-12)
-    rods = Capsule((-5.0, 0, 0), (5.0, 0, 0), 0.1), Capsule((0, 0, 1.2) - 5 * turn[:, 0], (0, 0, 1.2) + 5 * turn[:, 0], 0.1)  # fmt: skip
+    half, up = 5 * turn[:, 0], np.array([0, 0, 1.2])
+    rods = Capsule((-5.0, 0, 0), (5.0, 0, 0), 0.1), Capsule(up - half, up + half, 0.1)
     found = time_of_impact(*rods, (0, 0, 1.0), STILL, horizon=9.0)
     assert found == pytest.approx(1.0, abs=1e-12)
 
