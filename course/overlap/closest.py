@@ -12,16 +12,13 @@ Bergen, *Collision Detection in Interactive 3D Environments*, sections 2.3 and 4
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from course.arrays import Array, ArrayLike, IntArray, failure, indices
 from course.overlap.separating_axis import as_kernels_take_it
 from course.shapes.rounded_polytopes import Polytopes
-
-if TYPE_CHECKING:
-    from course.overlap.separating_axis_loops import Solids
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,8 +131,8 @@ def _pairs(
     return as_kernels_take_it(first.ravel()), as_kernels_take_it(second.ravel())
 
 
-def as_solids(polytopes: Polytopes) -> Solids:
-    """The arrays of polytopes as kernels take them."""
+def as_solids(polytopes: Polytopes) -> Any:
+    """The arrays of polytopes as kernels take them, a ``Solids``."""
     from course.overlap.separating_axis_loops import Solids
 
     arrays: Any = (getattr(polytopes, name) for name in Solids._fields)

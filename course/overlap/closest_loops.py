@@ -18,9 +18,9 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.epa import epa, epa_room
-from course.overlap.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk
-from course.overlap.nearest_features import nearest_features
+from course.overlap.epa import epa_depth, epa_room
+from course.overlap.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk_distance
+from course.overlap.nearest_features import nearest_of_all
 from course.overlap.separating_axis_loops import (
     Solids,
     greatest_separation,
@@ -103,7 +103,16 @@ def room_for(a: Solids, b: Solids) -> Room:
 
 
 @compiled
-def shifted(p: Array, first: int, last: int, origin: Array, at: int, out: Array, v: Array, sign: float) -> float:  # fmt: skip
+def shifted(
+    p: Array,
+    first: int,
+    last: int,
+    origin: Array,
+    at: int,
+    out: Array,
+    v: Array,
+    sign: float,
+) -> float:
     """Write p[first:last] - origin[at] to out, add sign times its mean to v; its largest coordinate."""
     ox, oy, oz = origin[at, 0], origin[at, 1], origin[at, 2]
     x = y = z = reach = 0.0
@@ -187,7 +196,15 @@ def unit(v: Array, normal: Array) -> float:
 
 
 @compiled
-def front(p: Array, count: int, normal: Array, sign: float, thick: float, out: Array, number: IntArray) -> int:  # fmt: skip
+def front(
+    p: Array,
+    count: int,
+    normal: Array,
+    sign: float,
+    thick: float,
+    out: Array,
+    number: IntArray,
+) -> int:
     """The vertices furthest along sign times the normal to within thick, seen along it, to out; how many.
 
     So the fronts of two solids lie in one plane, and their nearest points are opposite.
@@ -210,11 +227,26 @@ def front(p: Array, count: int, normal: Array, sign: float, thick: float, out: A
 @compiled
 def opposite_points(count_a: int, count_b: int, thick: float, room: Room) -> None:
     """Points of the features that meet along room.normal, the one above the other, to room.point_a and point_b."""
-    fronts_a = front(room.a, count_a, room.normal, -1.0, thick, room.front_a, room.number_a)
-    fronts_b = front(room.b, count_b, room.normal, 1.0, thick, room.front_b, room.number_b)
+    fronts_a = front(
+        room.a, count_a, room.normal, -1.0, thick, room.front_a, room.number_a
+    )
+    fronts_b = front(
+        room.b, count_b, room.normal, 1.0, thick, room.front_b, room.number_b
+    )
     for k in range(3):
         room.v[k] = room.front_a[0, k] - room.front_b[0, k]
-    _, count, _ = gjk(room.front_a, fronts_a, room.front_b, fronts_b, room.v, math.inf, room.w, room.pick, room.share, room.weight)  # fmt: skip
+    _, count, _ = gjk_distance(
+        room.front_a,
+        fronts_a,
+        room.front_b,
+        fronts_b,
+        room.v,
+        math.inf,
+        room.w,
+        room.pick,
+        room.share,
+        room.weight,
+    )
     for m in range(count):
         room.pick[m, 0] = room.number_a[room.pick[m, 0]]
         room.pick[m, 1] = room.number_b[room.pick[m, 1]]
@@ -225,7 +257,18 @@ def opposite_points(count_a: int, count_b: int, thick: float, room: Room) -> Non
 @compiled
 def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
     """GJK from room.v: how it ended, lower and upper bound of the distance; points of the upper one to room."""
-    ended, count, lower = gjk(room.a, count_a, room.b, count_b, room.v, math.inf, room.w, room.pick, room.share, room.weight)  # fmt: skip
+    ended, count, lower = gjk_distance(
+        room.a,
+        count_a,
+        room.b,
+        count_b,
+        room.v,
+        math.inf,
+        room.w,
+        room.pick,
+        room.share,
+        room.weight,
+    )
     if ended != APART:
         return ended, lower, math.inf
     combine(room.a, room.pick, ZERO, room.share, count, room.point_a)
@@ -237,7 +280,7 @@ def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
 def by_all_features(a: Solids, i: int, b: Solids, j: int, count_a: int, count_b: int, room: Room) -> float:  # fmt: skip
     """The distance where GJK lost its way: points and the vector v between them are written to room."""
     for once_more in (True, False):
-        nearest_features(room.a, room.b, a, i, b, j, room.pick, room.share)
+        nearest_of_all(room.a, room.b, a, i, b, j, room.pick, room.share)
         combine(room.a, room.pick, ZERO, room.share, THREE, room.point_a)
         combine(room.b, room.pick, ONE, room.share, THREE, room.point_b)
         for k in range(3):
@@ -274,7 +317,18 @@ def nearly_touching(
     """
     normal, v = room.normal, room.v
     if ended == INSIDE:
-        depth = epa(room.a, count_a, room.b, count_b, room.w, room.hull, room.corner, room.plane, room.rim, normal)  # fmt: skip
+        depth = epa_depth(
+            room.a,
+            count_a,
+            room.b,
+            count_b,
+            room.w,
+            room.hull,
+            room.corner,
+            room.plane,
+            room.rim,
+            normal,
+        )
         if depth >= 0.0:
             opposite_points(count_a, count_b, thick, room)
             return -depth
@@ -313,8 +367,12 @@ def closest_pairs(
     w, pick, share, weight = room.w, room.pick, room.share, room.weight
     radius_a, radius_b = a.radius, b.radius
     for p in range(i.size):
-        count_a, count_b, scale = in_own_measure(vertices_a, start_a, i[p], vertices_b, start_b, j[p], core_a, core_b, v)  # fmt: skip
-        ended, count, lower = gjk(core_a, count_a, core_b, count_b, v, math.inf, w, pick, share, weight)  # fmt: skip
+        count_a, count_b, scale = in_own_measure(
+            vertices_a, start_a, i[p], vertices_b, start_b, j[p], core_a, core_b, v
+        )
+        ended, count, lower = gjk_distance(
+            core_a, count_a, core_b, count_b, v, math.inf, w, pick, share, weight
+        )
         upper = math.inf
         if ended == APART:
             combine(core_a, pick, ZERO, share, count, p_a)
@@ -341,8 +399,30 @@ def least_translations(
     """The greatest separation of the pairs (i, j) and its axis, written to the last two, (p,) and (p, 3)."""
     room = room_for(a, b)
     for p in range(i.size):
-        count_a, count_b, scale = in_own_measure(a.vertices, a.vertex_start, i[p], b.vertices, b.vertex_start, j[p], room.a, room.b, room.v)  # fmt: skip
-        s = greatest_separation(room.a, count_a, room.b, count_b, a, i[p], b, j[p], room.arcs_a, room.arcs_b, room.normal)  # fmt: skip
+        count_a, count_b, scale = in_own_measure(
+            a.vertices,
+            a.vertex_start,
+            i[p],
+            b.vertices,
+            b.vertex_start,
+            j[p],
+            room.a,
+            room.b,
+            room.v,
+        )
+        s = greatest_separation(
+            room.a,
+            count_a,
+            room.b,
+            count_b,
+            a,
+            i[p],
+            b,
+            j[p],
+            room.arcs_a,
+            room.arcs_b,
+            room.normal,
+        )
         separation[p] = s / scale - a.radius[i[p]] - b.radius[j[p]]
         for k in range(3):
             normal[p, k] = room.normal[k]

@@ -86,7 +86,7 @@ def toggle(rim: IntArray, count: int, p: int, q: int) -> int:
 
 @compiled
 def grow(w: Array, new: int, corner: IntArray, plane: Array, count: int, rim: IntArray) -> int:  # fmt: skip
-    """Faces that see the new vertex go, and the rim that they leave is joined to it; how many faces, -1 if that fails."""
+    """Faces that see the new vertex go, and their rim is joined to it; how many faces, -1 if that fails."""
     x, y, z, edges, f = w[new, 0], w[new, 1], w[new, 2], ZERO, 0
     while f < count:
         beyond = plane[f, 0] * x + plane[f, 1] * y + plane[f, 2] * z - plane[f, 3]
@@ -108,7 +108,7 @@ def grow(w: Array, new: int, corner: IntArray, plane: Array, count: int, rim: In
 
 
 @compiled
-def epa(
+def epa_depth(
     a: Array,
     count_a: int,
     b: Array,
@@ -168,4 +168,4 @@ def warm() -> None:
     """Call the kernel once (``course.jit``)."""
     box = np.array([[x, y, z] for x in (-1.0, 1) for y in (-1.0, 1) for z in (-1.0, 1)])
     around = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
-    epa(box, 8, np.zeros((1, 3)), 1, around, *epa_room(), np.empty(3))
+    epa_depth(box, 8, np.zeros((1, 3)), 1, around, *epa_room(), np.empty(3))

@@ -33,7 +33,7 @@ from course.jit import compiled
 APART, BEYOND, INSIDE = 0, 1, 2
 
 #: A number written out has machine code of its own wherever it is an argument; these have not.
-ZERO, ONE, TWO, THREE = np.arange(4)
+ZERO, ONE, TWO, THREE = np.array([0, 1, 2, 3])
 #: The corners of a tetrahedron's face across from each corner, all going round one way.
 FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
 #: Turns after which the walk ends however it stands. Hulls of 32 vertices need five.
@@ -85,9 +85,7 @@ def on_segment(w: Array, i: int, j: int) -> tuple[float, float, float]:
 
 
 @compiled
-def on_triangle(
-    w: Array, i: int, j: int, k: int
-) -> tuple[float, float, float, float]:
+def on_triangle(w: Array, i: int, j: int, k: int) -> tuple[float, float, float, float]:
     """The point of a triangle nearest the origin: (its squared distance, three weights).
 
     The weights of the origin's projection are the areas n.(w_j x w_k), ... by their sum,
@@ -228,7 +226,7 @@ def nearest_point(w: Array, share: Array, count: int) -> tuple[float, float, flo
 
 
 @compiled
-def gjk(
+def gjk_distance(
     a: Array,
     count_a: int,
     b: Array,
@@ -291,4 +289,4 @@ def warm() -> None:
     """Call the kernel once (``course.jit``)."""
     a, b = np.zeros((1, 3)), np.ones((1, 3))
     room = np.zeros((4, 3)), np.zeros((4, 2), np.intp), np.zeros(4), np.zeros(4)
-    gjk(a, 1, b, 1, np.ones(3), math.inf, *room)
+    gjk_distance(a, 1, b, 1, np.ones(3), math.inf, *room)

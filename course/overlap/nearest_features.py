@@ -117,7 +117,7 @@ def edges_and_edges(
 
 
 @compiled
-def nearest_features(
+def nearest_of_all(
     a: Array,
     b: Array,
     solids_a: Solids,
@@ -136,7 +136,9 @@ def nearest_features(
     """
     least = edges_and_edges(a, b, solids_a, i, solids_b, j, math.inf, pick, share)
     least = vertices_and_faces(a, b, solids_a, i, solids_b, j, PLAIN, least, pick, share)  # fmt: skip
-    return vertices_and_faces(a, b, solids_b, j, solids_a, i, SWAPPED, least, pick, share)
+    return vertices_and_faces(
+        a, b, solids_b, j, solids_a, i, SWAPPED, least, pick, share
+    )
 
 
 def warm() -> None:

@@ -28,9 +28,7 @@ def oriented_boxes_overlap(a: OBB, b: OBB) -> BoolArray:
     count = int(np.prod(batch))
     first, second = a.broadcast_to(batch), b.broadcast_to(batch)
     first, second = first.reshaped(count), second.reshaped(count)
-    arrays = (
-        (box.center, box.rotation, box.half_extents) for box in (first, second)
-    )
+    arrays = ((box.center, box.rotation, box.half_extents) for box in (first, second))
     verdict = box_pairs_told(*next(arrays), *next(arrays))
     overlap = verdict > 0
     unsure = np.flatnonzero(verdict == UNSURE)

@@ -100,7 +100,8 @@ def box_pairs_told(
 
     verdict = np.empty(len(center_a), dtype=np.intp)
     given = (center_a, axes_a, half_a, center_b, axes_b, half_b)
-    box_verdicts(*map(as_kernels_take_it, given), BAND, verdict)
+    arguments: Any = [*map(as_kernels_take_it, given), BAND, verdict]
+    box_verdicts(*arguments)
     return verdict
 
 

@@ -266,8 +266,26 @@ def greatest_separation(
     normals_a, normals_b = solids_a.normals, solids_b.normals
     best = face_axes(a, count_a, b, count_b, normals_b, faces_b, last_b, 1.0, -math.inf, normal)  # fmt: skip
     best = face_axes(a, count_a, b, count_b, normals_a, faces_a, last_a, -1.0, best, normal)  # fmt: skip
-    edges_a, faced_a = edge_arcs(a, solids_a.vertex_start[i], solids_a.edges, solids_a.edge_faces, solids_a.edge_start[i], solids_a.edge_start[i + 1], normals_a, arcs_a)  # fmt: skip
-    edges_b, faced_b = edge_arcs(b, solids_b.vertex_start[j], solids_b.edges, solids_b.edge_faces, solids_b.edge_start[j], solids_b.edge_start[j + 1], normals_b, arcs_b)  # fmt: skip
+    edges_a, faced_a = edge_arcs(
+        a,
+        solids_a.vertex_start[i],
+        solids_a.edges,
+        solids_a.edge_faces,
+        solids_a.edge_start[i],
+        solids_a.edge_start[i + 1],
+        normals_a,
+        arcs_a,
+    )
+    edges_b, faced_b = edge_arcs(
+        b,
+        solids_b.vertex_start[j],
+        solids_b.edges,
+        solids_b.edge_faces,
+        solids_b.edge_start[j],
+        solids_b.edge_start[j + 1],
+        normals_b,
+        arcs_b,
+    )
     # Of a polygon, a segment or a point the arcs are no arcs: these have two faces or none.
     pruned = faced_a and faced_b and last_a - faces_a > 2 and last_b - faces_b > 2
     best = edge_axes(a, count_a, b, count_b, arcs_a, edges_a, arcs_b, edges_b, pruned, best, normal)  # fmt: skip

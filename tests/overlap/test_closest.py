@@ -8,7 +8,16 @@ from polytope_truths import KINDS, drawn, errors
 from scipy.spatial.transform import Rotation
 
 from course.overlap.closest import closest_points, least_translation
-from course.shapes import AABB, KDOP, OBB, Capsule, ConvexHull, Polytopes, Sphere, polytopes  # fmt: skip
+from course.shapes import (  # fmt: skip
+    AABB,
+    KDOP,
+    OBB,
+    Capsule,
+    ConvexHull,
+    Polytopes,
+    Sphere,
+    polytopes,
+)
 
 EYE = np.eye(3)
 
@@ -285,9 +294,9 @@ def test_nearly_parallel_boxes(tilt, gap):
 
 
 def test_many_vertices():
-    """Hulls of 300 points on a sphere, which have no room in EPA's polytope."""
+    """Hulls of 80 points on a sphere, which have no room in EPA's polytope."""
     rng = np.random.default_rng(6)
-    v = rng.normal(size=(2, 4, 300, 3))
+    v = rng.normal(size=(2, 4, 80, 3))
     v /= np.linalg.norm(v, axis=-1)[..., None]
     v[1, :, :, 0] += np.array([0.0, 1.9, 1.99, 3])[:, None]
     a, b = (polytopes(ConvexHull(x)) for x in v)
@@ -298,7 +307,15 @@ def test_many_vertices():
 # Depth by separating axes alone.
 
 
-@pytest.mark.parametrize("kinds", [("hulls", "hulls"), ("boxes", "hulls"), ("lattice hulls", "lattice boxes"), ("needles", "boxes")])  # fmt: skip
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        ("hulls", "hulls"),
+        ("boxes", "hulls"),
+        ("lattice hulls", "lattice boxes"),
+        ("needles", "boxes"),
+    ],
+)
 def test_epa_and_separating_axes_agree(kinds):
     rng = np.random.default_rng(7)
     a, b = (polytopes(drawn(kind, 12, rng)) for kind in kinds)
@@ -331,7 +348,9 @@ def test_batches_keep_their_shape():
 
 def test_wrong_numbers_are_refused():
     solids = polytopes(AABB(np.zeros((4, 3)), np.ones((4, 3))))
-    with pytest.raises(ValueError, match="j: expected whole numbers from 0 to 3; got 4"):
+    with pytest.raises(
+        ValueError, match="j: expected whole numbers from 0 to 3; got 4"
+    ):
         closest_points(solids, solids, [0], [4])
     with pytest.raises(ValueError, match="j: expected the shape of i"):
         least_translation(solids, solids, [0], [0, 1])

@@ -10,7 +10,7 @@ from scipy.optimize import nnls
 from course.overlap import epa as epa_loops
 from course.overlap import gjk as loops
 from course.overlap.closest import as_solids, closest_points, least_translation
-from course.overlap.nearest_features import nearest_features
+from course.overlap.nearest_features import nearest_of_all
 from course.shapes import ConvexHull, polytopes
 
 
@@ -18,7 +18,7 @@ def run(a, b, reach=math.inf, start=None):
     """GJK of two sets of vertices: how it ended, v, the lower bound, the simplex."""
     v = np.array(a.mean(axis=0) - b.mean(axis=0) if start is None else start, dtype=float)  # fmt: skip
     w, pick, share = np.zeros((4, 3)), np.zeros((4, 2), np.intp), np.zeros(4)
-    ended, count, lower = loops.gjk(a, len(a), b, len(b), v, reach, w, pick, share, np.zeros(4))  # fmt: skip
+    ended, count, lower = loops.gjk_distance(a, len(a), b, len(b), v, reach, w, pick, share, np.zeros(4))  # fmt: skip
     return ended, v, lower, (w[:count], pick[:count], share[:count])
 
 
@@ -117,7 +117,7 @@ def test_epa_from_the_simplex_of_gjk():
     ended, _, _, (w, _, _) = run(other, box, start=[0.1, 0.2, 0.3])
     assert ended == loops.INSIDE
     normal = np.zeros(3)
-    depth = epa_loops.epa(other, 8, box, 8, w, *epa_loops.epa_room(), normal)
+    depth = epa_loops.epa_depth(other, 8, box, 8, w, *epa_loops.epa_room(), normal)
     assert depth == pytest.approx(1.5, abs=1e-14)
     np.testing.assert_allclose(normal, [0, 0, 1], atol=1e-14)
 
@@ -131,7 +131,7 @@ def test_epa_finds_the_depth_or_says_that_it_is_not_certain():
         if ended != loops.INSIDE:
             continue
         normal = np.zeros(3)
-        depth = epa_loops.epa(a, 8, b, 10, w, *epa_loops.epa_room(), normal)
+        depth = epa_loops.epa_depth(a, 8, b, 10, w, *epa_loops.epa_room(), normal)
         solids = polytopes(ConvexHull(a)), polytopes(ConvexHull(b))
         s, axis = (x[0] for x in least_translation(*solids, [0], [0]))
         if depth >= 0:
@@ -141,7 +141,15 @@ def test_epa_finds_the_depth_or_says_that_it_is_not_certain():
     assert certain > 30
 
 
-@pytest.mark.parametrize("kinds", [("hulls", "boxes"), ("points", "hulls"), ("segments", "flat hulls"), ("points", "lattice segments")])  # fmt: skip
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        ("hulls", "boxes"),
+        ("points", "hulls"),
+        ("segments", "flat hulls"),
+        ("points", "lattice segments"),
+    ],
+)
 def test_all_features_find_the_same_distance(kinds):
     rng = np.random.default_rng(4)
     a, b = (polytopes(drawn(kind, 6, rng)) for kind in kinds)
@@ -149,7 +157,7 @@ def test_all_features_find_the_same_distance(kinds):
     found = closest_points(a, b, i, j)
     cores = found.gap + a.radius[i] + b.radius[j]
     for p in np.flatnonzero(cores > 0)[:12]:
-        x, y = core(a, i[p])[0], core(b, j[p])[0]
+        x, y = core(a, i[p])[0].copy(), core(b, j[p])[0].copy()
         pick, share = np.zeros((4, 2), np.intp), np.zeros(4)
-        square = nearest_features(x, y, as_solids(a), i[p], as_solids(b), j[p], pick, share)  # fmt: skip
+        square = nearest_of_all(x, y, as_solids(a), i[p], as_solids(b), j[p], pick, share)  # fmt: skip
         assert math.sqrt(square) == pytest.approx(cores[p], abs=1e-14)

@@ -7,7 +7,15 @@ from scipy.spatial.transform import Rotation
 
 from course.overlap.closest import closest_points, least_translation
 from course.overlap.oriented_boxes import oriented_boxes_overlap
-from course.overlap.separating_axis import APART, BAND, OVERLAPPING, UNSURE, box_axes, box_pairs_told, box_separation  # fmt: skip
+from course.overlap.separating_axis import (
+    APART,
+    BAND,
+    OVERLAPPING,
+    UNSURE,
+    box_axes,
+    box_pairs_told,
+    box_separation,
+)
 from course.shapes import OBB, polytopes
 
 EYE = np.eye(3)
@@ -71,7 +79,10 @@ def test_the_loop_says_what_the_axes_say(kind):
     near = told == UNSURE
     assert np.all(np.abs(s[near]) <= 2 * BAND * size[near])
     assert near.any() == (kind == "tilted boxes")
-    np.testing.assert_array_equal(oriented_boxes_overlap(a, b), closest_points(polytopes(a), polytopes(b), range(2000), range(2000)).gap <= 0)  # fmt: skip
+    np.testing.assert_array_equal(
+        oriented_boxes_overlap(a, b),
+        closest_points(polytopes(a), polytopes(b), range(2000), range(2000)).gap <= 0,
+    )
 
 
 @pytest.mark.parametrize("tilt", [0, 1e-16, 1e-15, 1e-12, 1e-8])
@@ -81,7 +92,10 @@ def test_a_hair_of_a_turn_parts_no_boxes(tilt):
     turn = Rotation.from_rotvec(tilt * rng.normal(size=(1000, 3))).as_matrix()
     half = rng.uniform(0.5, 1, (2, 1000, 3))
     offset = rng.uniform(-0.9, 0.9, (1000, 3)) * half.sum(axis=0)
-    a, b = OBB(offset, turn, half[0]), OBB(np.zeros((1000, 3)), np.broadcast_to(EYE, (1000, 3, 3)), half[1])  # fmt: skip
+    a, b = (
+        OBB(offset, turn, half[0]),
+        OBB(np.zeros((1000, 3)), np.broadcast_to(EYE, (1000, 3, 3)), half[1]),
+    )
     assert oriented_boxes_overlap(a, b).all()
     # Apart along one axis by a tenth of the sum of extents.
     far = offset.copy()
@@ -101,14 +115,26 @@ def test_touching_boxes_overlap():
 def test_boxes_along_a_line():
     """libccd's boxbox: (1,2,1) from x = -5 in steps of .1 against (2,1,2): overlap from 35 to 65, which touch."""
     x = (np.arange(101) - 50) / 10
-    a = OBB(x[:, None] * EYE[0], np.broadcast_to(EYE, (101, 3, 3)), np.broadcast_to([0.5, 1, 0.5], (101, 3)))  # fmt: skip
+    a = OBB(
+        x[:, None] * EYE[0],
+        np.broadcast_to(EYE, (101, 3, 3)),
+        np.broadcast_to([0.5, 1, 0.5], (101, 3)),
+    )
     b = OBB(np.zeros(3), EYE, np.array([1, 0.5, 1]))
     assert np.flatnonzero(oriented_boxes_overlap(a, b)).tolist() == list(range(35, 66))
 
 
 def test_flat_boxes_and_batches():
-    square = OBB(np.zeros((3, 1, 3)), np.broadcast_to(EYE, (3, 1, 3, 3)), np.broadcast_to([1, 1, 0.0], (3, 1, 3)))  # fmt: skip
-    post = OBB(np.array([[0.5, 0, 0], [3, 0, 0]]), np.broadcast_to(EYE, (2, 3, 3)), np.broadcast_to([0, 0, 1.0], (2, 3)))  # fmt: skip
+    square = OBB(
+        np.zeros((3, 1, 3)),
+        np.broadcast_to(EYE, (3, 1, 3, 3)),
+        np.broadcast_to([1, 1, 0.0], (3, 1, 3)),
+    )
+    post = OBB(
+        np.array([[0.5, 0, 0], [3, 0, 0]]),
+        np.broadcast_to(EYE, (2, 3, 3)),
+        np.broadcast_to([0, 0, 1.0], (2, 3)),
+    )
     assert oriented_boxes_overlap(square, post).tolist() == [[True, False]] * 3
     with pytest.raises(ValueError, match="batch"):
         oriented_boxes_overlap(square.reshaped(3), post)
@@ -140,5 +166,15 @@ def test_verdicts_of_python_fcl():
         pose = fcl.Transform(boxes.rotation[k], boxes.center[k])
         return fcl.CollisionObject(fcl.Box(*(2 * boxes.half_extents[k])), pose)
 
-    theirs = [bool(fcl.collide(fcl_box(a, k), fcl_box(b, k), fcl.CollisionRequest(), fcl.CollisionResult())) for k in range(2000)]  # fmt: skip
+    theirs = [
+        bool(
+            fcl.collide(
+                fcl_box(a, k),
+                fcl_box(b, k),
+                fcl.CollisionRequest(),
+                fcl.CollisionResult(),
+            )
+        )
+        for k in range(2000)
+    ]
     np.testing.assert_array_equal(oriented_boxes_overlap(a, b), theirs)
