@@ -17,7 +17,7 @@ digits left at an angle of 1e-8.
 
 from __future__ import annotations
 
-from math import inf
+import math
 
 from course.arrays import Array
 from course.jit import compiled
@@ -70,7 +70,7 @@ def nearest_parameters(u: Triple, w: Triple, v: Triple) -> tuple[float, float]:
 def nearest_of_five(u: Triple, w: Triple, v: Triple) -> tuple[float, float]:
     """The same for segments that are nearly parallel, parallel, or points."""
     zero = (0.0, 0.0, 0.0)
-    best = (inf, 0.0, 0.0)
+    best = (math.inf, 0.0, 0.0)
     for end in (0.0, 1.0):
         best = nearer(best, u, w, v, nearest(along(w, end, v), zero, u), end)
         best = nearer(best, u, w, v, end, nearest(scaled(end, u), w, v))

@@ -5,7 +5,7 @@ A kernel module (``course.jit``): import it where it is called.
 
 from __future__ import annotations
 
-from math import sqrt
+import math
 
 from course.arrays import Array
 from course.jit import compiled
@@ -50,7 +50,7 @@ def cross(a: Triple, b: Triple) -> Triple:
 @compiled
 def length(a: Triple) -> float:
     """|a|."""
-    return sqrt(dot(a, a))
+    return math.sqrt(dot(a, a))
 
 
 @compiled

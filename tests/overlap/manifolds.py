@@ -33,7 +33,9 @@ def touching(a, b, *, margin=0.0, limit=None):
 def box(center, half, turn=0.0, base=None, away=(0.0, 0.0, 0.0)):
     """One box, turned about z, then all by a rotation (none if not given), then moved."""
     base = np.eye(3) if base is None else base
-    about = rotations.to_matrix(rotations.from_rotation_vector(np.array([0.0, 0.0, turn])))
+    about = rotations.to_matrix(
+        rotations.from_rotation_vector(np.array([0.0, 0.0, turn]))
+    )
     centre = base @ np.asarray(center, dtype=float) + away
     return OBB(centre[None], (base @ about)[None], np.asarray(half, dtype=float)[None])
 

@@ -35,11 +35,15 @@ def exact_area(one, other):
                     corners.add((x, y))
     if len(corners) < 3:
         return 0.0
-    return float(Qhull(np.array([(float(x), float(y)) for x, y in corners]), "QJ").volume)
+    return float(
+        Qhull(np.array([(float(x), float(y)) for x, y in corners]), "QJ").volume
+    )
 
 
 def drawn_polygon(rng):
-    points = rng.integers(-100, 100, size=(rng.integers(3, 12), 2)) + rng.integers(-60, 60, 2)
+    points = rng.integers(-100, 100, size=(rng.integers(3, 12), 2)) + rng.integers(
+        -60, 60, 2
+    )
     return points[Qhull(points).vertices]
 
 
@@ -62,7 +66,9 @@ def test_an_octagon_keeps_all_its_corners_and_four_of_them_are_70_percent():
     a, b = prism(regular(8), 0, 1), box([0, 0, -1], [2, 2, 1])
     whole, four = touching(a, b, margin=1e-9), touching(a, b, margin=1e-9, limit=4)
     assert len(whole) == 8 and set(whole.feature) == {"face_b"}
-    assert len(four) == 4 and {tuple(k) for k in four.key} <= {tuple(k) for k in whole.key}
+    assert len(four) == 4 and {tuple(k) for k in four.key} <= {
+        tuple(k) for k in whole.key
+    }
     up = np.array([0, 0, 1.0])
     order = np.argsort(np.arctan2(four.point[:, 1], four.point[:, 0]))
     # Areas of a regular octagon and a square in one circle: 2 sqrt(2) and 2.
@@ -71,7 +77,9 @@ def test_an_octagon_keeps_all_its_corners_and_four_of_them_are_70_percent():
 
 
 def test_a_limit_keeps_the_deepest_first():
-    turn = rotations.to_matrix(rotations.from_rotation_vector(np.array([3e-3, 5e-3, 0])))
+    turn = rotations.to_matrix(
+        rotations.from_rotation_vector(np.array([3e-3, 5e-3, 0]))
+    )
     a = prism(regular(12), 0, 1).moved(turn, np.array([0, 0, -0.1]))
     b = box([0, 0, -1], [2, 2, 1])
     whole = touching(a, b)
@@ -84,7 +92,9 @@ def test_a_limit_keeps_the_deepest_first():
 
 
 def test_an_edge_has_two_points_and_a_vertex_one():
-    lean = rotations.to_matrix(rotations.from_rotation_vector(np.array([np.pi / 4, 0, 0])))
+    lean = rotations.to_matrix(
+        rotations.from_rotation_vector(np.array([np.pi / 4, 0, 0]))
+    )
     edge = OBB(np.zeros((1, 3)), lean[None], np.array([CUBE]))
     floor = box([0, 0, -0.5 * np.sqrt(2) - 0.9], [2, 2, 1])
     found = touching(edge, floor)
@@ -104,12 +114,16 @@ def test_each_point_has_the_normal_and_the_separation_of_its_own_features():
     seen = set()
     for _ in range(150):
         turn, lean = rng.uniform(0, 7), 10.0 ** rng.uniform(-9, -2)
-        tilt = rotations.to_matrix(rotations.from_rotation_vector(lean * rng.normal(size=3)))
+        tilt = rotations.to_matrix(
+            rotations.from_rotation_vector(lean * rng.normal(size=3))
+        )
         a = box([*rng.uniform(-0.6, 0.6, 2), 0.98], rng.uniform(0.3, 0.5, 3), turn)
         a, b = a.moved(tilt, np.zeros(3)), box([0, 0, 0], CUBE)
         contacts, solids = touching(a, b, margin=0.05), (polytopes(a), polytopes(b))
         for k in range(len(contacts)):
-            parts = [feature(s, n) for s, n in zip(solids, contacts.key[k, 2:], strict=True)]
+            parts = [
+                feature(s, n) for s, n in zip(solids, contacts.key[k, 2:], strict=True)
+            ]
             d, n = separation_and_normal(*parts, np.array([0, 0, 1.0]))
             if contacts.feature[k] != "edges" and parts[0][0] == parts[1][0]:
                 continue  # edges that cross at no angle to speak of
@@ -127,7 +141,10 @@ def sides_exchanged(contacts):
 def test_exchanging_a_and_b_exchanges_the_sides():
     rng = np.random.default_rng(8)
     n = 300
-    turns = [rotations.to_matrix(q / np.linalg.norm(q, axis=1, keepdims=True)) for q in rng.normal(size=(2, n, 4))]
+    turns = [
+        rotations.to_matrix(q / np.linalg.norm(q, axis=1, keepdims=True))
+        for q in rng.normal(size=(2, n, 4))
+    ]
     a = OBB(rng.uniform(-0.6, 0.6, (n, 3)), turns[0], rng.uniform(0.2, 0.6, (n, 3)))
     b = OBB(np.zeros((n, 3)), turns[1], rng.uniform(0.2, 0.6, (n, 3)))
     one, other = touching(a, b, margin=0.1), touching(b, a, margin=0.1)
@@ -135,7 +152,10 @@ def test_exchanging_a_and_b_exchanges_the_sides():
     back = {"face_a": "face_b", "face_b": "face_a"}
     for p in np.unique(one.pair):
         x, y = one[one.pair == p], other[other.pair == p]
-        x, y = x[np.lexsort(x.key[:, ::-1].T)], y[np.lexsort(y.key[:, [3, 2, 1, 0]][:, [1, 0, 2, 3]].T)]
+        x, y = (
+            x[np.lexsort(x.key[:, ::-1].T)],
+            y[np.lexsort(y.key[:, [3, 2, 1, 0]][:, [1, 0, 2, 3]].T)],
+        )
         np.testing.assert_array_equal(x.key[:, [2, 3]], y.key[:, [3, 2]])
         np.testing.assert_allclose(x.point, y.point, atol=1e-12)
         np.testing.assert_allclose(x.normal, -y.normal, atol=1e-12)
@@ -174,9 +194,15 @@ def test_shaking_changes_no_key(name, base):
     a, b = box(center, half, turn, base), box([0, 0, 0], CUBE, 0.0, base)
 
     def shaken(shape):
-        jitter = rotations.to_matrix(rotations.from_rotation_vector(1e-9 * rng.normal(size=(frames, 3))))
+        jitter = rotations.to_matrix(
+            rotations.from_rotation_vector(1e-9 * rng.normal(size=(frames, 3)))
+        )
         centre = shape.center + 1e-9 * rng.normal(size=(frames, 3))
-        return OBB(centre, jitter @ shape.rotation, np.broadcast_to(shape.half_extents, (frames, 3)))
+        return OBB(
+            centre,
+            jitter @ shape.rotation,
+            np.broadcast_to(shape.half_extents, (frames, 3)),
+        )
 
     a, b = shaken(a), shaken(b)
     contacts, exchanged = touching(a, b, margin=1e-7), touching(b, a, margin=1e-7)
@@ -194,18 +220,30 @@ def test_sizes_and_places(size, away):
     """A box of that size on one of size 1, far from the origin too."""
     far = away * np.array([1.0, -0.7, 0.3])
     rounding = 32 * np.spacing(max(abs(far).max(), 2 * size, 2.0))
-    a = box([0.1 * size, 0.05 * size, 0.5 + size], np.array([1, 0.8, 1]) * size, 0.6, TURNED, far)
+    a = box(
+        [0.1 * size, 0.05 * size, 0.5 + size],
+        np.array([1, 0.8, 1]) * size,
+        0.6,
+        TURNED,
+        far,
+    )
     b = box([0, 0, 0], CUBE, 0, TURNED, far)
     contacts = touching(a, b, margin=1e-9 + rounding)
     assert np.abs(contacts.separation).max() <= 1e-9 + rounding
     assert np.isfinite(contacts.point).all() and len(contacts) >= 1
-    apart = contacts.point[:, None] - contacts.point[None] + np.eye(len(contacts))[:, :, None]
+    apart = (
+        contacts.point[:, None]
+        - contacts.point[None]
+        + np.eye(len(contacts))[:, :, None]
+    )
     if away == 0.0 or size == 1e6:
         assert len(contacts) == 4
         assert np.linalg.norm(apart, axis=-1).min() > 1e-7 * min(size, 1.0)
 
 
-@pytest.mark.parametrize("half", [(0, 1, 1), (1, 1, 0), (0, 0, 1), (1, 0, 0), (0, 0, 0)])
+@pytest.mark.parametrize(
+    "half", [(0, 1, 1), (1, 1, 0), (0, 0, 1), (1, 0, 0), (0, 0, 0)]
+)
 def test_flat_boxes(half):
     """A rectangle, a segment or a point on a cube, in it and in one another."""
     a = box([0, 0, half[2] * 0.3 + 0.5], 0.3 * np.array(half), 0.2)
@@ -217,21 +255,33 @@ def test_flat_boxes(half):
 
 def test_spheres_and_capsules():
     ground = box([0, 0, -1], [2, 2, 1])
-    ball = touching(Sphere(np.array([[0, 0, 0.1]]), np.array([0.1])), ground, margin=1e-9)
+    ball = touching(
+        Sphere(np.array([[0, 0, 0.1]]), np.array([0.1])), ground, margin=1e-9
+    )
     assert ball.feature.tolist() == ["curved"]
     np.testing.assert_allclose(ball.curvature_a[0], np.diag([10, 10, 0]), atol=1e-12)
     assert not ball.curvature_b.any()
-    lying = Capsule(np.array([[-1.0, 0, 0.1]]), np.array([[1.0, 0, 0.1]]), np.array([0.1]))
+    lying = Capsule(
+        np.array([[-1.0, 0, 0.1]]), np.array([[1.0, 0, 0.1]]), np.array([0.1])
+    )
     two = touching(lying, ground, margin=1e-9)
     assert two.feature.tolist() == ["curved"] * 2
     np.testing.assert_allclose(np.sort(two.point[:, 0]), [-1, 1], atol=1e-15)
-    overhanging = touching(lying.moved(np.eye(3), np.array([1.5, 0, 0])), ground, margin=1e-9)
+    overhanging = touching(
+        lying.moved(np.eye(3), np.array([1.5, 0, 0])), ground, margin=1e-9
+    )
     np.testing.assert_allclose(np.sort(overhanging.point[:, 0]), [0.5, 2], atol=1e-12)
     # At the border 1/r across the axis, and of the edge almost an infinite curvature.
     k = int(np.argmax(overhanging.point[:, 0]))
-    np.testing.assert_allclose(overhanging.curvature_a[k], np.diag([0, 10, 0]), atol=1e-12)
-    assert overhanging.curvature_b[k, 0, 0] > 1e8 and overhanging.curvature_b[k, 1, 1] == 0
-    crossed = Capsule(np.array([[0.2, -1, 0.3]]), np.array([[0.2, 1, 0.3]]), np.array([0.1]))
+    np.testing.assert_allclose(
+        overhanging.curvature_a[k], np.diag([0, 10, 0]), atol=1e-12
+    )
+    assert (
+        overhanging.curvature_b[k, 0, 0] > 1e8 and overhanging.curvature_b[k, 1, 1] == 0
+    )
+    crossed = Capsule(
+        np.array([[0.2, -1, 0.3]]), np.array([[0.2, 1, 0.3]]), np.array([0.1])
+    )
     one = touching(crossed, lying, margin=1e-9)
     assert len(one) == 1
     np.testing.assert_allclose(one.point[0], [0.2, 0, 0.2], atol=1e-15)

@@ -23,11 +23,19 @@ def drawn_boxes(kind, n, rng):
         a = OBB(rng.uniform(-0.9, 0.9, (n, 3)) + away, drawn_turns(rng, n), half[0])
         return a, OBB(np.full((n, 3), away), drawn_turns(rng, n), half[1])
     base, turn = drawn_turns(rng, n), np.zeros((n, 3))
-    turn[:, 2] = rng.integers(0, 4, n) * np.pi / 4 if kind == "aligned" else rng.uniform(0, 7, n)
-    lean = rng.normal(size=(n, 3)) * 10.0 ** rng.uniform(-10, -2, (n, 1)) * (kind == "tilted")
+    turn[:, 2] = (
+        rng.integers(0, 4, n) * np.pi / 4 if kind == "aligned" else rng.uniform(0, 7, n)
+    )
+    lean = (
+        rng.normal(size=(n, 3))
+        * 10.0 ** rng.uniform(-10, -2, (n, 1))
+        * (kind == "tilted")
+    )
     across = rotations.to_matrix(rotations.from_rotation_vector(turn))
     tilt = rotations.to_matrix(rotations.from_rotation_vector(lean))
-    at = np.column_stack([rng.uniform(-0.8, 0.8, (n, 2)), half[0, :, 2] + half[1, :, 2] - 1e-3])
+    at = np.column_stack(
+        [rng.uniform(-0.8, 0.8, (n, 2)), half[0, :, 2] + half[1, :, 2] - 1e-3]
+    )
     if kind == "aligned":
         at[:, :2] = rng.integers(-1, 2, (n, 2)) * (half[0] + half[1])[:, :2] * 0.5
     a = OBB(np.einsum("kij,kj->ki", base, at), base @ tilt @ across, half[0])

@@ -59,15 +59,22 @@ def test_acceleration_is_that_of_the_features(name):
     flight = Flight(np.random.default_rng(7), 2)
     bodies, (force, torque) = flight.bodies(flight.start), flight.wrench(0)
     contacts = touching(a, b, margin=0.1)
-    assert len(contacts) >= (1 if "sphere" in name or "crossed" in name or "apart" in name else 2)
+    assert len(contacts) >= (
+        1 if "sphere" in name or "crossed" in name or "apart" in name else 2
+    )
     said = separation_acceleration(bodies, contacts, force, torque)
     solids, h = (polytopes(a), polytopes(b)), 5e-4
     states = [flight.at(k * h) for k in (-2, -1, 0, 1, 2)]
     for k in range(len(contacts)):
-        parts = [feature(s, n) for s, n in zip(solids, contacts.key[k, 2:], strict=True)]
+        parts = [
+            feature(s, n) for s, n in zip(solids, contacts.key[k, 2:], strict=True)
+        ]
         d = []
         for state in states:
-            moved = [(kind, carried(flight, state, i, p)) for i, (kind, p) in enumerate(parts)]
+            moved = [
+                (kind, carried(flight, state, i, p))
+                for i, (kind, p) in enumerate(parts)
+            ]
             d.append(separation_and_normal(*moved, contacts.normal[k])[0])
         radii = solids[0].radius[0] + solids[1].radius[0]
         assert contacts.separation[k] == pytest.approx(d[2] - radii, abs=1e-14)

@@ -114,7 +114,7 @@ def judged(a, b, mine, theirs, close):
     off = np.flatnonzero(~(np.abs(mine - theirs) <= close))
     rng = np.random.default_rng(1)
     some = rng.choice(a.count, SAMPLE, replace=False)
-    disputed = rng.choice(off, min(SAMPLE, off.size), replace=False)
+    disputed = off[np.argsort(-np.abs(mine - theirs)[off])][:SAMPLE]  # the worst
     for i in (*some, *disputed):
         assert mine[i] == pytest.approx(true_gap(a[i], b[i]), abs=EXACT)
     return off
@@ -139,7 +139,8 @@ def test_against_coal(kind_a, kind_b):
 )
 def test_against_python_fcl(kind_a, kind_b):
     """Two boxes agree. Of a round shape FCL asks libccd, whose GJK on the curved surface itself ends
-    when its steps are small: it says up to 6e-4 too much where they are apart."""
+    when its steps are small: where they are apart it says up to 6e-4 too much, a few times in
+    100,000 up to 5 percent."""
     pytest.importorskip("fcl")
     a, b = drawn(kind_a, kind_b)
     mine, theirs = gap(a, b), fcl_gaps(a, b)
@@ -147,7 +148,7 @@ def test_against_python_fcl(kind_a, kind_b):
     assert np.mean((theirs > 0) != (mine > 0)) <= 1e-4
     if kind_a == kind_b == "obb":
         assert off.size <= 1e-4 * COUNT
-    np.testing.assert_allclose(theirs, mine, atol=5e-3)
+    assert np.mean(np.abs(theirs - mine) > 1e-3) <= 1e-3
 
 
 def test_depths_of_python_fcl_s_contacts():

@@ -77,12 +77,16 @@ def box_manifolds(
                           max(margin, sure), r, t, normal)  # fmt: skip
         left[p] = -sure < s <= max(margin, sure)
         if s <= -sure:
-            count_a, feature_a = box_patch(center_a, axes_a, half_a, p, A, origin, normal, corner, vertex, normals)  # fmt: skip
-            count_b, feature_b = box_patch(center_b, axes_b, half_b, p, B, origin, normal, corner, vertex, normals)  # fmt: skip
+            count_a, feature_a = box_patch(center_a, axes_a, half_a, p, A, origin, normal,
+                                           corner, vertex, normals)  # fmt: skip
+            count_b, feature_b = box_patch(center_b, axes_b, half_b, p, B, origin, normal,
+                                           corner, vertex, normals)  # fmt: skip
             first = set_manifold_normal(normals, count_a, count_b, normal)
             pair = Pair(count_a, count_b, 0.0, 0.0, scale, bias, first)
             flatten(corner, normals, count_a, count_b)
-            more = meet(pair, corner, normals, cut, leaving, what, names, numbers, count)
+            more = meet(
+                pair, corner, normals, cut, leaving, what, names, numbers, count
+            )
             more = kept(names, numbers, count, more, margin, SAME_DEPTH * scale + noise)
             if limit:
                 more = thin(names, numbers, count, more, limit, bias, order)

@@ -13,7 +13,14 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.manifold.patches import FLAT_COSINE, FLAT_SINE, LEAN_BIAS, A, B, desk
+from course.overlap.manifold.patches import (
+    FLAT_COSINE,
+    FLAT_SINE,
+    LEAN_BIAS,
+    A,
+    B,
+    desk,
+)
 
 #: The bits of a corner's number that say on which side of the axes it lies.
 BIT = (4, 2, 1)

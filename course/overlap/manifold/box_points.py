@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import IntArray
+from course.arrays import Array, IntArray
 from course.overlap.closest import as_solids, closest_points
 from course.overlap.manifold.points import Manifolds, contact_points, filled
 from course.overlap.separating_axis import as_kernels_take_it
@@ -33,20 +33,24 @@ def box_contact_points(
     solid = np.all(a.half_extents > 0, axis=1) & np.all(b.half_extents > 0, axis=1)
     if not np.all(solid):
         return _by_nearest_points(a, b, np.arange(a.count), margin, limit)
-    boxes = (a.center, a.rotation, a.half_extents, b.center, b.rotation, b.half_extents)
-    arrays = tuple(map(as_kernels_take_it, boxes))
+    center_a, axes_a, half_a = map(as_kernels_take_it, _arrays(a))
+    center_b, axes_b, half_b = map(as_kernels_take_it, _arrays(b))
     left, room = np.zeros(a.count, dtype=np.bool_), desk(4, 4)
-    most = limit or 0
-    found = filled(
-        lambda begin, names, numbers: box_manifolds(
-            *arrays, margin, most, begin, room, names, numbers, left
-        ),
-        a.count,
-        room.cut.shape[1],
-    )
+
+    def fill(begin: int, names: IntArray, numbers: Array) -> tuple[int, int]:
+        return box_manifolds(
+            center_a, axes_a, half_a, center_b, axes_b, half_b,
+            margin, limit or 0, begin, room, names, numbers, left,
+        )  # fmt: skip
+
+    found = filled(fill, a.count, room.cut.shape[1])
     if not np.any(left):
         return found
     return _joined(found, _by_nearest_points(a, b, np.flatnonzero(left), margin, limit))
+
+
+def _arrays(box: OBB) -> tuple[Array, Array, Array]:
+    return box.center, box.rotation, box.half_extents
 
 
 def _by_nearest_points(
@@ -66,5 +70,7 @@ def _by_nearest_points(
 def _joined(one: Manifolds, other: Manifolds) -> Manifolds:
     """Both, pair by pair."""
     order = np.argsort(np.concatenate([one.pair, other.pair]), kind="stable")
-    both = (np.concatenate([getattr(one, c), getattr(other, c)])[order] for c in COLUMNS)
+    both = (
+        np.concatenate([getattr(one, c), getattr(other, c)])[order] for c in COLUMNS
+    )
     return Manifolds(*both)

@@ -209,7 +209,7 @@ def take_vertex_beside(
     n: int,
     close: float,
 ) -> None:
-    """A crossing that is in one place with an end of one of its edges is that vertex, the subject's before the other."""
+    """A crossing in one place with an end of one of its edges is that vertex, the subject's before the other."""
     edge, line, polygon = what[i, 1], what[i, 2], 1 - subject
     for end in (edge, edge + 1 if edge + 1 < m else 0):
         if squared(cut, now, i, corner, subject, end) <= close:

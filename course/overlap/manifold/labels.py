@@ -152,14 +152,17 @@ def crossing(
     pair: Pair, corner: Array, normal: Array, i: int, j: int, numbers: Array, k: int
 ) -> int:
     """Two edges: along e_A x e_B where that is a normal, else one's point over the other's face."""
-    e = direction(corner, A, i, pair.count_a)
-    f = direction(corner, B, j, pair.count_b)
+    e = along_edge(corner, A, i, pair.count_a)
+    f = along_edge(corner, B, j, pair.count_b)
     x, y, z = cross(e, f)
-    sine = math.sqrt(x * x + y * y + z * z)
+    sine = math.sqrt(x * x + y * y + z * z)  # times both lengths
     upward = x * normal[MANIFOLD, 0] + y * normal[MANIFOLD, 1] + z * normal[MANIFOLD, 2]
     rounded = pair.radius_a > 0.0 or pair.radius_b > 0.0
     least = PARALLEL_ROUNDED if rounded else PARALLEL_SINE
-    if sine <= least or abs(upward) < OWN_COSINE * sine:
+    if (
+        sine <= least * math.sqrt(square(e) * square(f))
+        or abs(upward) < OWN_COSINE * sine
+    ):
         return material_crossing(pair, corner, normal, i, j, numbers, k)
     turn = math.copysign(1.0 / sine, upward)
     own = (x * turn, y * turn, z * turn)
@@ -223,10 +226,10 @@ def between(
     if pair.radius_a == 0.0 and pair.radius_b == 0.0 and core <= pair.bias:
         return FACE_B
     if edge_a:
-        e = direction(corner, A, i, pair.count_a)
+        e = along_edge(corner, A, i, pair.count_a)
         numbers[k, 7], numbers[k, 8], numbers[k, 9] = e
     if edge_b:
-        e = direction(corner, B, j, pair.count_b)
+        e = along_edge(corner, B, j, pair.count_b)
         numbers[k, 10], numbers[k, 11], numbers[k, 12] = e
     return curved_or(FACE_B, pair, numbers, k)
 
@@ -300,18 +303,22 @@ def cross(
 
 
 @compiled
-def direction(
+def square(e: tuple[float, float, float]) -> float:
+    """e . e"""
+    return e[0] * e[0] + e[1] * e[1] + e[2] * e[2]
+
+
+@compiled
+def along_edge(
     corner: Array, side: int, i: int, count: int
 ) -> tuple[float, float, float]:
-    """The unit vector along the edge that leaves a corner; zero if it has no length."""
+    """The edge that leaves a corner, as long as it is."""
     k = i + 1 if i + 1 < count else 0
-    x = corner[side, k, 0] - corner[side, i, 0]
-    y = corner[side, k, 1] - corner[side, i, 1]
-    z = corner[side, k, 2] - corner[side, i, 2]
-    length = math.sqrt(x * x + y * y + z * z)
-    if length == 0.0:
-        return 0.0, 0.0, 0.0
-    return x / length, y / length, z / length
+    return (
+        corner[side, k, 0] - corner[side, i, 0],
+        corner[side, k, 1] - corner[side, i, 1],
+        corner[side, k, 2] - corner[side, i, 2],
+    )
 
 
 @compiled
@@ -322,10 +329,10 @@ def nearest_on_edge(
     k = i + 1 if i + 1 < count else 0
     x, y, z = at(corner, side, i)
     ux, uy, uz = corner[side, k, 0] - x, corner[side, k, 1] - y, corner[side, k, 2] - z
-    square = ux * ux + uy * uy + uz * uz
-    if square == 0.0:
+    length = ux * ux + uy * uy + uz * uz
+    if length == 0.0:
         return x, y, z
-    t = ((p[0] - x) * ux + (p[1] - y) * uy + (p[2] - z) * uz) / square
+    t = ((p[0] - x) * ux + (p[1] - y) * uy + (p[2] - z) * uz) / length
     t = min(max(t, 0.0), 1.0)
     return x + t * ux, y + t * uy, z + t * uz
 

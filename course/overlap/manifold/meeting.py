@@ -53,9 +53,7 @@ def upward(normal: Array, k: int) -> float:
 
 
 @compiled
-def set_manifold_normal(
-    normal: Array, count_a: int, count_b: int, found: Array
-) -> int:
+def set_manifold_normal(normal: Array, count_a: int, count_b: int, found: Array) -> int:
     """N of the manifold: between the normals of two faces, that of one, or the one found; returns the preferred side.
 
     It does not depend on which of two nearly parallel faces the query took its normal
@@ -139,9 +137,13 @@ def common_polygon(
     faces = pair.count_a > 2 and pair.count_b > 2
     a_is_cut = pair.first == A if faces else pair.count_b > 2
     if a_is_cut:
-        count = clip(corner, A, pair.count_a, pair.count_b, pair.bias, cut, leaving, what)
+        count = clip(
+            corner, A, pair.count_a, pair.count_b, pair.bias, cut, leaving, what
+        )
     else:
-        count = clip(corner, B, pair.count_b, pair.count_a, pair.bias, cut, leaving, what)
+        count = clip(
+            corner, B, pair.count_b, pair.count_a, pair.bias, cut, leaving, what
+        )
     for k in range(count):
         kind, i, j = what[k, 0], what[k, 1], what[k, 2]
         mine = theirs = EDGE

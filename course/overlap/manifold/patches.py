@@ -21,7 +21,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.separating_axis_loops import Solids
+from course.overlap.separating_axis_loops import Solids as Solids
 
 #: A face or edge that leans by less than this may touch with all of itself [rad].
 FLAT_ANGLE = 0.02

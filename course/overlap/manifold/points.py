@@ -133,7 +133,8 @@ def filled(
         pairs: how many there are.
         most: rows that a pair may need.
     """
-    parts, begin = [], 0
+    parts: list[tuple[IntArray, Array]] = []
+    begin = 0
     while begin < pairs or not parts:
         rows = max(min(ROWS, most * (pairs - begin)), most)
         # What is not filled is never touched, so that it costs no memory.
