@@ -13,8 +13,8 @@ from course.overlap.capsules import (
 from course.overlap.closest import Closest, closest_points, least_translation
 from course.overlap.contact_arrays import FEATURES, Contacts
 from course.overlap.feature_pairs import FeaturePair
-from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.overlap.impact_times import swept_bounds, time_of_impact
+from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.overlap.spheres import (
     Spheres,
     sphere_contacts,

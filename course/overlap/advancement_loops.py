@@ -381,5 +381,5 @@ def warm() -> None:
     from course.overlap.impact_times import time_of_impact
     from course.shapes import AABB, Sphere
 
-    box, ball = AABB(np.zeros(3), np.ones(3)), Sphere(np.full(3, 3.0), np.float64(0.5))
+    box, ball = AABB(np.zeros(3), np.ones(3)), Sphere(np.full(3, 3.0), np.full((), 0.5))
     time_of_impact(box, ball, np.ones(3), np.zeros(3), horizon=1.0)

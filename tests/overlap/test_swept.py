@@ -207,3 +207,9 @@ def _in_fcl(fcl, shape):
     turn = np.stack([side, np.cross(axis, side), axis], axis=1)
     geometry = fcl.Capsule(float(shape.radius), length)
     return geometry, (turn, 0.5 * (shape.start + shape.end))
+
+
+def test_loops_take_the_same_for_sliding():
+    from course.overlap import swept_loops
+
+    assert swept_loops.SLIDING == swept.SLIDING
