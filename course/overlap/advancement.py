@@ -123,6 +123,7 @@ def _times(
     plane: bool,
 ) -> Array:
     from course.overlap.advancement_loops import motion_times
+    from course.overlap.moving_bodies import places_for
 
     measures = pair_measures(a, b, i, j)
     depth, radius = _depth(a, b, i, j, measures, horizon, tolerance, plane)
@@ -134,7 +135,7 @@ def _times(
     take = as_kernels_take_it
     motion_times(
         as_solids(a), as_solids(b), take(i), take(j), take(motion_a), take(motion_b),
-        take(radius), plane, take(limits), time,
+        take(radius), plane, take(limits), places_for(a, b), time,
     )  # fmt: skip
     return time
 

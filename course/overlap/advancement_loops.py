@@ -29,7 +29,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.moving_bodies import Body, body_of, gap_at, room_to_find
+from course.overlap.moving_bodies import Body, Places, body_of, gap_at
 from course.overlap.separating_axis_loops import Solids
 from course.overlap.triples import Triple, along, cross, dot, length, minus, row
 
@@ -321,6 +321,7 @@ def motion_times(
     radius: Array,
     plane: bool,
     limits: Array,
+    places: Places,
     time: Array,
 ) -> None:
     """Time of impact of p pairs of rounded polytopes, written to time.
@@ -332,19 +333,19 @@ def motion_times(
         plane: whether the solids of B are half spaces.
         limits: (p, 4), horizon [s], depth [m], and what counts as none, a gap [m] and a
             rate [m/s].
+        places: where any of them may be put, ``moving_bodies.places_for``.
         time: (p,) [s].
     """
-    found = room_to_find()
     for p in range(time.size):
         pair = pair_of(
-            solids_a, solids_b, i[p], j[p], motion_a[p], motion_b[p], radius[p], plane, limits[p, 0]
+            solids_a, solids_b, i[p], j[p], places, motion_a[p], motion_b[p], radius[p], plane, limits[p, 0]
         )  # fmt: skip
         bounds = Limits(limits[p, 0], limits[p, 1], limits[p, 2], limits[p, 3])
         table = np.empty((len(pair.a.arms) + len(pair.b.arms), 3))
         straight = length(pair.a.spin) == 0.0 and length(pair.b.spin) == 0.0
         s = Search(0.0, False, False, 0.0, 0.0, math.inf, 0.0, 0.0, 0)
         for k in range(MOST_LOOKS_STRAIGHT if straight else MOST_LOOKS):
-            gap, n = gap_at(pair.a, pair.b, pair.radius, plane, s.t, found)
+            gap, n = gap_at(pair.a, pair.b, pair.radius, plane, s.t, places)
             if straight:
                 s = straight_look(pair, s, k == 0, gap, n, bounds)
             else:
@@ -360,6 +361,7 @@ def pair_of(
     solids_b: Solids,
     i: int,
     j: int,
+    places: Places,
     motion_a: Array,
     motion_b: Array,
     radius: float,
@@ -368,9 +370,13 @@ def pair_of(
 ) -> Pair:
     """Two solids as bodies that move, seen from the pivot of the first."""
     origin = row(motion_a, 2)
-    a = body_of(solids_a, i, origin, origin, row(motion_a, 0), row(motion_a, 1))
+    a = body_of(
+        solids_a, i, places.now_a, origin, origin, row(motion_a, 0), row(motion_a, 1)
+    )
     pivot = row(motion_b, 2)
-    b = body_of(solids_b, j, origin, pivot, row(motion_b, 0), row(motion_b, 1))
+    b = body_of(
+        solids_b, j, places.now_b, origin, pivot, row(motion_b, 0), row(motion_b, 1)
+    )
     speed = length(minus(a.velocity, b.velocity)) + swing(a)
     speed += swing_under(a, b, horizon) if plane else swing(b)
     return Pair(a, b, radius, plane, speed)

@@ -6,30 +6,60 @@ A kernel module (``course.jit``): import it where it is called.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
 from course.overlap.closest_loops import closest_pairs
+from course.overlap.separating_axis import as_kernels_take_it
 from course.overlap.separating_axis_loops import Solids
 from course.overlap.triples import Triple, along, cross, dot, length, minus, row, scaled
+from course.shapes import Polytopes
 
 
-class Found(NamedTuple):
-    """Room for what ``closest_pairs`` finds of one pair: the radius of both is left out there."""
+class Places(NamedTuple):
+    """Where the two solids of a pair are now, and room for what ``closest_pairs`` finds of them.
 
+    ``seen`` are the arrays of ``now`` under another name, by which they cannot be written to:
+    ``closest_pairs`` is compiled for such arrays, and need not be for others.
+    """
+
+    now_a: Solids  # one solid, without its radius
+    now_b: Solids
+    seen_a: Solids
+    seen_b: Solids
     one: IntArray  # the number of the only solid
     gap: Array
     normal: Array
     point: Array
 
 
+def places_for(a: Polytopes, b: Polytopes) -> Places:
+    """Places for any solid of a and any of b."""
+    now = one_solid(a), one_solid(b)
+    seen = [Solids(*map(as_kernels_take_it, solid)) for solid in now]
+    one: Any = as_kernels_take_it(np.zeros(1, dtype=np.intp))
+    return Places(*now, *seen, one, np.empty(1), np.empty((1, 3)), np.empty((1, 3)))
+
+
+def one_solid(solids: Polytopes) -> Solids:
+    """Arrays that hold any one of the solids."""
+    corner = solids.loop_start[solids.face_start]
+    starts = solids.vertex_start, solids.face_start, solids.edge_start, corner
+    v, f, e, c = (int(np.diff(start).max(initial=0)) for start in starts)
+    return Solids(
+        np.zeros((v, 3)), np.zeros(2, np.intp), np.zeros(1), np.zeros((f, 3)),
+        np.zeros(2, np.intp), np.zeros(c, np.intp), np.zeros(f + 1, np.intp),
+        np.zeros((e, 2), np.intp), np.zeros((e, 2), np.intp), np.zeros(2, np.intp),
+    )  # fmt: skip
+
+
 class Body(NamedTuple):
     """A solid that moves: where it is now, and what it moves by."""
 
-    now: Solids  # one solid
+    now: Solids  # where it is written to
     arms: Array  # its vertices from the pivot at t = 0, (n, 3)
     facing: Array  # its normals at t = 0, (f, 3)
     pivot: Triple  # at t = 0, seen from the pair's frame
@@ -38,23 +68,19 @@ class Body(NamedTuple):
 
 
 @compiled
-def numbers_of(numbers: IntArray, first: int, last: int, shift: int) -> IntArray:
-    """numbers[first:last] counted from the shift."""
-    picked = np.empty(last - first, np.intp)
+def write_numbers(numbers: IntArray, first: int, last: int, shift: int, out: IntArray) -> None:  # fmt: skip
+    """out = numbers[first:last] counted from the shift."""
     for k in range(last - first):
-        picked[k] = numbers[first + k] - shift
-    return picked
+        out[k] = numbers[first + k] - shift
 
 
 @compiled
-def pairs_of(pairs: IntArray, first: int, last: int, shift: int) -> IntArray:
-    """pairs[first:last] counted from the shift; none stays none (-1)."""
-    picked = np.empty((last - first, 2), np.intp)
+def write_pairs(pairs: IntArray, first: int, last: int, shift: int, out: IntArray) -> None:  # fmt: skip
+    """out = pairs[first:last] counted from the shift; none stays none (-1)."""
     for k in range(last - first):
         for c in range(2):
             n = pairs[first + k, c]
-            picked[k, c] = n - shift if n >= 0 else n
-    return picked
+            out[k, c] = n - shift if n >= 0 else n
 
 
 @compiled
@@ -68,37 +94,33 @@ def rows_of(rows: Array, first: int, last: int, origin: Triple) -> Array:
 
 
 @compiled
-def one_of(solids: Solids, i: int) -> Solids:
-    """Solid i alone, in arrays of its own."""
-    none = (0.0, 0.0, 0.0)
+def write_solid(solids: Solids, i: int, facing: Array, out: Solids) -> None:
+    """Solid i alone, but for its vertices, which move."""
     v, w = solids.vertex_start[i], solids.vertex_start[i + 1]
     f, g = solids.face_start[i], solids.face_start[i + 1]
     e, h = solids.edge_start[i], solids.edge_start[i + 1]
     first, last = solids.loop_start[f], solids.loop_start[g]
-    core = np.zeros(1)  # without its radius
-    return Solids(
-        rows_of(solids.vertices, v, w, none),
-        numbers_of(solids.vertex_start, i, i + 2, v),
-        core,
-        rows_of(solids.normals, f, g, none),
-        numbers_of(solids.face_start, i, i + 2, f),
-        numbers_of(solids.loop, first, last, v),
-        numbers_of(solids.loop_start, f, g + 1, first),
-        pairs_of(solids.edges, e, h, v),
-        pairs_of(solids.edge_faces, e, h, f),
-        numbers_of(solids.edge_start, i, i + 2, e),
-    )
+    out.vertex_start[1], out.face_start[1], out.edge_start[1] = w - v, g - f, h - e
+    write_numbers(solids.loop, first, last, v, out.loop)
+    write_numbers(solids.loop_start, f, g + 1, first, out.loop_start)
+    write_pairs(solids.edges, e, h, v, out.edges)
+    write_pairs(solids.edge_faces, e, h, f, out.edge_faces)
+    for k in range(len(facing)):
+        for c in range(3):
+            out.normals[k, c] = facing[k, c]
 
 
 @compiled
-def body_of(solids: Solids, i: int, origin: Triple, pivot: Triple, velocity: Triple, spin: Triple) -> Body:  # fmt: skip
+def body_of(
+    solids: Solids, i: int, now: Solids, origin: Triple, pivot: Triple, velocity: Triple, spin: Triple
+) -> Body:  # fmt: skip
     """Solid i as a body, seen from the origin."""
     first, last = solids.vertex_start[i], solids.vertex_start[i + 1]
     arms = rows_of(solids.vertices, first, last, pivot)
     first, last = solids.face_start[i], solids.face_start[i + 1]
     facing = rows_of(solids.normals, first, last, (0.0, 0.0, 0.0))
-    place = minus(pivot, origin)
-    return Body(one_of(solids, i), arms, facing, place, velocity, spin)
+    write_solid(solids, i, facing, now)
+    return Body(now, arms, facing, minus(pivot, origin), velocity, spin)
 
 
 @compiled
@@ -130,7 +152,7 @@ def place(body: Body, t: float) -> Triple:
 
 
 @compiled
-def gap_at(a: Body, b: Body, radius: float, plane: bool, t: float, found: Found) -> tuple[float, Triple]:  # fmt: skip
+def gap_at(a: Body, b: Body, radius: float, plane: bool, t: float, places: Places) -> tuple[float, Triple]:  # fmt: skip
     """Gap and N of two bodies at time t; they are put there.
 
     Args:
@@ -145,15 +167,9 @@ def gap_at(a: Body, b: Body, radius: float, plane: bool, t: float, found: Found)
         for k in range(len(a.arms)):
             gap = min(gap, dot(n, minus(row(a.now.vertices, k), foot)))
         return gap - radius, n
-    closest_pairs(a.now, b.now, found.one, found.one, found.gap, found.normal, found.point, found.point)  # fmt: skip
-    return found.gap[0] - radius, row(found.normal, 0)
-
-
-@compiled
-def room_to_find() -> Found:
-    """Room for what is found."""
-    one, gap, normal, point = np.zeros(1, np.intp), np.empty(1), np.empty((1, 3)), np.empty((1, 3))  # fmt: skip
-    return Found(one, gap, normal, point)
+    one, gaps, normal, point = places.one, places.gap, places.normal, places.point
+    closest_pairs(places.seen_a, places.seen_b, one, one, gaps, normal, point, point)
+    return gaps[0] - radius, row(normal, 0)
 
 
 def warm() -> None:

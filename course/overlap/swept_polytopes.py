@@ -81,6 +81,7 @@ def _ray_times(
     a: Polytopes, b: Polytopes, i: Any, j: Any, v: Any, end: Any, band: Any, slow: Any
 ) -> Array:
     from course.overlap.advancement_loops import motion_times
+    from course.overlap.moving_bodies import places_for
 
     none = np.zeros_like(v)
     starts = a.vertices[a.vertex_start[i]], b.vertices[b.vertex_start[j]]
@@ -90,7 +91,7 @@ def _ray_times(
     limits = np.stack([end, np.zeros_like(end), band, slow], axis=1)
     motion_times(
         as_solids(a), as_solids(b), i, j, motion_a, motion_b,
-        as_kernels_take_it(radius), False, as_kernels_take_it(limits), time,
+        as_kernels_take_it(radius), False, as_kernels_take_it(limits), places_for(a, b), time,
     )  # fmt: skip
     return time
 
