@@ -38,10 +38,12 @@ class Places(NamedTuple):
 
 def places_for(a: Polytopes, b: Polytopes) -> Places:
     """Places for any solid of a and any of b."""
-    now = one_solid(a), one_solid(b)
-    seen = [Solids(*map(as_kernels_take_it, solid)) for solid in now]
+    now_a, now_b = one_solid(a), one_solid(b)
+    seen_a = Solids(*map(as_kernels_take_it, now_a))
+    seen_b = Solids(*map(as_kernels_take_it, now_b))
     one: Any = as_kernels_take_it(np.zeros(1, dtype=np.intp))
-    return Places(*now, *seen, one, np.empty(1), np.empty((1, 3)), np.empty((1, 3)))
+    gap, normal, point = np.empty(1), np.empty((1, 3)), np.empty((1, 3))
+    return Places(now_a, now_b, seen_a, seen_b, one, gap, normal, point)
 
 
 def one_solid(solids: Polytopes) -> Solids:
