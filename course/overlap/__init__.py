@@ -1,5 +1,5 @@
 """One question asked of two shapes: do they overlap, how far apart are they, where do
-they touch.
+they touch, when do they meet.
 """
 
 from course.overlap.asking import contacts, gap, nearest_points, overlaps
@@ -13,6 +13,7 @@ from course.overlap.capsules import (
 from course.overlap.closest import Closest, closest_points, least_translation
 from course.overlap.contact_arrays import FEATURES, Contacts
 from course.overlap.feature_pairs import FeaturePair
+from course.overlap.impact_times import swept_bounds, time_of_impact
 from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.overlap.spheres import (
     Spheres,
@@ -43,4 +44,6 @@ __all__ = [
     "sphere_plane_contacts",
     "spheres_overlap",
     "stacked_box_contacts",
+    "swept_bounds",
+    "time_of_impact",
 ]
