@@ -76,7 +76,17 @@ def most(start: IntArray) -> int:
 @compiled
 def room_for(a: Solids, b: Solids) -> Room:
     """Room for every pair of a solid of a and one of b."""
-    p, q = most(a.vertex_start), most(b.vertex_start)
+    return room_of(
+        most(a.vertex_start),
+        most(b.vertex_start),
+        most(a.edge_start),
+        most(b.edge_start),
+    )
+
+
+@compiled
+def room_of(p: int, q: int, edges_a: int, edges_b: int) -> Room:
+    """Room for p and q vertices, and that many edges."""
     hull, corner, plane, rim = epa_room()
     return Room(
         np.empty((p, 3)),
@@ -85,8 +95,8 @@ def room_for(a: Solids, b: Solids) -> Room:
         np.empty((q, 3)),
         np.empty(p, np.intp),
         np.empty(q, np.intp),
-        np.empty((most(a.edge_start), 12)),
-        np.empty((most(b.edge_start), 12)),
+        np.empty((edges_a, 12)),
+        np.empty((edges_b, 12)),
         hull,
         corner,
         plane,
@@ -277,6 +287,26 @@ def by_gjk(count_a: int, count_b: int, room: Room) -> tuple[int, float, float]:
 
 
 @compiled
+def by_epa(count_a: int, count_b: int, thick: float, room: Room) -> float:
+    """The depth from GJK's last simplex, points to room; -1 where EPA is not sure."""
+    depth = epa_depth(
+        room.a,
+        count_a,
+        room.b,
+        count_b,
+        room.w,
+        room.hull,
+        room.corner,
+        room.plane,
+        room.rim,
+        room.normal,
+    )
+    if depth >= 0.0:
+        opposite_points(count_a, count_b, thick, room)
+    return depth
+
+
+@compiled
 def by_all_features(a: Solids, i: int, b: Solids, j: int, count_a: int, count_b: int, room: Room) -> float:  # fmt: skip
     """The distance where GJK lost its way: points and the vector v between them are written to room."""
     for once_more in (True, False):
@@ -317,20 +347,8 @@ def nearly_touching(
     """
     normal, v = room.normal, room.v
     if ended == INSIDE:
-        depth = epa_depth(
-            room.a,
-            count_a,
-            room.b,
-            count_b,
-            room.w,
-            room.hull,
-            room.corner,
-            room.plane,
-            room.rim,
-            normal,
-        )
+        depth = by_epa(count_a, count_b, thick, room)
         if depth >= 0.0:
-            opposite_points(count_a, count_b, thick, room)
             return -depth
     sure = upper - lower <= CERTAIN and lower > 0.0
     s = greatest_separation(room.a, count_a, room.b, count_b, a, i, b, j, room.arcs_a, room.arcs_b, normal)  # fmt: skip
@@ -346,6 +364,58 @@ def nearly_touching(
     if separation_along(room.a, count_a, room.b, count_b, x, y, z) <= s and distance - s <= CERTAIN:  # fmt: skip
         return s
     return unit(v, normal)
+
+
+@compiled
+def pairs_by_points(
+    vertices_a: Array,
+    start_a: IntArray,
+    radius_a: Array,
+    vertices_b: Array,
+    start_b: IntArray,
+    radius_b: Array,
+    i: IntArray,
+    j: IntArray,
+    gap: Array,
+    normal: Array,
+    point_a: Array,
+    point_b: Array,
+) -> None:
+    """What GJK and EPA are sure of, as ``closest_pairs`` writes it; the gap of the other pairs is NaN.
+
+    They read no face and no edge, which take longer to find than a distance does.
+    """
+    room = room_of(most(start_a), most(start_b), ZERO, ZERO)
+    core_a, core_b, v, n, p_a, p_b = room.a, room.b, room.v, room.normal, room.point_a, room.point_b  # fmt: skip
+    w, pick, share, weight = room.w, room.pick, room.share, room.weight
+    for p in range(i.size):
+        count_a, count_b, scale = in_own_measure(
+            vertices_a, start_a, i[p], vertices_b, start_b, j[p], core_a, core_b, v
+        )
+        ended, count, lower = gjk_distance(
+            core_a, count_a, core_b, count_b, v, math.inf, w, pick, share, weight
+        )
+        r_a, r_b, at = radius_a[i[p]], radius_b[j[p]], start_a[i[p]]
+        gap[p] = math.nan
+        if ended == APART and lower > NEAR:
+            combine(core_a, pick, ZERO, share, count, p_a)
+            combine(core_b, pick, ONE, share, count, p_b)
+            if length(p_a, p_b) - lower > CERTAIN:
+                continue
+            apart = unit(v, n)
+        elif ended == INSIDE:
+            thick = LEVEL + PLACES * EPS * scale * largest(vertices_a, at)
+            apart = -by_epa(count_a, count_b, thick, room)
+            if apart > 0.0:
+                continue
+        else:
+            continue
+        gap[p] = apart / scale - r_a - r_b
+        for k in range(3):
+            origin = vertices_a[at, k]
+            normal[p, k] = n[k]
+            point_a[p, k] = p_a[k] / scale - r_a * n[k] + origin
+            point_b[p, k] = p_b[k] / scale + r_b * n[k] + origin
 
 
 @compiled

@@ -4,22 +4,49 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import IntArray
+from course.arrays import Array, IntArray
 from course.overlap.closest import Closest, as_solids, closest_points
 from course.overlap.contact_arrays import Contacts
 from course.overlap.manifold.box_points import box_contact_points
 from course.overlap.manifold.points import Manifolds, contact_points
-from course.shapes import OBB, Shape, polytopes
+from course.overlap.separating_axis import as_kernels_take_it
+from course.shapes import OBB, Shape, cores, polytopes
 
 
 def closest_convex(a: Shape, b: Shape) -> Closest:
-    """The nearest points of two batches of convex bounded shapes, in their broadcast batch."""
+    """The nearest points of two batches of convex bounded shapes, in their broadcast batch.
+
+    First those that GJK and EPA are sure of by their points alone; faces and edges are
+    found for the others only.
+    """
+    from course.overlap.closest_loops import pairs_by_points
+
     batch = np.broadcast_shapes(a.batch, b.batch)
     if 0 in batch:
         return Closest(np.empty(batch), *np.empty((3, *batch, 3)))
-    return closest_points(
-        polytopes(a), polytopes(b), numbers(a, batch), numbers(b, batch)
-    )
+    i, j = (as_kernels_take_it(numbers(s, batch).ravel()) for s in (a, b))
+    gap, apart = np.empty(i.size), np.empty((3, i.size, 3))
+    pairs_by_points(*_points(a), *_points(b), i, j, gap, *apart)
+    left = np.flatnonzero(np.isnan(gap))
+    if left.size:
+        (some_a, p), (some_b, q) = _some(a, i[left]), _some(b, j[left])
+        found = closest_points(polytopes(some_a), polytopes(some_b), p, q)
+        gap[left] = found.gap
+        apart[:, left] = found.normal, found.point_a, found.point_b
+    return Closest(gap.reshape(batch), *apart.reshape(3, *batch, 3))
+
+
+def _points(shape: Shape) -> tuple[Array, IntArray, Array]:
+    """Points whose hull each solid's core is, (m n, 3), where those of each begin, its radius."""
+    points, radius = cores(shape)
+    start = np.arange(len(points) + 1) * points.shape[1]
+    return as_kernels_take_it(points.reshape(-1, 3)), as_kernels_take_it(start), as_kernels_take_it(radius)  # fmt: skip
+
+
+def _some(shape: Shape, which: IntArray) -> tuple[Shape, IntArray]:
+    """Each of the shapes once, and where it stands for every one of ``which``."""
+    once, place = np.unique(which, return_inverse=True)
+    return shape.reshaped(shape.count)[once], place
 
 
 def numbers(shape: Shape, batch: tuple[int, ...]) -> IntArray:

@@ -24,7 +24,7 @@ from course.shapes.half_space import HalfSpace
 from course.shapes.kdop import KDOP
 from course.shapes.meshes import Mesh, mesh_colliders, read_mesh
 from course.shapes.obb import OBB
-from course.shapes.rounded_polytopes import Polytopes, polytopes
+from course.shapes.rounded_polytopes import Polytopes, cores, polytopes
 from course.shapes.shape import Shape
 from course.shapes.sphere import Sphere
 
@@ -44,6 +44,7 @@ __all__ = [
     "bounding_sphere",
     "capsule_around",
     "compound_around",
+    "cores",
     "hull_around",
     "k_dop",
     "k_dop_directions",

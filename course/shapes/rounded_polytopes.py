@@ -151,6 +151,31 @@ def polytopes(shape: Shape) -> Polytopes:
     return _assembled(forms, np.zeros(flat.count))
 
 
+def cores(shape: Shape) -> tuple[Array, Array]:
+    """Points whose hull is the core of each shape of a batch, (m, n, 3), and its radius, (m,) [m].
+
+    Quicker than ``polytopes``, where no face and no edge is asked for; of a hull all its
+    points are given, whether they are corners or not.
+
+    Raises:
+        ValueError: as ``polytopes``.
+    """
+    flat: Any = shape.reshaped(shape.count) if isinstance(shape, Shape) else shape
+    if isinstance(flat, Sphere):
+        return flat.center[:, None], flat.radius
+    if isinstance(flat, Capsule):
+        return np.stack([flat.start, flat.end], axis=1), flat.radius
+    none = np.zeros(flat.count if isinstance(flat, Shape) else 0)
+    if isinstance(flat, AABB | OBB):
+        return _boxes(flat).points, none
+    if isinstance(flat, KDOP):
+        return flat.corners(), none
+    if isinstance(flat, ConvexHull):
+        return flat.vertices, none
+    got = getattr(shape, "kind", type(shape).__name__)
+    raise failure("shape", "a convex bounded shape", f"a {got}")
+
+
 def _boxes(box: AABB | OBB) -> Forms:
     """The corners of boxes; one that is flat in some axes has those of a rectangle,
     a segment or a point."""
