@@ -25,7 +25,7 @@ EXERCISES = [(le, e) for le in all_lessons() for e in le.exercises]
 each = pytest.mark.parametrize("lesson, exercise", EXERCISES, ids=lambda x: x.name)
 MODULES = sorted((ROOT / "course" / "formulas").glob("[a-z]*.py"))
 #: Formulas of the lecture that no exercise asks for.
-BESIDE = {"separation_acceleration"}
+BESIDE = {"box_axes", "project", "separation_acceleration"}
 every = pytest.mark.parametrize("name", formulas.__all__)
 
 
