@@ -8,15 +8,16 @@ import numpy as np
 
 from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
-from course.exercises.definitions.lesson_05_separating_axis.shared import polygon
+from course.exercises.definitions.lesson_05_separating_axis.shared import polygons
 from course.exercises.slips import slip
 
 _TURNED = "np.stack([edges[..., 1], -edges[..., 0]], axis=-1)"
 
 
 def _several(rng: np.random.Generator, shape: tuple[int, ...], corners: int) -> dict[str, np.ndarray]:
-    drawn = [polygon(rng, corners) + rng.normal(size=2).round(2) for _ in range(int(np.prod(shape)))]
-    return {"vertices": np.reshape(drawn, (*shape, corners, 2))}
+    count = int(np.prod(shape))
+    drawn = polygons(rng, corners, count) + rng.normal(size=(count, 1, 2)).round(2)
+    return {"vertices": drawn.reshape(*shape, corners, 2)}
 
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
@@ -24,7 +25,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("a triangle", {"vertices": np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]])}),
         Case("a triangle, drawn", _several(rng, (), 3)),
         Case("a pentagon", _several(rng, (), 5)),
-        Case("a thin triangle", {"vertices": polygon(rng, 3) * [3.0, 0.01]}, "edge"),
+        Case("a thin triangle", {"vertices": polygons(rng, 3, 1)[0] * [3.0, 0.01]}, "edge"),
         Case("three triangles", _several(rng, (3,), 3), "batch"),
         Case("five quadrangles", _several(rng, (5,), 4), "batch"),
         Case("a 2 by 4 batch", _several(rng, (2, 4), 6), "batch"),

@@ -12,38 +12,16 @@ from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_05_separating_axis.shared import (
     VERTICES_A,
     VERTICES_B,
-    Pair,
-    polygon_pair,
-    together,
+    polygon_pairs,
+)
+from course.exercises.definitions.lesson_05_separating_axis.polygons_overlap import (
     touching,
 )
 from course.exercises.slips import slip
 
 _AXES = "edge_normals(vertices_a), edge_normals(vertices_b)"
-_CLEARLY = 0.03  # by which the least shift is shorter than any other [m]
-
-
-def _clear(rng: np.random.Generator, kind: str, corners: tuple[int, int] = (3, 5), owner: str = "") -> Pair:
-    """A pair with one least shift only, across an edge of its owner, "a" or "b"."""
-    while True:
-        pair = polygon_pair(rng, kind, corners)
-        shifts, of_a = _shifts(pair)
-        order = np.argsort(shifts)
-        if shifts[order[1]] - shifts[order[0]] > _CLEARLY and owner in ("", "ab"[int(order[0] >= of_a)]):
-            return pair
-
-
-def _shifts(pair: Pair) -> tuple[Array, int]:
-    """The shift that each axis asks for [m], and how many axes are A's."""
-    axes = [formulas.edge_normals(pair[name]) for name in ("vertices_a", "vertices_b")]
-    both = np.concatenate(axes)
-    shadows = [formulas.project(pair[name], both) for name in ("vertices_a", "vertices_b")]
-    return np.abs(formulas.shadow_gap(*shadows[0], *shadows[1])), len(axes[0])
-
-
-def _mixed(rng: np.random.Generator, shape: tuple[int, ...]) -> Pair:
-    kinds = ("overlap", "overlap", "seen by A only", "overlap", "seen by B only")
-    return together((_clear(rng, kinds[k % 5]) for k in range(int(np.prod(shape)))), shape)
+#: Kinds of pairs that take turns in a batch.
+_KINDS = ("across A", "across B", "seen by A only", "across B", "across A", "seen by B only")
 
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
@@ -51,15 +29,15 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
     corner = np.array([[3.0, 1.0], [6.0, 0.0], [6.0, 3.0]])
     return [
         Case("the corner of a triangle in a square", {"vertices_a": square, "vertices_b": corner}),
-        Case("across an edge of A", _clear(rng, "overlap", owner="a")),
-        Case("across an edge of B", _clear(rng, "overlap", owner="b")),
-        Case("across an edge of B, other corners", _clear(rng, "overlap", (6, 3), owner="b")),
-        Case("apart", _clear(rng, "seen by A only"), "edge"),
-        Case("apart, as B shows", _clear(rng, "seen by B only"), "edge"),
+        Case("across an edge of A", polygon_pairs(rng, "across A")),
+        Case("across an edge of B", polygon_pairs(rng, "across B")),
+        Case("across an edge of B, other corners", polygon_pairs(rng, "across B", (), (6, 3))),
+        Case("apart", polygon_pairs(rng, "seen by A only"), "edge"),
+        Case("apart, as B shows", polygon_pairs(rng, "seen by B only"), "edge"),
         Case("they touch", touching(), "edge"),
-        Case("two pairs", _mixed(rng, (2,)), "batch"),
-        Case("ten pairs", _mixed(rng, (10,)), "batch"),
-        Case("a 2 by 5 batch", _mixed(rng, (2, 5)), "batch"),
+        Case("two pairs", polygon_pairs(rng, _KINDS, (2,)), "batch"),
+        Case("ten pairs", polygon_pairs(rng, _KINDS, (10,)), "batch"),
+        Case("a 2 by 5 batch", polygon_pairs(rng, _KINDS, (2, 5)), "batch"),
     ]  # fmt: skip
 
 

@@ -10,9 +10,9 @@ from course import formulas
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_05_separating_axis.shared import (
     BOX_KINDS,
-    box_pair,
-    together,
-    turn,
+    Pairs,
+    box_pairs,
+    turns,
     values_of_box,
 )
 from course.exercises.slips import slip
@@ -22,20 +22,17 @@ _HALF_A = "np.sum(np.abs(axes @ rotation_a) * half_extents_a[..., None, :], axis
 _HALF_B = "np.sum(np.abs(axes @ rotation_b) * half_extents_b[..., None, :], axis=-1)"
 
 
-def _pair(*values: object) -> dict[str, np.ndarray]:
+def _pair(*values: object) -> Pairs:
     return {v.name: np.asarray(x, float) for v, x in zip(_ARGUMENTS, values, strict=True)}
 
 
-def _mixed(rng: np.random.Generator, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
-    """A batch in which the kinds of pairs take turns."""
-    kinds = [*list(BOX_KINDS)[1:], "any", "any"]
-    count = int(np.prod(shape))
-    return together((box_pair(rng, kinds[k % 6]) for k in range(count)), shape)
+#: Kinds of pairs that take turns in a batch.
+_KINDS = (*BOX_KINDS, "near", "deep", "overlap", "deep")
 
 
-def _parallel(rng: np.random.Generator, gap: float) -> dict[str, np.ndarray]:
+def _parallel(rng: np.random.Generator, gap: float) -> Pairs:
     """Two boxes of the same turn, one beside the other, this far apart."""
-    rotation = turn(rng)
+    rotation = turns(rng, 1)[0]
     e_a, e_b = rng.uniform(0.3, 1.0, (2, 3)).round(3)
     way = np.array([e_a[0] + e_b[0] + gap, 0.2, -0.1])
     center = rng.normal(size=3)
@@ -51,17 +48,17 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("a cube below a cube, turned about x and about y", _pair(
             np.zeros(3), about_x, ones, [0.0, 0.0, 3.0], about_y, ones)),
         Case("the same, nearer", _pair(np.zeros(3), about_x, ones, [0.0, 0.0, 2.5], about_y, ones)),
-        Case("apart, and only faces of A show it", box_pair(rng, "seen by A only")),
-        Case("apart, and only faces of B show it", box_pair(rng, "seen by B only")),
-        Case("apart, and only two edges show it", box_pair(rng, "seen by edges only")),
-        Case("they overlap", box_pair(rng, "overlap")),
+        Case("apart, and only faces of A show it", box_pairs(rng, "seen by A only")),
+        Case("apart, and only faces of B show it", box_pairs(rng, "seen by B only")),
+        Case("apart, and only two edges show it", box_pairs(rng, "seen by edges only")),
+        Case("they overlap", box_pairs(rng, "overlap")),
         Case("parallel and touching", _pair(
             np.zeros(3), upright, [1.0, 2.0, 0.5], [1.5, 0.5, 0.25], axes_in_turn, [1.0, 0.5, 2.0]), "edge"),
         Case("parallel and overlapping", _parallel(rng, -0.2), "edge"),
         Case("parallel and apart", _parallel(rng, 0.2), "edge"),
-        Case("three pairs", _mixed(rng, (3,)), "batch"),
-        Case("thirty pairs", _mixed(rng, (30,)), "batch"),
-        Case("a 2 by 12 batch", _mixed(rng, (2, 12)), "batch"),
+        Case("three pairs", box_pairs(rng, _KINDS, (3,)), "batch"),
+        Case("35 pairs", box_pairs(rng, _KINDS, (35,)), "batch"),
+        Case("a 2 by 14 batch", box_pairs(rng, _KINDS, (2, 14)), "batch"),
     ]  # fmt: skip
 
 

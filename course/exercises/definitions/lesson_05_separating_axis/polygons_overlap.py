@@ -12,22 +12,35 @@ from course.exercises.definitions.lesson_05_separating_axis.shared import (
     KINDS,
     VERTICES_A,
     VERTICES_B,
-    crossing,
-    one_inside,
-    polygon_pair,
-    together,
-    touching,
+    Pairs,
+    polygon_pairs,
+    polygons,
 )
 from course.exercises.slips import slip
 
 _AXES = "edge_normals(vertices_a), edge_normals(vertices_b)"
 
 
-def _mixed(rng: np.random.Generator, shape: tuple[int, ...], corners: tuple[int, int] = (3, 5)) -> dict[str, np.ndarray]:
-    """A batch in which the kinds of pairs take turns."""
-    kinds = [*list(KINDS)[1:], "any", "overlap"]
-    count = int(np.prod(shape))
-    return together((polygon_pair(rng, kinds[k % 6], corners) for k in range(count)), shape)
+def _crossing(rng: np.random.Generator) -> Pairs:
+    """Two slim kites that cross like a plus sign: no corner of one lies in the other."""
+    a = np.array([[-2.0, 0.1], [0.2, -0.3], [2.2, 0.0], [-0.1, 0.4]])
+    shift = np.round(rng.uniform(-0.2, 0.2, 2), 3)
+    return {"vertices_a": a, "vertices_b": a[:, ::-1] * [-1.0, 1.0] + shift}
+
+
+def _one_inside(rng: np.random.Generator) -> Pairs:
+    """A small pentagon inside a large triangle."""
+    large = np.array([[-3.0, -2.0], [4.0, -2.5], [0.5, 3.5]])
+    small = np.round(0.3 * polygons(rng, 5, 1)[0] + rng.uniform(-0.3, 0.3, 2), 3)
+    return {"vertices_a": large, "vertices_b": small}
+
+
+def touching() -> Pairs:
+    """A corner of B on an upright edge of A, in numbers that are exact."""
+    return {
+        "vertices_a": np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 3.0]]),
+        "vertices_b": np.array([[2.0, 1.0], [3.0, 0.5], [4.0, 2.0], [3.0, 2.5]]),
+    }
 
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
@@ -37,16 +50,16 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
             "vertices_a": triangle, "vertices_b": np.array([[2.0, 1.0], [2.0, 2.0], [1.0, 2.0]])}),
         Case("the same, nearer", {
             "vertices_a": triangle, "vertices_b": np.array([[1.5, 0.2], [1.5, 1.2], [0.5, 1.2]])}),
-        Case("apart, and only an edge of A shows it", polygon_pair(rng, "seen by A only")),
-        Case("apart, and only an edge of B shows it", polygon_pair(rng, "seen by B only")),
-        Case("they overlap", polygon_pair(rng, "overlap")),
+        Case("apart, and only an edge of A shows it", polygon_pairs(rng, "seen by A only")),
+        Case("apart, and only an edge of B shows it", polygon_pairs(rng, "seen by B only")),
+        Case("they overlap", polygon_pairs(rng, "overlap")),
         Case("a corner touches an edge", touching(), "edge"),
-        Case("one lies in the other", one_inside(rng), "edge"),
-        Case("they cross, no corner of one in the other", crossing(rng), "edge"),
-        Case("three pairs", _mixed(rng, (3,), (4, 3)), "batch"),
-        Case("twelve pairs", _mixed(rng, (12,)), "batch"),
-        Case("twelve pairs, other corners", _mixed(rng, (12,), (6, 4)), "batch"),
-        Case("a 2 by 4 batch", _mixed(rng, (2, 4)), "batch"),
+        Case("one lies in the other", _one_inside(rng), "edge"),
+        Case("they cross, no corner of one in the other", _crossing(rng), "edge"),
+        Case("three pairs", polygon_pairs(rng, [*KINDS], (3,), (4, 3)), "batch"),
+        Case("twelve pairs", polygon_pairs(rng, [*KINDS], (12,)), "batch"),
+        Case("twelve pairs, other corners", polygon_pairs(rng, [*KINDS], (12,), (6, 4)), "batch"),
+        Case("a 2 by 4 batch", polygon_pairs(rng, [*KINDS], (2, 4)), "batch"),
     ]  # fmt: skip
 
 

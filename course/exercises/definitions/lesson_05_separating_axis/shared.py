@@ -1,15 +1,17 @@
-"""What the exercises of this lesson share: values, and pairs of polygons and boxes by what sees them apart."""
+"""What the exercises of this lesson share: values, and pairs of polygons and boxes by what sees them apart.
+
+Many pairs are drawn at once, and then taken by their kind: a check must not wait.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from course import formulas
-from course.arrays import Array
+from course.arrays import Array, BoolArray
 from course.exercises.definition import Value
 
 VERTICES_A = Value("vertices_a", "(..., n, 2)", "m", "A's vertices, counter-clockwise")
@@ -17,142 +19,166 @@ VERTICES_B = Value("vertices_b", "(..., m, 2)", "m", "B's vertices, counter-cloc
 
 #: No verdict hangs on rounding: greatest gaps are at least this far from 0 [m].
 CLEAR = 0.02
-Pair = dict[str, Array]
-#: Greatest gaps of a pair on its families of axes, by the family's name [m].
-Gaps = Mapping[str, float]
+#: Pairs drawn at once.
+POOL = 1500
+#: Arguments by name; of many pairs, with the pair as first axis.
+Pairs = dict[str, Array]
+#: Greatest gaps of each pair on families of axes, by the family's name, (p,) [m].
+Gaps = Mapping[str, Array]
+Kind = Callable[[Gaps], BoolArray]
 
 
-def polygon(rng: np.random.Generator, corners: int) -> Array:
-    """A convex polygon without equal or parallel sides: corners on a turned ellipse, (n, 2) [m].
+def taken(
+    rng: np.random.Generator,
+    drawn: Callable[[np.random.Generator], Pairs],
+    gaps: Callable[[Pairs], Gaps],
+    kinds: Sequence[Kind],
+    shape: tuple[int, ...] = (),
+) -> Pairs:
+    """Pairs of a batch of this shape: the first is of the first kind, and so in turn."""
+    pool, found = drawn(rng), []
+    seen, used = gaps(pool), np.zeros(POOL, dtype=bool)
+    for k in range(int(np.prod(shape))):
+        fits = kinds[k % len(kinds)](seen) & ~used
+        while not fits.any():
+            pool = drawn(rng)
+            seen, used = gaps(pool), np.zeros(POOL, dtype=bool)
+            fits = kinds[k % len(kinds)](seen)
+        first = int(np.argmax(fits))
+        used[first] = True
+        found.append({name: values[first] for name, values in pool.items()})
+    stacked = {name: np.stack([pair[name] for pair in found]) for name in found[0]}
+    return {name: v.reshape(*shape, *v.shape[1:]) for name, v in stacked.items()}
+
+
+# Polygons.
+
+
+def polygons(rng: np.random.Generator, corners: int, count: int) -> Array:
+    """Convex polygons without parallel sides: corners on a turned ellipse, (count, n, 2) [m].
 
     Rectangles would hide edges used as axes.
     """
-    while True:
-        angle = np.sort(rng.uniform(0.0, 2 * np.pi, corners))
-        steps = np.diff(angle, append=angle[:1] + 2 * np.pi)
-        if steps.min() > 0.5 and steps.max() < 3.0:
-            break
-    points = np.stack([np.cos(angle), rng.uniform(0.4, 0.9) * np.sin(angle)], axis=-1)
-    turn = rng.uniform(0.0, 2 * np.pi)
+    found = np.zeros((0, corners))
+    while len(found) < count:
+        angle = np.sort(rng.uniform(0.0, 2 * np.pi, (4 * count, corners)), axis=-1)
+        steps = np.diff(angle, append=angle[:, :1] + 2 * np.pi)
+        good = (steps.min(axis=-1) > 1.2 / corners) & (steps.max(axis=-1) < 3.0)
+        found = np.concatenate([found, angle[good]])
+    angle = found[:count]
+    flat = rng.uniform(0.4, 0.9, (count, 1))
+    x, y = np.cos(angle), flat * np.sin(angle)
+    turn = rng.uniform(0.0, 2 * np.pi, (count, 1))
     c, s = np.cos(turn), np.sin(turn)
-    return np.asarray(np.round(points @ np.array([[c, s], [-s, c]]), 3))
+    return np.asarray(np.round(np.stack([c * x - s * y, s * x + c * y], axis=-1), 3))
 
 
-def polygon_gaps(vertices_a: Array, vertices_b: Array) -> Gaps:
-    """Greatest gaps of one pair on A's, on B's edge normals, and on x and y."""
-    families = {
-        "A": formulas.edge_normals(vertices_a),
-        "B": formulas.edge_normals(vertices_b),
-        "xy": np.eye(2),
+def _polygon_pairs(corners: tuple[int, int]) -> Callable[[np.random.Generator], Pairs]:
+    def drawn(rng: np.random.Generator) -> Pairs:
+        a, b = (polygons(rng, n, POOL) for n in corners)
+        shift = rng.uniform(-1.6, 1.6, (POOL, 1, 2))
+        return {"vertices_a": a, "vertices_b": np.round(b + shift, 3)}
+
+    return drawn
+
+
+def polygon_gaps(pairs: Pairs) -> Gaps:
+    """Greatest gaps on A's, on B's edge normals, along x and y; and the second of all."""
+    a, b = pairs["vertices_a"], pairs["vertices_b"]
+    families = {"A": formulas.edge_normals(a), "B": formulas.edge_normals(b), "xy": np.eye(2)}  # fmt: skip
+    each = {
+        name: formulas.shadow_gap(*formulas.project(a, n), *formulas.project(b, n))
+        for name, n in families.items()
     }
-    return {name: _greatest(vertices_a, vertices_b, axes) for name, axes in families.items()}
+    both = np.concatenate([each["A"], each["B"]], axis=-1)
+    second = np.sort(both, axis=-1)[..., -2]
+    return {name: gap.max(axis=-1) for name, gap in each.items()} | {"second": second}
 
 
-def _greatest(vertices_a: Array, vertices_b: Array, axes: Array) -> float:
-    shadows = formulas.project(vertices_a, axes), formulas.project(vertices_b, axes)
-    return float(formulas.shadow_gap(*shadows[0], *shadows[1]).max())
-
-
-def polygon_pair(
-    rng: np.random.Generator, kind: str = "any", corners: tuple[int, int] = (3, 5)
-) -> Pair:
-    """A pair near touching, drawn until it is of a kind of ``KINDS``."""
-    while True:
-        a, b = (polygon(rng, n) for n in corners)
-        b = np.round(b + rng.uniform(-1.6, 1.6, 2), 3)
-        gaps = polygon_gaps(a, b)
-        if abs(max(gaps["A"], gaps["B"])) > CLEAR and KINDS[kind](gaps):
-            return {"vertices_a": a, "vertices_b": b}
+def polygon_pairs(
+    rng: np.random.Generator, kinds: Sequence[str] | str, shape: tuple[int, ...] = (),
+    corners: tuple[int, int] = (3, 5),
+) -> Pairs:  # fmt: skip
+    """Pairs whose kinds, of ``KINDS`` or ``OWNERS``, take turns."""
+    names = [kinds] if isinstance(kinds, str) else kinds
+    return taken(rng, _polygon_pairs(corners), polygon_gaps, [(KINDS | OWNERS)[k] for k in names], shape)
 
 
 #: What a pair of polygons must be.
-KINDS: dict[str, Callable[[Gaps], bool]] = {
-    "any": lambda g: abs(max(g["A"], g["B"])) < 0.4,
-    "overlap": lambda g: -0.3 < max(g["A"], g["B"]) < 0,
-    "seen by A only": lambda g: g["A"] > CLEAR and g["B"] < -CLEAR,
-    "seen by B only": lambda g: g["B"] > CLEAR and g["A"] < -CLEAR,
-    "not seen along x and y": lambda g: max(g["A"], g["B"]) > CLEAR and g["xy"] < -CLEAR,
+KINDS: dict[str, Kind] = {
+    "overlap": lambda g: (_any(g) > -0.3) & (_any(g) < -CLEAR),
+    "seen by A only": lambda g: (g["A"] > CLEAR) & (g["B"] < -CLEAR),
+    "seen by B only": lambda g: (g["B"] > CLEAR) & (g["A"] < -CLEAR),
+    "not seen along x and y": lambda g: (_any(g) > CLEAR) & (g["xy"] < -CLEAR),
+    "near": lambda g: (np.abs(_any(g)) > CLEAR) & (np.abs(_any(g)) < 0.4),
+    "deep": lambda g: _any(g) < -0.3,
+}
+#: With one least shift only, across an edge of A or of B.
+OWNERS: dict[str, Kind] = {
+    "across A": lambda g: (g["A"] < -CLEAR) & (g["A"] > np.maximum(g["B"], g["second"] + CLEAR)),
+    "across B": lambda g: (g["B"] < -CLEAR) & (g["B"] > np.maximum(g["A"], g["second"] + CLEAR)),
 }  # fmt: skip
 
 
-def crossing(rng: np.random.Generator) -> Pair:
-    """Two slim kites that cross like a plus sign: no corner of one lies in the other."""
-    a = np.array([[-2.0, 0.1], [0.2, -0.3], [2.2, 0.0], [-0.1, 0.4]])
-    shift = np.round(rng.uniform(-0.2, 0.2, 2), 3)
-    return {"vertices_a": a, "vertices_b": a[:, ::-1] * [-1.0, 1.0] + shift}
-
-
-def one_inside(rng: np.random.Generator) -> Pair:
-    """A small pentagon inside a large triangle."""
-    large = np.array([[-3.0, -2.0], [4.0, -2.5], [0.5, 3.5]])
-    small = np.round(0.3 * polygon(rng, 5) + rng.uniform(-0.3, 0.3, 2), 3)
-    return {"vertices_a": large, "vertices_b": small}
-
-
-def touching() -> Pair:
-    """A corner of B on an upright edge of A, in numbers that are exact."""
-    return {
-        "vertices_a": np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 3.0]]),
-        "vertices_b": np.array([[2.0, 1.0], [3.0, 0.5], [4.0, 2.0], [3.0, 2.5]]),
-    }
-
-
-def together(pairs: Iterable[Pair], shape: tuple[int, ...]) -> Pair:
-    """Pairs as one batch of this shape."""
-    listed = list(pairs)
-    stacked = {name: np.stack([pair[name] for pair in listed]) for name in listed[0]}
-    return {name: v.reshape(*shape, *v.shape[1:]) for name, v in stacked.items()}
+def _any(gaps: Gaps) -> Array:
+    """The greatest gap of all axes that decide."""
+    return np.max([v for name, v in gaps.items() if name in ("A", "B", "edges")], axis=0)
 
 
 # Boxes. The gap that each family of axes sees, so that no family can be left out.
 
 
-def turn(rng: np.random.Generator) -> Array:
-    """A drawn rotation, (3, 3)."""
-    return np.asarray(Rotation.from_quat(rng.normal(size=4)).as_matrix())
+def turns(rng: np.random.Generator, count: int) -> Array:
+    """Drawn rotations, every one alike, (count, 3, 3)."""
+    return np.asarray(Rotation.from_quat(rng.normal(size=(count, 4))).as_matrix())
 
 
-def box_pair(rng: np.random.Generator, kind: str = "any") -> Pair:
-    """Two boxes near touching, drawn until they are of a kind of ``BOX_KINDS``."""
-    while True:
-        pair = _boxes(rng)
-        gaps = box_gaps(pair)
-        if abs(max(gaps.values())) > CLEAR and BOX_KINDS[kind](gaps):
-            return pair
-
-
-def _boxes(rng: np.random.Generator) -> Pair:
-    way = rng.normal(size=3)
-    center = rng.normal(size=3)
-    apart = rng.uniform(0.8, 2.2) * way / np.linalg.norm(way)
+def _boxes(rng: np.random.Generator) -> Pairs:
+    """Pairs of boxes, one often much larger than the other."""
+    way = rng.normal(size=(POOL, 3))
+    center = rng.normal(size=(POOL, 3))
+    size = rng.uniform(0.3, 1.6, (2, POOL, 1))
+    e = np.round(size * rng.uniform(0.3, 1.0, (2, POOL, 3)), 3)
+    reach = np.linalg.norm(e, axis=-1, keepdims=True).sum(axis=0)
+    apart = rng.uniform(0.2, 1.0, (POOL, 1)) * reach
+    apart = apart * way / np.linalg.norm(way, axis=-1, keepdims=True)
     return {
         "center_a": np.round(center, 3),
-        "rotation_a": turn(rng),
-        "half_extents_a": np.round(rng.uniform(0.2, 1.2, 3), 3),
+        "rotation_a": turns(rng, POOL),
+        "half_extents_a": e[0],
         "center_b": np.round(center + apart, 3),
-        "rotation_b": turn(rng),
-        "half_extents_b": np.round(rng.uniform(0.2, 1.2, 3), 3),
+        "rotation_b": turns(rng, POOL),
+        "half_extents_b": e[1],
     }
 
 
-def box_gaps(pair: Pair) -> Gaps:
+def box_gaps(pairs: Pairs) -> Gaps:
     """Greatest gaps on A's face normals, on B's, and on the products of edges."""
-    axes = formulas.box_axes(pair["rotation_a"], pair["rotation_b"])
+    axes = formulas.box_axes(pairs["rotation_a"], pairs["rotation_b"])
     axes = axes / np.linalg.norm(axes, axis=-1, keepdims=True)
-    half = [
-        np.abs(axes @ pair[f"rotation_{x}"]) @ pair[f"half_extents_{x}"] for x in "ab"
-    ]
-    gap = np.abs(axes @ (pair["center_b"] - pair["center_a"])) - half[0] - half[1]
-    return {"A": float(gap[:3].max()), "B": float(gap[3:6].max()), "edges": float(gap[6:].max())}  # fmt: skip
+    between = pairs["center_b"] - pairs["center_a"]
+    gap = np.abs(np.sum(axes * between[..., None, :], axis=-1))
+    for x in "ab":
+        cosines = np.abs(axes @ pairs[f"rotation_{x}"])
+        gap -= np.sum(cosines * pairs[f"half_extents_{x}"][..., None, :], axis=-1)
+    families = {"A": gap[..., :3], "B": gap[..., 3:6], "edges": gap[..., 6:]}
+    return {name: g.max(axis=-1) for name, g in families.items()}
 
 
-BOX_KINDS: dict[str, Callable[[Gaps], bool]] = {
-    "any": lambda g: abs(max(g.values())) < 0.3,
-    "overlap": lambda g: -0.3 < max(g.values()) < 0,
-    "seen by A only": lambda g: g["A"] > CLEAR and max(g["B"], g["edges"]) < -CLEAR,
-    "seen by B only": lambda g: g["B"] > CLEAR and max(g["A"], g["edges"]) < -CLEAR,
-    "seen by edges only": lambda g: g["edges"] > CLEAR and max(g["A"], g["B"]) < -CLEAR,
-}
+def box_pairs(
+    rng: np.random.Generator, kinds: Sequence[str] | str, shape: tuple[int, ...] = ()
+) -> Pairs:
+    """Pairs of boxes whose kinds, of ``KINDS`` or ``BOX_KINDS``, take turns."""
+    names = [kinds] if isinstance(kinds, str) else kinds
+    known = KINDS | BOX_KINDS
+    return taken(rng, _boxes, box_gaps, [known[k] for k in names], shape)
+
+
+BOX_KINDS: dict[str, Kind] = {
+    "seen by A only": lambda g: (g["A"] > CLEAR) & (np.maximum(g["B"], g["edges"]) < -CLEAR),
+    "seen by B only": lambda g: (g["B"] > CLEAR) & (np.maximum(g["A"], g["edges"]) < -CLEAR),
+    "seen by edges only": lambda g: (g["edges"] > CLEAR) & (np.maximum(g["A"], g["B"]) < -CLEAR),
+}  # fmt: skip
 
 
 def values_of_box(name: str) -> tuple[Value, Value, Value]:
@@ -163,5 +189,3 @@ def values_of_box(name: str) -> tuple[Value, Value, Value]:
         Value(f"rotation_{name}", "(..., 3, 3)", "", f"columns: the axes of {body}"),
         Value(f"half_extents_{name}", "(..., 3)", "m", f"half the sides of {body}"),
     )
-
-
