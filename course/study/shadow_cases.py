@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from scipy.spatial import ConvexHull
+
 from course import formulas, rotations
-from course.arrays import Array
+from course.arrays import Array, IntArray
 from course.study.asking import asked
 
 TRIANGLE = np.array([[-0.9, -0.55], [1.0, -0.35], [-0.2, 0.85]])
@@ -53,6 +55,47 @@ def polygon_shadows(a: Array, b: Array) -> PolygonShadows:
     shadows = formulas.project(a, axes), formulas.project(b, axes)
     gap = formulas.shadow_gap(*shadows[0], *shadows[1])
     return PolygonShadows(a, b, axes, *(np.stack(s, axis=-1) for s in shadows), gap)
+
+
+@dataclass(frozen=True, eq=False)
+class TurningAxis:
+    """Shadows on an axis that turns.
+
+    Args:
+        axis: (t, 2).
+        shadow_a, shadow_b: lower and upper ends, (t, 2) [m].
+        gap: (t,) [m].
+        bounding: the polygon, and the numbers of its corners (t,), at the lower and the
+            upper end of A's, then of B's shadow.
+    """
+
+    axis: Array
+    shadow_a: Array
+    shadow_b: Array
+    gap: Array
+    bounding: tuple[tuple[Array, IntArray], ...]
+
+
+def turning_axis(found: PolygonShadows, degrees: Array) -> TurningAxis:
+    """Shadows on the axis of the greatest gap, turned on by these angles (t,)."""
+    first = found.axes[found.best]
+    angle = np.arctan2(first[1], first[0]) + np.radians(degrees)
+    axis = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    ends = formulas.project(found.a, axis), formulas.project(found.b, axis)
+    bounding = tuple(
+        (polygon, pick(polygon @ axis.T, axis=0))
+        for polygon in (found.a, found.b)
+        for pick in (np.argmin, np.argmax)
+    )
+    shadows = (np.stack(e, axis=-1) for e in ends)
+    return TurningAxis(axis, *shadows, formulas.shadow_gap(*ends[0], *ends[1]), bounding)
+
+
+def common(shadow_a: Array, shadow_b: Array) -> Array:
+    """Between which two places the gap lies, or what is in common, (k, 2) [m]."""
+    lower = np.maximum(shadow_a[:, 0], shadow_b[:, 0])
+    upper = np.minimum(shadow_a[:, 1], shadow_b[:, 1])
+    return np.sort(np.stack([lower, upper], axis=-1), axis=-1)
 
 
 def turned(polygon: Array, degrees: float, place: tuple[float, float]) -> Array:
@@ -182,3 +225,38 @@ def _gaps(rotation: Array, e: Array, between: Array) -> tuple[float, float]:
     gap = np.abs(axes @ between) - half[0] - half[1]
     gap[length < 1e-9] = -np.inf
     return float(gap[:6].max()), float(gap[6:].max())
+
+
+def crossed_gaps(height: float) -> tuple[float, float]:
+    """The greatest gap on faces and on edges of the two crossed cubes, B's centre this high [m]."""
+    high = 4.4 - height
+    sunk = sinking_boxes(0.0, 0.0, np.array([high]), lambda *boxes: False)
+    return float(sunk.faces[0]), float(sunk.edges[0])
+
+
+@dataclass(frozen=True, eq=False)
+class DifferenceBody:
+    """All differences a - b of two convex polygons, a convex polygon again.
+
+    Args:
+        a, b: vertices, (n, 2) and (m, 2) [m].
+        corners: (n + m, 2) [m], counter-clockwise.
+        owner: of the edge from each corner on, "A" or "B".
+        distance: of 0 from it, below 0 inside: the greatest gap [m].
+    """
+
+    a: Array
+    b: Array
+    corners: Array
+    owner: tuple[str, ...]
+    distance: float
+
+
+def difference_body(a: Array, b: Array) -> DifferenceBody:
+    """The hull of all differences of corners, by Qhull, and whose edge each of its edges is."""
+    differences = (a[:, None] - b[None]).reshape(-1, 2)
+    corners = differences[ConvexHull(differences).vertices]
+    normals = formulas.edge_normals(corners)
+    alike = normals @ formulas.edge_normals(a).T
+    owner = tuple("A" if row.max() > 1 - 1e-9 else "B" for row in alike)
+    return DifferenceBody(a, b, corners, owner, float(polygon_shadows(a, b).gap.max()))

@@ -11,8 +11,11 @@ from course.study.shadow_cases import (
     PENTAGON,
     TRIANGLE,
     PolygonShadows,
+    TurningAxis,
+    common,
     polygon_shadows,
     turned,
+    turning_axis,
 )
 from course.workbook.stage import (
     Arrows,
@@ -33,13 +36,14 @@ from course.workbook.stage import (
 )
 
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
-WINDOW = (-2.6, -2.4, 2.6, 2.4)
-BESIDE = 1.9  # how far from the middle the axis with its shadows is drawn [m]
-ROW, TOP, NAMES_AT, NUMBERS_AT = 0.52, 1.6, -2.4, 1.62  # of the rows [m]
-SMALL = 0.62  # how much smaller the shadows of the rows are
+WINDOW = (-3.4, -2.9, 3.4, 2.9)
+BESIDE = 1.6  # how far from the middle the axis with its shadows is drawn [m]
+ROW, TOP, NAMES_AT, NUMBERS_AT = 0.64, 2.3, -3.1, 2.1  # of the rows [m]
+SMALL = 0.75  # how much smaller the shadows of the rows are
+TIMES, PACE = np.linspace(0.0, 6.0, 61), 30.0  # [s], and how fast the axis turns [degrees/s]
 KNOBS = (
-    Knob("x", "A at x", -1.5, -1.9, 1.9, 0.05, "m"),
-    Knob("y", "A at y", 1.3, -1.5, 1.5, 0.05, "m"),
+    Knob("x", "A at x", -1.5, -1.7, 1.7, 0.05, "m"),
+    Knob("y", "A at y", 1.3, -1.4, 1.4, 0.05, "m"),
     Knob("turn", "A turned by", -78.0, -180.0, 180.0, 2.0, "°"),
 )
 PRESETS = (
@@ -65,13 +69,14 @@ def shadows() -> Exhibit:
 
 def _film(x: float, y: float, turn: float) -> Film:
     found = polygon_shadows(turned(TRIANGLE, turn, (x, y)), PENTAGON)
+    turning = turning_axis(found, PACE * TIMES)
     return Film(
-        [_picture(found, (x, y)), _rows(found)],
-        [0.0],
+        [_picture(found, turning, (x, y)), _rows(found)],
+        TIMES,
         Flat("xy", WINDOW),
         title="Two polygons and their shadows",
-        caption="Drag the triangle A, or turn it. Left: their shadows on the axis of the greatest gap. "
-        "Right: on the normals of all eight edges.",
+        caption="Drag the triangle A, or turn it. Left: an axis that turns, from the edge normal with the greatest gap on. "
+        "Right: the normals of all eight edges.",
         ending=_ending(found),
         numbers=[
             Number("axes with a gap, of 8", (float(np.sum(found.gap > 0)),)),
@@ -92,60 +97,48 @@ def _in_space(points: Array) -> Array:
     return np.concatenate([points, np.zeros((*np.shape(points)[:-1], 1))], axis=-1)
 
 
-def _picture(found: PolygonShadows, place: tuple[float, float]) -> Pane:
-    n = found.axes[found.best]
-    across = np.array([-n[1], n[0]])
-    # On the side where there is more room, and A's shadow a little before B's.
-    side = -1.0 if (np.array(place) @ across) > 0 else 1.0
-    lines = {
-        "shadow of A": (found.shadow_a[found.best], side * (BESIDE + 0.08), "blue"),
-        "shadow of B": (found.shadow_b[found.best], side * BESIDE, "orange"),
-    }
-    drawn = [
-        Segments(name, *(_in_space(np.array([end * n + at * across])) for end in ends), color=color)
-        for name, (ends, at, color) in lines.items()
+def _picture(
+    found: PolygonShadows, turning: TurningAxis, place: tuple[float, float]
+) -> Pane:
+    n = turning.axis
+    across = np.stack([-n[:, 1], n[:, 0]], axis=-1)
+    # Beside the polygons, where at the start there is more room.
+    side = -1.0 if np.array(place) @ across[0] > 0 else 1.0
+
+    def on_axis(along: Array, lift: float) -> Array:
+        """Places along the axis, (t, k), beside it by a little: (t, k, 3)."""
+        beside = (side * BESIDE + lift) * across[:, None]
+        return _in_space(along[..., None] * n[:, None] + beside)
+
+    lines = [
+        Segments(name, on_axis(ends[:, :1], lift), on_axis(ends[:, 1:], lift), color=color)
+        for name, ends, lift, color in (
+            ("shadow of A", turning.shadow_a, 0.0, "blue"),
+            ("shadow of B", turning.shadow_b, -0.08 * side, "orange"),
+        )
     ]
-    middle = 0.5 * (np.roll(found.a, -1, axis=0) + found.a), 0.5 * (np.roll(found.b, -1, axis=0) + found.b)
-    best = np.zeros(len(found.axes), dtype=bool)
-    best[found.best] = True
+    between = common(turning.shadow_a, turning.shadow_b)
+    gap = Segments(
+        "gap", on_axis(between[:, :1], 0.16 * side), on_axis(between[:, 1:], 0.16 * side),
+        np.round(turning.gap, 2)[:, None] + 0.0, color="green",
+    )  # fmt: skip
+    corners = [polygon[k] for polygon, k in turning.bounding]
+    ends = np.concatenate([turning.shadow_a, turning.shadow_b], axis=-1)
+    feet = Segments(
+        "where they begin and end", _in_space(np.stack(corners, axis=1)), on_axis(ends, 0.0), color="grey"
+    )  # fmt: skip
+    middle = [0.5 * (np.roll(p, -1, axis=0) + p) for p in (found.a, found.b)]
+    best = np.arange(len(found.axes)) == found.best
     return Pane(
         [flat(found.a, "blue", "A", place), flat(found.b, "orange", "B", (0.0, 0.0))],
         _in_space(np.array([place, (0.0, 0.0)])),
-        title="the axis of the greatest gap",
+        title="an axis that turns",
         arrows=[
-            Arrows("normals of the edges", _in_space(found.axes), at=_in_space(np.concatenate(middle)), scale=0.22,
+            Arrows("normals of the edges", _in_space(found.axes), at=_in_space(np.concatenate(middle)), scale=0.25,
                    color=tuple("vermillion" if b else "black" for b in best)),
         ],
-        segments=[*drawn, *_feet(found, side, n, across), _between(found, side, n, across)],
+        segments=[feet, *lines, gap],
     )  # fmt: skip
-
-
-def _feet(found: PolygonShadows, side: float, n: Array, across: Array) -> list[Segments]:
-    """From the corners that bound a shadow straight to the axis."""
-    start, end = [], []
-    for polygon in (found.a, found.b):
-        along = polygon @ n
-        for k in (int(np.argmin(along)), int(np.argmax(along))):
-            start.append(polygon[k])
-            end.append(along[k] * n + side * (BESIDE + 0.04) * across)
-    return [Segments("where they begin and end", _in_space(np.array(start)), _in_space(np.array(end)), color="grey")]
-
-
-def _between(found: PolygonShadows, side: float, n: Array, across: Array) -> Segments:
-    """The gap, or where it is below 0 what they have in common, with its number."""
-    ends = _common(found)[found.best]
-    start, end = (_in_space(np.array([at * n + side * (BESIDE - 0.1) * across])) for at in ends)
-    color = "green" if found.gap[found.best] > 0 else "vermillion"
-    return Segments("gap", start, end, [round(float(found.gap[found.best]), 3) + 0.0], color=color)
-
-
-def _common(found: PolygonShadows) -> Array:
-    """Between which two places the gap lies, or what is in common, (k, 2) [m]."""
-    ends = np.stack([
-        np.maximum(found.shadow_a[:, 0], found.shadow_b[:, 0]),
-        np.minimum(found.shadow_a[:, 1], found.shadow_b[:, 1]),
-    ], axis=-1)  # fmt: skip
-    return np.sort(ends, axis=-1)
 
 
 def _rows(found: PolygonShadows) -> Pane:
@@ -155,16 +148,16 @@ def _rows(found: PolygonShadows) -> Pane:
     apart = found.gap > 0
 
     def line(ends: Array, lift: float, rows: Array) -> tuple[Array, Array]:
-        at = np.clip(SMALL * ends[rows] - 0.35, -2.15, 1.55)
+        at = np.clip(SMALL * ends[rows] - 0.35, -2.75, 2.0)
         return tuple(
             np.stack([at[:, k], height[rows] + lift, 0 * height[rows]], axis=-1) for k in (0, 1)
         )  # type: ignore[return-value]
 
-    every, common = np.arange(len(names)), _common(found)
+    every, between = np.arange(len(names)), common(found.shadow_a, found.shadow_b)
     numbers = np.stack([np.full(len(names), NUMBERS_AT), height - 0.06, 0 * height], axis=-1)
     kinds = (("apart", apart, "green"), ("overlapping", ~apart, "vermillion"))
     marks = [
-        Segments(name, *line(common, -0.14, np.flatnonzero(rows)), color=color)
+        Segments(name, *line(between, -0.14, np.flatnonzero(rows)), color=color)
         for name, rows, color in kinds
     ]
     values = [
