@@ -49,6 +49,7 @@ WHEN_CALLED = {
     "course.jit": {"numba"},  # through it all kernels have Numba
     "course.contact.solvers.qp": {"cvxpy"},
     "course.formulas.lesson_16_contact_forces": {"cvxpy"},
+    "course.shapes.meshes": {"trimesh"},
     "course.study.engines": {
         "fcl",
         "coal",

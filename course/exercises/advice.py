@@ -18,6 +18,51 @@ AMBIGUOUS = "truth value of an array"
 FEW = 3
 
 
+#: What Python says where a number is indexed, and where numbers are combined as if they
+#: were conditions.
+INDEXED_NUMBER = (
+    "float' object is not subscriptable",
+    "int' object is not subscriptable",
+    "invalid index to scalar",
+)
+COMBINED_NUMBERS = (
+    "operand type(s) for &",
+    "operand type(s) for |",
+    "'bitwise_and' not supported",
+    "'bitwise_or' not supported",
+)
+
+CONSTANT = "It gives the same in every case: does it use its arguments?"
+INDEXES_A_NUMBER = (
+    "What has [...] behind it there is a plain number. Where an axis is wanted, np.asarray(s)[..., None] "
+    "serves numbers and arrays alike."
+)
+COMBINES_NUMBERS = (
+    "& and | were given numbers, not conditions. They bind more tightly than <, so each comparison needs "
+    "brackets: (a < 0) & (b < 0)."
+)
+ONE_QUESTION = (
+    "`if`, `and`, `or`, `not`, a < b < c, min(), max() and np.arange() ask one question, a batch has "
+    "many answers: np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for "
+    "itself."
+)
+ONE_TRUTH = (
+    "`if`, `and`, `or`, `not`, min(), max() and .remove() need one True or False. In a case that is no batch a "
+    "whole array is compared: does a vector stand there in the place of a number?"
+)
+EINSUM_DOTS = (
+    'In np.einsum put ... before the letters, for the axes of the batch: "...ij,...j->...i" is matrix times '
+    "vector for one and for many."
+)
+ONLY_BATCHES = (
+    "Right for one, wrong for many at once. A batch has its axes in front of the one's own: look for a line "
+    "that takes them for the vector's, or mixes the members."
+)
+ONLY_EDGES = "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
+CUT_OFF = "Your numbers are whole: an array of dtype int cuts off the decimals of all that is put into it."
+SINGLE_PRECISION = "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
+
+
 def general_advice(
     exercise: Exercise,
     cases: Sequence[Case],
@@ -26,81 +71,42 @@ def general_advice(
     expected: Sequence[Outcome],
 ) -> tuple[str, ...]:
     """Slips that need no planting: only in batches, constant, only at edges; a line each."""
-    wrong_kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
-    advice = []
-    if (
-        all(o.kind == "value" for o in outcomes)
-        and len(outcomes) > 1
-        and _constant(outcomes)
-    ):
-        return ("It gives the same in every case: does it use its arguments?",)
-    advice += _other_order(exercise, outcomes, expected)
-    if any(
-        _says(
-            o,
-            "float' object is not subscriptable",
-            "int' object is not subscriptable",
-            "invalid index to scalar",
-        )
-        for o in outcomes
-    ):
-        advice.append(
-            "What has [...] behind it there is a plain number. Where an axis is wanted, np.asarray(s)[..., None] "
-            "serves numbers and arrays alike."
-        )
-    elif any(
-        _says(
-            o,
-            "operand type(s) for &",
-            "operand type(s) for |",
-            "'bitwise_and' not supported",
-            "'bitwise_or' not supported",
-        )
-        for o in outcomes
-    ):
-        advice.append(
-            "& and | were given numbers, not conditions. They bind more tightly than <, so each comparison needs "
-            "brackets: (a < 0) & (b < 0)."
-        )
-    elif asks_one_question(cases, outcomes):
-        also = "Besides, it stops at batches: " if wrong_kinds - {"batch"} else ""
-        advice.append(
-            f"{also}`if`, `and`, `or`, `not`, a < b < c, min(), max() and np.arange() ask one question, a batch has "
-            "many answers: np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for "
-            "itself."
-        )
-    elif any(_says(o, AMBIGUOUS) for o in outcomes):
-        advice.append(
-            "`if`, `and`, `or`, `not`, min(), max() and .remove() need one True or False. In a case that is no batch a "
-            "whole array is compared: does a vector stand there in the place of a number?"
-        )
-    elif any(
-        "'...' ellipsis" in o.text for o in outcomes
-    ):  # einsum, of letters fewer than axes
-        advice.append(
-            'In np.einsum put ... before the letters, for the axes of the batch: "...ij,...j->...i" is matrix times '
-            "vector for one and for many."
-        )
-    elif wrong_kinds == {"batch"} and exercise.kind == "function":
-        advice.append(
-            "Right for one, wrong for many at once. A batch has its axes in front of the one's own: look for a line "
-            "that takes them for the vector's, or mixes the members."
-        )
-    elif wrong_kinds == {"edge"}:
-        advice.append(
-            "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
-        )
+    values = all(o.kind == "value" for o in outcomes)
+    if values and len(outcomes) > 1 and _constant(outcomes):
+        return (CONSTANT,)
+    advice = [*_other_order(exercise, outcomes, expected)]
+    kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
+    stopped = _why_it_stops(cases, outcomes, also_wrong=bool(kinds - {"batch"}))
+    if stopped:
+        advice.append(stopped)
+    elif kinds == {"batch"} and exercise.kind == "function":
+        advice.append(ONLY_BATCHES)
+    elif kinds == {"edge"}:
+        advice.append(ONLY_EDGES)
     elif exercise.kind == "function" and not advice and _all_compared(outcomes, wrongs):
         advice += _where_it_holds(cases, wrongs)
     if _cut_off(exercise, outcomes, wrongs):
-        advice.append(
-            "Your numbers are whole: an array of dtype int cuts off the decimals of all that is put into it."
-        )
+        advice.append(CUT_OFF)
     if any(v.dtype in (np.float16, np.float32) for o in outcomes for v in o.values):
-        advice.append(
-            "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
-        )
+        advice.append(SINGLE_PRECISION)
     return tuple(advice)
+
+
+def _why_it_stops(
+    cases: Sequence[Case], outcomes: Sequence[Outcome], *, also_wrong: bool
+) -> str:
+    """What an error says of numbers and batches that were taken for one another, or ""."""
+    if any(_says(o, *INDEXED_NUMBER) for o in outcomes):
+        return INDEXES_A_NUMBER
+    if any(_says(o, *COMBINED_NUMBERS) for o in outcomes):
+        return COMBINES_NUMBERS
+    if asks_one_question(cases, outcomes):
+        return ("Besides, it stops at batches: " if also_wrong else "") + ONE_QUESTION
+    if any(_says(o, AMBIGUOUS) for o in outcomes):
+        return ONE_TRUTH
+    if any("'...' ellipsis" in o.text for o in outcomes):  # of letters fewer than axes
+        return EINSUM_DOTS
+    return ""
 
 
 def _all_compared(

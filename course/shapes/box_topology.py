@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.shapes.hull_topology import (
+from course.shapes.topology import (
     Topology,
     point_topology,
     polygon_topology,
@@ -50,7 +50,7 @@ def _topology(solid: int) -> Topology:
         flat = 3 - sum(wide)
         normal = np.eye(3)[flat]
         corners = np.array(_rectangle(flat, 1), dtype=np.intp)
-        return polygon_topology(corners, np.array([normal, -normal]))
+        return polygon_topology(corners, normal)
     if len(wide) == 1:
         return segment_topology(0, bits[wide[0]])
     return point_topology()

@@ -12,8 +12,17 @@ from numpy.typing import NDArray
 
 from course.arrays import Array, ArrayLike, failure, vectors
 from course.shapes.aabb import AABB
-from course.shapes.hull_topology import Topology, hull_topology_of
-from course.shapes.shape import Shape, directions, farthest, one_axis, pose
+from course.shapes.hull_topology import hull_topology_of
+from course.shapes.shape import (
+    Shape,
+    directions,
+    farthest,
+    lazy,
+    one_axis,
+    pose,
+    unturned,
+)
+from course.shapes.topology import Topology, enclosed_volume
 
 
 class HullForm:
@@ -27,6 +36,11 @@ class HullForm:
         """Corners, faces and edges, as numbers of the hull's vertices."""
         return hull_topology_of(self._vertices[self._index])
 
+    @cached_property
+    def volume(self) -> float:
+        """What the faces enclose [m^3]."""
+        return enclosed_volume(self._vertices[self._index], self.topology)
+
 
 @dataclass(frozen=True, eq=False)
 class ConvexHull(Shape):
@@ -38,15 +52,19 @@ class ConvexHull(Shape):
 
     Args:
         vertices: (..., n, 3) [m], n >= 1.
+    Attributes:
+        forms: (...) the ``HullForm`` of each, which goes along when it moves.
+        axes: (..., 3, 3) how far each has been turned since its form was made.
     Raises:
         ValueError: no vertices, NaN or infinity, a wrong shape.
     """
 
     vertices: Array
     forms: NDArray[Any] = field(init=False, repr=False)
+    axes: Array = field(init=False, repr=False)
 
     kind: ClassVar[str] = "convex_hull"
-    core_axes: ClassVar[dict[str, int]] = {"vertices": 2, "forms": 0}
+    core_axes: ClassVar[dict[str, int]] = {"vertices": 2, "forms": 0, "axes": 2}
 
     def __post_init__(self) -> None:
         points = vectors("vertices", self.vertices)
@@ -55,9 +73,9 @@ class ConvexHull(Shape):
             raise failure("vertices", expected, f"shape {points.shape}")
         self._keep(vertices=points)
         flat = self.vertices.reshape(-1, *points.shape[-2:])
-        forms = np.empty(len(flat), dtype=object)
-        forms[:] = [HullForm(flat, i) for i in range(len(flat))]
-        object.__setattr__(self, "forms", forms.reshape(points.shape[:-2]))
+        forms = lazy(points.shape[:-2], lambda i: HullForm(flat, i))
+        object.__setattr__(self, "forms", forms)
+        object.__setattr__(self, "axes", unturned(points.shape[:-2]))
 
     def support(self, direction: ArrayLike) -> Array:
         """The vertex farthest along a direction.
@@ -86,13 +104,13 @@ class ConvexHull(Shape):
         return self._made(
             vertices=np.broadcast_to(points, (*batch, *points.shape[-2:])),
             forms=np.broadcast_to(self.forms, batch),
+            axes=np.broadcast_to(turn @ self.axes, (*batch, 3, 3)),
         )
 
     def volume(self) -> Array:
         """The sum of the pyramids over the faces, (...) [m^3]; 0 for a flat hull."""
-        from course.shapes.rounded_polytopes import polytope_volumes, polytopes
-
-        return polytope_volumes(polytopes(self)).reshape(self.batch)
+        volumes = [form.volume for form in self.forms.ravel()]
+        return np.array(volumes, dtype=np.float64).reshape(self.batch)
 
     @classmethod
     def concatenate(cls, parts: Iterable[ConvexHull]) -> ConvexHull:
@@ -105,5 +123,8 @@ class ConvexHull(Shape):
             )
             for p in given
         ]
-        forms = np.concatenate([part.forms for part in given])
-        return cls._made(vertices=np.concatenate(padded), forms=forms)
+        return cls._made(
+            vertices=np.concatenate(padded),
+            forms=np.concatenate([part.forms for part in given]),
+            axes=np.concatenate([part.axes for part in given]),
+        )

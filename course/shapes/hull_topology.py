@@ -1,93 +1,38 @@
 """Corners, faces and edges of the convex hull of points, whatever they span.
 
 Qhull gives triangles and refuses points that span no volume. Here coplanar triangles are
-merged into one face, and flat sets are handled in their plane or on their line: a polygon
-has two faces, front and back, a segment one edge, a point nothing.
+merged into one face, and flat sets are handled in their plane or on their line.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from course.arrays import Array, IntArray
+from course.shapes.coplanar_faces import (
+    bulge,
+    counterclockwise,
+    is_closed,
+    merged_faces,
+)
+from course.shapes.topology import (
+    Topology,
+    onward,
+    point_topology,
+    polygon_topology,
+    segment_topology,
+    topology_of_faces,
+)
 
 #: A hull thinner than this fraction of its width is flat.
 FLATNESS = 1e-10
 #: Triangles whose corners lie this close to one plane, in widths, are one face.
 COPLANAR = 1e-12
+#: A face with less area than this, in squares of its length, is too slender for a cross
+#: product to give its normal.
+SLENDER = 1e-6
 #: How much of the largest coordinate is taken for rounding of the input.
-ROUNDING = 32 * np.finfo(np.float64).eps
-
-
-@dataclass(frozen=True, eq=False)
-class Topology:
-    """Which points are corners, and how these bound faces and edges.
-
-    Args:
-        corners: (v,) which of the points are corners; all below number these, from 0.
-        loop: the corners of each face, counterclockwise seen from outside, end to end.
-        loop_start: (f + 1,) where the loop of each face starts.
-        edges: (e, 2) the two corners of each edge.
-        edge_faces: (e, 2) the face that runs along the edge, and the one that runs
-            back; -1 where there is none.
-        normals: (f, 3) unit normals out of the faces in the shape's own axes, where
-            they are known beforehand (a box), else None.
-    """
-
-    corners: IntArray
-    loop: IntArray
-    loop_start: IntArray
-    edges: IntArray
-    edge_faces: IntArray
-    normals: Array | None = None
-
-
-def topology_of_faces(
-    corners: IntArray, faces: list[list[int]], normals: Array | None = None
-) -> Topology:
-    """The topology of a closed surface, from the loop of each face.
-
-    Args:
-        corners: (v,) which of the points are corners.
-        faces: the corners of each face, counterclockwise seen from outside.
-        normals: (f, 3), if known.
-    """
-    runs = {
-        (a, b): f
-        for f, face in enumerate(faces)
-        for a, b in zip(face, face[1:] + face[:1], strict=True)
-    }
-    edges = [(a, b) for a, b in runs if a < b]
-    beside = [(runs[a, b], runs[b, a]) for a, b in edges]
-    return Topology(
-        corners,
-        np.array([c for face in faces for c in face], dtype=np.intp),
-        np.cumsum([0, *map(len, faces)], dtype=np.intp),
-        np.array(edges, dtype=np.intp).reshape(-1, 2),
-        np.array(beside, dtype=np.intp).reshape(-1, 2),
-        normals,
-    )
-
-
-def point_topology(corner: int = 0) -> Topology:
-    """One corner, no edge, no face."""
-    return topology_of_faces(np.array([corner], dtype=np.intp), [])
-
-
-def segment_topology(start: int = 0, end: int = 1) -> Topology:
-    """Two corners and the edge between them, beside which there is no face."""
-    none = np.empty(0, dtype=np.intp)
-    corners = np.array([start, end], dtype=np.intp)
-    edge, faces = np.array([[0, 1]], dtype=np.intp), np.array([[-1, -1]], dtype=np.intp)
-    return Topology(corners, none, np.zeros(1, dtype=np.intp), edge, faces)
-
-
-def polygon_topology(corners: IntArray, normals: Array | None = None) -> Topology:
-    """A polygon, by its corners in order: a front face and, run backward, a back face."""
-    front = list(range(len(corners)))
-    return topology_of_faces(corners, [front, front[::-1]], normals)
+ROUNDING = 8 * np.finfo(np.float64).eps
 
 
 def hull_topology_of(points: Array) -> Topology:
@@ -106,148 +51,85 @@ def hull_topology_of(points: Array) -> Topology:
     # In a unit near the hull's size, so that no square of a length leaves the range.
     centred = np.ldexp(points - middle, -np.frexp(reach)[1])
     rounding = ROUNDING * np.ldexp(np.abs(points).max(), -np.frexp(reach)[1])
-    axes = np.linalg.svd(centred, full_matrices=True)[2]
+    # Three more points in the middle: SVD then gives all three axes of one or two.
+    axes = np.linalg.svd(np.pad(centred, ((0, 3), (0, 0))), full_matrices=False)[2]
     local = centred @ axes.T
     widths = np.ptp(local, axis=0)
     dimensions = int(np.sum(widths > FLATNESS * widths.max() + rounding))
     if dimensions == 1:
-        ends = int(np.argmin(local[:, 0])), int(np.argmax(local[:, 0]))
-        return segment_topology(*ends)
+        return segment_topology(
+            int(np.argmin(local[:, 0])), int(np.argmax(local[:, 0]))
+        )
     if dimensions == 2:
-        return polygon_topology(convex_polygon(local[:, :2], rounding))
-    return _solid_topology(centred, local / widths, COPLANAR + rounding)
+        corners = convex_polygon(local[:, :2], widths[:2], COPLANAR + rounding)
+        if corners.size < 3:
+            return segment_topology(*corners.tolist())
+        # Out of which the corners run counterclockwise, whatever SVD's axes are.
+        upright = axes[2] * np.linalg.det(axes)
+        front = [list(range(len(corners)))]
+        return polygon_topology(corners, _normals(centred[corners], front, upright)[0])
+    even = local / widths
+    # A plane m.y = o of even points y = W^-1 A x is the plane (A' W^-1 m).x = o of x.
+    return _solid_topology(centred, even, axes.T / widths, COPLANAR + rounding)
 
 
-def convex_polygon(points: Array, slack: float) -> IntArray:
+def convex_polygon(points: Array, widths: Array, slack: float) -> IntArray:
     """Which points of a plane are the corners of their hull, counterclockwise.
-
-    Andrew's chain: from left to right along the bottom and back along the top, leaving
-    out each corner at which the way does not turn left by more than ``slack``.
-    Source: Andrew, Information Processing Letters 9, 1979.
 
     Args:
         points: (n, 2), not all on one line.
+        widths: (2,) of the set; Qhull sees the points with both made equal.
         slack: corners nearer than this to the line past them are left out.
     """
-    order = np.lexsort((points[:, 1], points[:, 0]))
-    ways: list[list[int]] = []
-    for run in order, order[::-1]:
-        way: list[int] = []
-        for i in run.tolist():
-            while len(way) > 1 and not _turns_left(points[[*way[-2:], i]], slack):
-                way.pop()
-            way.append(i)
-        ways.append(way[:-1])
-    return np.array(ways[0] + ways[1], dtype=np.intp)
+    from scipy.spatial import ConvexHull
+
+    around = ConvexHull(points / widths).vertices.astype(np.intp)
+    around = np.roll(around, -int(np.argmin(points[around, 0])))
+    kept, skipped = [0], []
+    for i in range(1, len(around)):
+        chord = around[[kept[-1], (i + 1) % len(around)]]
+        skipped.append(i)
+        if bulge(points[chord], points[around[skipped]]) > slack:
+            kept.append(i)
+            skipped = []
+    return around[kept]
 
 
-def _turns_left(three: Array, slack: float) -> bool:
-    (ax, ay), (bx, by) = three[1] - three[0], three[2] - three[0]
-    return bool(ax * by - ay * bx > slack * np.hypot(bx, by))
-
-
-def _solid_topology(points: Array, even: Array, slack: float) -> Topology:
+def _solid_topology(points: Array, even: Array, back: Array, slack: float) -> Topology:
     """Faces of a hull that has a volume: Qhull's triangles, the coplanar ones merged.
 
     Qhull's tolerances are not those of a stretched hull, so that it sees the points
-    with all widths made equal (``even``), which changes no face.
+    with all widths made equal (``even``), which changes no face; ``back`` (3, 3) takes
+    a normal there to a normal here.
     """
     from scipy.spatial import ConvexHull
 
     hull = ConvexHull(even)
-    triangles = hull.simplices.astype(np.intp)
-    a, b, c = (even[triangles[:, i]] for i in range(3))
-    inward = np.sum(np.cross(b - a, c - a) * hull.equations[:, :3], axis=1) < 0
-    # The axes may be a mirror image of the points' own.
-    inside = points.mean(axis=0)
-    triangles[inward] = triangles[inward][:, ::-1]
-    if _enclosed(points[triangles] - inside) < 0:
-        triangles = triangles[:, ::-1]
-    faces = _merged_faces(points, triangles, slack)
-    if not _is_closed(faces):
-        faces = triangles.tolist()
-    corners = np.unique([c for face in faces for c in face])
+    outward = hull.equations[:, :3] @ back.T
+    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+    triangles = counterclockwise(points, hull.simplices, hull.neighbors, outward)
+    faces, seeds = merged_faces(points, triangles, hull.neighbors, outward, slack)
+    if not is_closed(faces):
+        faces, seeds = triangles.tolist(), list(range(len(triangles)))
+    corners = np.unique([c for face in faces for c in face]).astype(np.intp)
     number = {int(c): i for i, c in enumerate(corners)}
     renamed = [[number[c] for c in face] for face in faces]
-    return topology_of_faces(corners.astype(np.intp), renamed)
+    normals = _normals(points[corners], renamed, outward[seeds])
+    return topology_of_faces(corners, renamed, normals)
 
 
-def _enclosed(corners: Array) -> float:
-    """Six times the volume that triangles (t, 3, 3) enclose, below 0 if they face in."""
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    return float(np.sum(a * np.cross(b, c)))
+def _normals(points: Array, faces: list[list[int]], rough: Array) -> Array:
+    """The unit normal of each face by Newell's sum of (x_i - x_0) x (x_i+1 - x_0).
 
-
-def _merged_faces(points: Array, triangles: IntArray, slack: float) -> list[list[int]]:
-    """One loop for all triangles in one plane, and no corner that only two faces share.
-
-    From the largest triangle on, each takes in the neighbours whose corners lie within
-    ``slack`` of its plane and that do not face the other way.
+    A face so slender that the sum would be rounding has its ``rough`` normal, one that
+    the whole hull lies below.
     """
-    a, b, c = (points[triangles[:, i]] for i in range(3))
-    cross = np.cross(b - a, c - a)
-    area = np.linalg.norm(cross, axis=1)
-    normal = cross / np.where(area > 0, area, 1.0)[:, None]
-    beside = _neighbours(triangles)
-    face_of = np.full(len(triangles), -1)
-    loops: list[list[int]] = []
-    for seed in np.argsort(-area, kind="stable").tolist():
-        if face_of[seed] >= 0:
-            continue
-        height = np.abs((points[triangles] - a[seed]) @ normal[seed]).max(axis=1)
-        level = (height <= slack) & (normal @ normal[seed] >= 0) & (face_of < 0)
-        group, waiting = [seed], [seed]
-        face_of[seed] = len(loops)
-        while waiting:
-            for other in beside[waiting.pop()]:
-                if level[other] and face_of[other] < 0:
-                    face_of[other] = len(loops)
-                    group.append(other)
-                    waiting.append(other)
-        loops.append(_outline(triangles[group]))
-    meet = np.bincount([c for loop in loops for c in set(loop)], minlength=len(points))
-    return [[c for c in loop if meet[c] > 2] for loop in loops]
-
-
-def _neighbours(triangles: IntArray) -> list[list[int]]:
-    """The triangles beyond the edges of each triangle."""
-    runs = {
-        (a, b): t
-        for t, (i, j, k) in enumerate(triangles.tolist())
-        for a, b in ((i, j), (j, k), (k, i))
-    }
-    beside: list[list[int]] = [[] for _ in triangles]
-    for (a, b), t in runs.items():
-        if (b, a) in runs:
-            beside[t].append(runs[b, a])
-    return beside
-
-
-def _outline(triangles: IntArray) -> list[int]:
-    """The loop around triangles that share edges; empty where it is not one loop."""
-    runs = {
-        (a, b) for i, j, k in triangles.tolist() for a, b in ((i, j), (j, k), (k, i))
-    }
-    onward = {a: b for a, b in runs if (b, a) not in runs}
-    if not onward:
-        return []
-    first = next(iter(onward))
-    loop = [first]
-    while len(loop) <= len(onward) and (then := onward.get(loop[-1], -1)) != first:
-        loop.append(then)
-    return loop if len(loop) == len(onward) and -1 not in loop else []
-
-
-def _is_closed(faces: list[list[int]]) -> bool:
-    """Whether loops bound a polyhedron: each edge once each way, V - E + F = 2."""
-    runs = [
-        (a, b) for face in faces for a, b in zip(face, face[1:] + face[:1], strict=True)
-    ]
-    once = set(runs)
-    corners = {a for a, _ in runs}
-    return (
-        all(len(face) > 2 for face in faces)
-        and len(once) == len(runs)
-        and all((b, a) in once for a, b in runs)
-        and len(corners) - len(runs) // 2 + len(faces) == 2
-    )
+    length = [len(face) for face in faces]
+    start = np.cumsum([0, *length])
+    loop = np.array([c for face in faces for c in face], dtype=np.intp)
+    arms = points[loop] - np.repeat(points[loop[start[:-1]]], length, axis=0)
+    total = np.add.reduceat(np.cross(arms, arms[onward(start)]), start[:-1], axis=0)
+    square = np.maximum.reduceat(np.square(arms).sum(axis=1), start[:-1])
+    size = np.linalg.norm(total, axis=1)
+    good = size > SLENDER * np.maximum(square, SLENDER)
+    return np.where(good[:, None], total / np.where(good, size, 1.0)[:, None], rough)

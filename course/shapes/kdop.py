@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations
 from typing import Any, ClassVar
@@ -13,8 +13,18 @@ from numpy.typing import NDArray
 
 from course.arrays import Array, ArrayLike, IntArray, failure, scalars, unit_vectors
 from course.shapes.aabb import AABB, require_ordered
-from course.shapes.hull_topology import ROUNDING, Topology, hull_topology_of
-from course.shapes.shape import Shape, directions, farthest, one_axis, pose, turned
+from course.shapes.hull_topology import ROUNDING, hull_topology_of
+from course.shapes.shape import (
+    Shape,
+    directions,
+    farthest,
+    lazy,
+    one_axis,
+    pose,
+    turned,
+    unturned,
+)
+from course.shapes.topology import Topology, enclosed_volume
 
 #: How far outside a plane a corner may lie, in widths of the solid.
 OUTSIDE = 1e-12
@@ -27,11 +37,15 @@ class KDOPForm:
         self._normals, self._offsets, self._index = normals, offsets, index
 
     @cached_property
-    def _found(self) -> tuple[IntArray, Topology]:
+    def _found(self) -> tuple[IntArray, Topology, float]:
         normals, offsets = self._normals[self._index], self._offsets[self._index]
         planes, points = corners_of_planes(normals, offsets, self._index)
-        topology = hull_topology_of(points)
-        return planes[topology.corners], topology
+        found = hull_topology_of(points)
+        # Each face lies in one of the planes, whose normal is known exactly.
+        nearest = np.argmax(found.normals @ normals.T, axis=1)
+        every = np.arange(len(found.corners))
+        topology = replace(found, corners=every, normals=normals[nearest])
+        return planes[found.corners], topology, enclosed_volume(points, found)
 
     @property
     def planes(self) -> IntArray:
@@ -41,11 +55,12 @@ class KDOPForm:
     @property
     def topology(self) -> Topology:
         """Faces and edges, as numbers of the corners."""
-        found = self._found[1]
-        every = np.arange(len(found.corners))
-        return Topology(
-            every, found.loop, found.loop_start, found.edges, found.edge_faces
-        )
+        return self._found[1]
+
+    @property
+    def volume(self) -> float:
+        """What the faces enclose [m^3]."""
+        return self._found[2]
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +73,9 @@ class KDOP(Shape):
     Args:
         directions: d, unit vectors that span space, (..., k/2, 3).
         lower, upper: l <= u, (..., k/2) [m].
+    Attributes:
+        forms: (...) the ``KDOPForm`` of each, which goes along when it moves.
+        axes: (..., 3, 3) how far each has been turned since its form was made.
     Raises:
         ValueError: lower > upper, directions not of unit length or all in one plane
             (the solid would be endless), NaN or infinity, a wrong shape. Slabs that
@@ -68,6 +86,7 @@ class KDOP(Shape):
     lower: Array
     upper: Array
     forms: NDArray[Any] = field(init=False, repr=False)
+    axes: Array = field(init=False, repr=False)
 
     kind: ClassVar[str] = "kdop"
     core_axes: ClassVar[dict[str, int]] = {
@@ -75,6 +94,7 @@ class KDOP(Shape):
         "lower": 1,
         "upper": 1,
         "forms": 0,
+        "axes": 2,
     }
 
     def __post_init__(self) -> None:
@@ -91,9 +111,9 @@ class KDOP(Shape):
         self._keep(directions=d, lower=lower, upper=upper)
         require_ordered(self.lower, self.upper)
         normals, offsets = self._flat_planes()
-        forms = np.empty(self.count, dtype=object)
-        forms[:] = [KDOPForm(normals, offsets, i) for i in range(self.count)]
-        object.__setattr__(self, "forms", forms.reshape(self.batch))
+        forms = lazy(self.batch, lambda i: KDOPForm(normals, offsets, i))
+        object.__setattr__(self, "forms", forms)
+        object.__setattr__(self, "axes", unturned(self.batch))
 
     def planes(self) -> tuple[Array, Array]:
         """All planes n.x <= o: n = d then -d, (..., k, 3); o = u then -l, (..., k)."""
@@ -156,13 +176,13 @@ class KDOP(Shape):
             lower=np.broadcast_to(self.lower + along, (*batch, k)),
             upper=np.broadcast_to(self.upper + along, (*batch, k)),
             forms=np.broadcast_to(self.forms, batch),
+            axes=np.broadcast_to(turn @ self.axes, (*batch, 3, 3)),
         )
 
     def volume(self) -> Array:
         """The sum of the pyramids over the faces, (...) [m^3]; 0 for a flat one."""
-        from course.shapes.rounded_polytopes import polytope_volumes, polytopes
-
-        return polytope_volumes(polytopes(self)).reshape(self.batch)
+        volumes = [form.volume for form in self.forms.ravel()]
+        return np.array(volumes, dtype=np.float64).reshape(self.batch)
 
     @classmethod
     def concatenate(cls, parts: Iterable[KDOP]) -> KDOP:
@@ -208,11 +228,18 @@ def corners_of_planes(
         raise failure(
             "lower, upper", "slabs that have a point in common", "none", (index,)
         )
-    # The first of coincident ones: where the planes meet most steeply.
-    triples, points = triples[inside], points[inside]
-    near_pairs = np.abs(points[:, None] - points).max(axis=-1) <= 2 * slack
-    once = np.argmax(near_pairs, axis=1) == np.arange(len(points))
-    return triples[once], near + points[once]
+    once = _distinct(points[inside], 2 * slack)
+    return triples[inside][once], near + points[inside][once]
+
+
+def _distinct(points: Array, slack: float) -> IntArray:
+    """The first of the points at each place: where the planes meet most steeply."""
+    once: list[int] = []
+    rest = np.arange(len(points))
+    while rest.size:
+        once.append(int(rest[0]))
+        rest = rest[np.abs(points[rest] - points[rest[0]]).max(axis=1) > slack]
+    return np.array(once, dtype=np.intp)
 
 
 def meeting_points(normals: Array, offsets: Array) -> Array:

@@ -19,11 +19,11 @@ from course.shapes.aabb import AABB
 from course.shapes.box_topology import BOXES, CORNERS, which_box
 from course.shapes.capsule import Capsule
 from course.shapes.convex_hull import ConvexHull
-from course.shapes.hull_topology import Topology, point_topology, segment_topology
 from course.shapes.kdop import KDOP
 from course.shapes.obb import OBB
-from course.shapes.shape import Shape
+from course.shapes.shape import Shape, unturned
 from course.shapes.sphere import Sphere
+from course.shapes.topology import Topology, point_topology, segment_topology
 
 #: How many products of normals and points are formed at once.
 AT_ONCE = 4_000_000
@@ -106,14 +106,14 @@ class Polytopes:
 class Forms(NamedTuple):
     """m solids by the topology of each.
 
-    points (m, n, 3); which (m,) numbers the topologies; rotation (m, 3, 3) of the
-    normals that these give in the shape's own axes, if they do.
+    points (m, n, 3); which (m,) numbers the topologies; axes (m, 3, 3) turn the
+    normals that these give.
     """
 
     points: Array
+    axes: Array
     which: IntArray
     topologies: list[Topology]
-    rotation: Array | None = None
 
 
 def polytopes(shape: Shape) -> Polytopes:
@@ -130,19 +130,21 @@ def polytopes(shape: Shape) -> Polytopes:
     flat: Any = shape.reshaped(shape.count) if isinstance(shape, Shape) else shape
     if isinstance(flat, Sphere):
         point = np.zeros(flat.count, dtype=np.intp)
-        forms = Forms(flat.center[:, None], point, [point_topology()])
+        axes = unturned(flat.batch)
+        forms = Forms(flat.center[:, None], axes, point, [point_topology()])
         return _assembled(forms, flat.radius)
     if isinstance(flat, Capsule):
         ends = np.stack([flat.start, flat.end], axis=1)
         long = np.any(flat.start != flat.end, axis=-1).astype(np.intp)
-        forms = Forms(ends, long, [point_topology(), segment_topology()])
+        topologies = [point_topology(), segment_topology()]
+        forms = Forms(ends, unturned(flat.batch), long, topologies)
         return _assembled(forms, flat.radius)
     if isinstance(flat, AABB | OBB):
         forms = _boxes(flat)
     elif isinstance(flat, KDOP):
-        forms = Forms(flat.corners(), *_distinct(flat.forms))
+        forms = Forms(flat.corners(), flat.axes, *_distinct(flat.forms))
     elif isinstance(flat, ConvexHull):
-        forms = Forms(flat.vertices, *_distinct(flat.forms))
+        forms = Forms(flat.vertices, flat.axes, *_distinct(flat.forms))
     else:
         got = getattr(shape, "kind", type(shape).__name__)
         raise failure("shape", "a convex bounded shape", f"a {got}")
@@ -156,11 +158,11 @@ def _boxes(box: AABB | OBB) -> Forms:
         box.require_finite()
         ends = np.stack([box.lower, box.upper], axis=-1)
         points = ends[:, np.arange(3), (CORNERS > 0).astype(np.intp)]
-        turn = np.broadcast_to(np.eye(3), (box.count, 3, 3))
-        return Forms(points, which_box(box.upper - box.lower), BOXES, turn)
+        which = which_box(box.upper - box.lower)
+        return Forms(points, unturned(box.batch), which, BOXES)
     arms = CORNERS * box.half_extents[:, None]
     points = box.center[:, None] + arms @ np.swapaxes(box.rotation, -1, -2)
-    return Forms(points, which_box(box.half_extents), BOXES, box.rotation)
+    return Forms(points, box.rotation, which_box(box.half_extents), BOXES)
 
 
 def _distinct(forms: NDArray[Any]) -> tuple[IntArray, list[Topology]]:
@@ -173,54 +175,60 @@ def _distinct(forms: NDArray[Any]) -> tuple[IntArray, list[Topology]]:
             number[id(form)] = len(once)
             once.append(form)
         which[i] = number[id(form)]
-    return which, [form.topology for form in once]
+    return which, [form.topology for form in once] or [point_topology()]
 
 
-def _assembled(forms: Forms, radius: Array) -> Polytopes:
-    """All solids end to end: each topology's blocks are put in their places at once."""
-    points, which, topologies, _ = forms
+class Places(NamedTuple):
+    """Where the rows of each solid start in the flat arrays, (m + 1,) each."""
 
-    def start(lengths: list[int]) -> IntArray:
+    vertex: IntArray
+    face: IntArray
+    corner: IntArray  # of a face's loop
+    edge: IntArray
+
+
+def _places(which: IntArray, topologies: list[Topology]) -> Places:
+    """Solids end to end, in order."""
+
+    def starts(lengths: list[int]) -> IntArray:
         each = np.array(lengths, dtype=np.intp)[which]
         return np.concatenate([[0], np.cumsum(each)]).astype(np.intp)
 
-    vertex_start = start([t.corners.size for t in topologies])
-    face_start = start([t.loop_start.size - 1 for t in topologies])
-    loop_place = start([t.loop.size for t in topologies])
-    edge_start = start([len(t.edges) for t in topologies])
-    vertices = np.empty((vertex_start[-1], 3))
-    known = np.empty((face_start[-1], 3))
-    loop = np.empty(loop_place[-1], dtype=np.intp)
-    loop_start = np.empty(face_start[-1] + 1, dtype=np.intp)
-    loop_start[-1] = loop.size
-    edges, edge_faces = np.empty((2, edge_start[-1], 2), dtype=np.intp)
-    groups = _groups(which, len(topologies))
-    for topology, solids in zip(topologies, groups, strict=True):
-        if not solids.size:
-            continue
-        vertex, face = vertex_start[solids, None], face_start[solids, None]
-        vertices[vertex + np.arange(topology.corners.size)] = points[
-            solids[:, None], topology.corners
-        ]
-        row = face + np.arange(topology.loop_start.size - 1)
-        loop_start[row] = loop_place[solids, None] + topology.loop_start[:-1]
-        place = loop_place[solids, None] + np.arange(topology.loop.size)
-        loop[place] = vertex + topology.loop
-        if topology.normals is not None and forms.rotation is not None:
-            turn = np.swapaxes(forms.rotation[solids], -1, -2)
-            known[row] = topology.normals @ turn
-        place = edge_start[solids, None] + np.arange(len(topology.edges))
-        edges[place] = vertex[..., None] + topology.edges
+    return Places(
+        starts([t.corners.size for t in topologies]),
+        starts([len(t.normals) for t in topologies]),
+        starts([t.loop.size for t in topologies]),
+        starts([len(t.edges) for t in topologies]),
+    )
+
+
+def _assembled(forms: Forms, radius: Array) -> Polytopes:
+    """All solids end to end: the blocks of one topology are put in their places at once."""
+    start = _places(forms.which, forms.topologies)
+    vertices, normals = np.empty((start.vertex[-1], 3)), np.empty((start.face[-1], 3))
+    offsets = np.empty(start.face[-1])
+    loop = np.empty(start.corner[-1], dtype=np.intp)
+    loop_start = np.full(start.face[-1] + 1, loop.size, dtype=np.intp)
+    edges, edge_faces = np.empty((2, start.edge[-1], 2), dtype=np.intp)
+    groups = _groups(forms.which, len(forms.topologies))
+    for topology, solids in zip(forms.topologies, groups, strict=True):
+        vertex, face, corner, edge = (each[solids, None] for each in start)
+        points = forms.points[solids[:, None], topology.corners]
+        turn = np.swapaxes(forms.axes[solids], -1, -2)
+        outward = topology.normals @ turn
+        outward /= np.linalg.norm(outward, axis=-1, keepdims=True)
+        faces = face + np.arange(len(topology.normals))
+        vertices[vertex + np.arange(topology.corners.size)] = points
+        normals[faces], offsets[faces] = outward, _farthest_along(outward, points)
+        loop[corner + np.arange(topology.loop.size)] = vertex + topology.loop
+        loop_start[faces] = corner + topology.loop_start[:-1]
+        rows = edge + np.arange(len(topology.edges))
+        edges[rows] = vertex[..., None] + topology.edges
         beside = topology.edge_faces
-        edge_faces[place] = np.where(beside < 0, -1, face[..., None] + beside)
-    normals = known
-    if forms.rotation is None:
-        normals = _loop_normals(vertices, loop, loop_start)
-    starts = vertex_start, face_start
-    offsets = _offsets(vertices, normals, starts, groups)
+        edge_faces[rows] = np.where(beside < 0, -1, face[..., None] + beside)
     return Polytopes(
-        vertices, vertex_start, np.array(radius), normals, offsets, face_start,
-        loop, loop_start, edges, edge_faces, edge_start,
+        vertices, start.vertex, np.array(radius), normals, offsets, start.face,
+        loop, loop_start, edges, edge_faces, start.edge,
     )  # fmt: skip
 
 
@@ -230,66 +238,16 @@ def _groups(which: IntArray, count: int) -> list[IntArray]:
     return np.split(order, np.searchsorted(which[order], np.arange(1, count)))
 
 
-def _loop_normals(vertices: Array, loop: IntArray, loop_start: IntArray) -> Array:
-    """The unit normal of each face by Newell's sum of (x_i - x_0) x (x_i+1 - x_0)."""
-    if loop_start.size == 1:
-        return np.empty((0, 3))
-    first, length = loop_start[:-1], np.diff(loop_start)
-    onward = np.arange(1, loop.size + 1)
-    onward[loop_start[1:] - 1] = first
-    origin = np.repeat(vertices[loop[first]], length, axis=0)
-    here, there = vertices[loop] - origin, vertices[loop[onward]] - origin
-    # In the size of the face, so that no square of a length leaves the range.
-    reach = np.maximum.reduceat(np.abs(here).max(axis=1), first)
-    unit = np.repeat(reach, length)[:, None]
-    total = np.add.reduceat(np.cross(here / unit, there / unit), first, axis=0)
-    return np.asarray(total / np.linalg.norm(total, axis=1, keepdims=True))
+def _farthest_along(normals: Array, points: Array) -> Array:
+    """The most n.x over all points of a solid, (k, f), for normals (k, f, 3), points (k, v, 3).
 
-
-def _offsets(
-    vertices: Array,
-    normals: Array,
-    starts: tuple[IntArray, IntArray],
-    groups: list[IntArray],
-) -> Array:
-    """The most n.x over all vertices of a face's solid.
-
-    Not of the face alone: a sliver's normal may be so rough that another vertex lies
-    beyond its plane.
+    Not over those of the face alone: a sliver's normal may be so rough that another
+    corner lies beyond its plane.
     """
-    vertex_start, face_start = starts
-    offsets = np.empty(len(normals))
-    for solids in groups:
-        if not solids.size:
-            continue
-        corners = int(vertex_start[solids[0] + 1] - vertex_start[solids[0]])
-        faces = int(face_start[solids[0] + 1] - face_start[solids[0]])
-        points = vertices[vertex_start[solids, None] + np.arange(corners)]
-        across = np.swapaxes(points, -1, -2)
-        step = max(1, AT_ONCE // (solids.size * corners))
-        for some in range(0, faces, step):
-            row = face_start[solids, None] + np.arange(some, min(some + step, faces))
-            offsets[row] = (normals[row] @ across).max(axis=-1)
-    return offsets
-
-
-def polytope_volumes(solids: Polytopes) -> Array:
-    """The volume that the faces of each solid enclose, (m,) [m^3]; the radius is not read.
-
-    The sum over the faces of area times height above a vertex of the solid, a third of
-    it: V = 1/6 sum a.(b x c) over fans of triangles (divergence theorem).
-    Source: Mirtich, Journal of Graphics Tools 1, 1996.
-    """
-    length = np.diff(solids.loop_start)
-    face_of = np.repeat(np.arange(length.size), length)
-    solid_of = np.repeat(np.arange(len(solids)), np.diff(solids.face_start))[face_of]
-    origin = solids.vertices[solids.vertex_start[solid_of]]
-    first = solids.loop_start[face_of]
-    onward = np.arange(1, solids.loop.size + 1)
-    onward[solids.loop_start[1:] - 1] = solids.loop_start[:-1]
-    corner = solids.vertices[solids.loop]
-    a, b = solids.vertices[solids.loop[first]] - origin, corner - origin
-    c = corner[onward] - origin
-    six = np.sum(a * np.cross(b, c), axis=-1)
-    volume = np.bincount(solid_of, six, minlength=len(solids)) / 6
-    return np.where(np.diff(solids.face_start) > 2, np.maximum(volume, 0.0), 0.0)
+    across = np.swapaxes(points, -1, -2)
+    step = max(1, AT_ONCE // max(1, points.shape[0] * points.shape[1]))
+    some = [
+        (normals[:, i : i + step] @ across).max(axis=-1)
+        for i in range(0, normals.shape[1], step)
+    ]
+    return np.concatenate(some, axis=1) if some else np.empty(normals.shape[:2])

@@ -52,7 +52,7 @@ class Shape:
         """The same shapes, in the same order, under another batch shape."""
 
         def reshape(array: NDArray[Any], core: int) -> NDArray[Any]:
-            return array.reshape(*batch, *array.shape[array.ndim - core :])
+            return array.reshape((*batch, *array.shape[array.ndim - core :]))
 
         return self._each(reshape)
 
@@ -106,6 +106,19 @@ class Shape:
         for name, array in arrays.items():
             shape = (*batch, *array.shape[array.ndim - core[name] :])
             object.__setattr__(self, name, np.broadcast_to(read_only(array), shape))
+
+
+def lazy(batch: tuple[int, ...], make: Callable[[int], Any]) -> NDArray[Any]:
+    """An array (...) of objects, one a shape, made from the shape's flat index."""
+    made = np.empty(int(np.prod(batch, dtype=np.intp)), dtype=object)
+    made[:] = [make(i) for i in range(made.size)]
+    made.setflags(write=False)
+    return made.reshape(batch)
+
+
+def unturned(batch: tuple[int, ...]) -> Array:
+    """The identity for each shape of a batch, (..., 3, 3)."""
+    return np.broadcast_to(np.eye(3), (*batch, 3, 3))
 
 
 def one_axis(kind: type[Any], parts: Iterable[Any]) -> list[Any]:

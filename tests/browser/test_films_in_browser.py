@@ -2,11 +2,22 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from browser.session import ROOT, chromium, page
 
 from course.workbook.films.listing import LISTED
-from course.workbook.stage import Exhibit, Film, Flat, Pane, ball, labelled
+from course.workbook.stage import (
+    Arrows,
+    Exhibit,
+    Film,
+    Flat,
+    Pane,
+    Space,
+    ball,
+    box,
+    labelled,
+)
 from course.workbook.stage import page as html_page
 from course.workbook.stage.encoding import encoded
 
@@ -21,7 +32,9 @@ pytest.importorskip("playwright", reason="the extra 'browser' is not installed")
 PARTS = (0.0, 0.25, 0.5, 1.0)
 SIZES = {
     "a lecture room": (True, 1920, 1080),
+    "an old projector": (True, 1280, 800),
     "a notebook": (False, 1280, 900),
+    "half a screen": (False, 800, 900),
 }
 
 
@@ -83,6 +96,56 @@ def test_what_is_wrong_would_be_found(tmp_path):
         found = "\n".join(opened.evaluate("faults([0], 12)"))
     assert '"fourth" over "third"' in found and '"outside" leaves its picture' in found
     assert '"third" is 9 px high' in found and "px wide in 900" in found
+
+
+def test_a_label_over_an_arrow_and_one_that_is_missing_would_be_found(tmp_path):
+    push = Arrows("push", [[1.0, 0.0, 0.0]], "N", scale=0.5, numbers=True)
+    pane = Pane([ball(0.1)], [[0.0, 0.0, 0.0]], arrows=[push])
+    exhibit = Exhibit(lambda: Film([pane], [0.0], Flat("xz", (-1.0, -1.0, 1.0, 1.0))))
+    moved = """() => { const paint = stage.paint.bind(stage);
+      stage.paint = () => { paint(); const { drawn } = stage.pictures[0]; const [x, y, a, b] = drawn.lines[0];
+        const [u, v] = [(x + a) / 2, (y + b) / 2];
+        drawn.labels = [{ text: "1 N", box: [u - 9, v - 9, u + 9, v + 9] }]; drawn.wanted = 3; }; }"""
+    with page(900, 700) as opened:
+        opened_film(opened, exhibit, tmp_path / "film.html", large=False)
+        assert opened.evaluate("faults([0], 12)") == []
+        opened.evaluate(moved)
+        found = "\n".join(opened.evaluate("faults([0], 12)"))
+    assert '"1 N" over an arrow' in found
+    assert "2 of 3 labels of picture 0 are not there" in found
+
+
+#: How many pixels of the picture's middle have the trail's colour: the ball has gone to the right.
+REDDISH = """() => { const c = stage.pictures[0].canvas; const { width, height } = c; let n = 0;
+  const d = c.getContext("2d").getImageData(0.4 * width, 0, 0.2 * width, height).data;
+  for (let i = 0; i < d.length; i += 4) n += d[i] - d[i + 2] > 60;
+  return n; }"""
+
+
+def test_a_trail_in_space_is_hidden_by_what_is_before_it(tmp_path):
+    """A ball goes past behind a box, seen from the front: its line is seen above the box and not through it."""
+    way = np.linspace(-1.0, 1.0, 41)
+    for height, through in ((0.0, False), (1.2, True)):
+        place = np.zeros((41, 2, 3))
+        place[:, 0, 0], place[:, 0, 1], place[:, 0, 2] = way, 1.0, height
+        pane = Pane(
+            [ball(0.05, color="vermillion"), box((0.5, 0.3, 0.5), color="blue")],
+            place,
+            trails=[0],
+        )
+        exhibit = Exhibit(
+            lambda pane=pane: Film(
+                [pane],
+                np.linspace(0.0, 1.0, 41),
+                Space("front", window=[[-2, -2, -2], [2, 2, 2]]),
+            )
+        )
+        with page(900, 700) as opened:
+            opened_film(opened, exhibit, tmp_path / "film.html", large=False)
+            opened.evaluate("stage.clock.seek(1)")
+            opened.wait_for_timeout(800)
+            seen = opened.evaluate(REDDISH)
+        assert (seen > 100) == through, f"{seen} pixels of the trail before the box"
 
 
 @pytest.mark.parametrize("width", [390, 800, 1280, 1920])

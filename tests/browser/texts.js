@@ -46,6 +46,13 @@
     return out;
   }
 
+  /** Whether an arrow's line runs through a box: a point of it every half pixel. */
+  function cut([left, top, right, bottom], [x, y, a, b]) {
+    const steps = Math.ceil(2 * Math.hypot(a - x, b - y)) + 1;
+    return Array.from({ length: steps + 1 }, (_, k) => k / steps)
+      .some((p) => x + p * (a - x) > left && x + p * (a - x) < right && y + p * (b - y) > top && y + p * (b - y) < bottom);
+  }
+
   /** What is wrong on the page when the stage shows each of these parts of its time. */
   window.faults = (parts, least) => {
     const out = [];
@@ -69,6 +76,12 @@
         sized.push(...texts);
       }
       covering(written()).forEach(wrong);
+      stage.pictures.forEach(({ drawn: { labels, wanted, lines } }, k) => {
+        if (labels.length < wanted) wrong(`${wanted - labels.length} of ${wanted} labels of picture ${k} are not there`);
+        for (const { text, box } of labels) {
+          for (const line of lines) if (line[4] > 1 && cut(box, line)) wrong(`"${text}" over an arrow`);
+        }
+      });
       for (const { text, size } of sized) if (size < least - 0.01) wrong(`"${text}" is ${size} px high`);
       const page = document.documentElement;
       if (page.scrollWidth > innerWidth) wrong(`the page is ${page.scrollWidth} px wide in ${innerWidth}`);

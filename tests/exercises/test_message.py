@@ -50,7 +50,7 @@ def test_an_answer_judged_by_properties_is_shown_beside_the_one_it_breaks():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
-@pytest.mark.parametrize("seed", (None, 20_261))
+@pytest.mark.parametrize("seed", (None, pytest.param(20_261, marks=pytest.mark.long)))
 def test_every_counterexample_can_be_pasted_and_gives_what_it_says(exercise, seed):
     cases = exercise.draw(seed)
     for mistake in exercise.mistakes:

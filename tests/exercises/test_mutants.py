@@ -20,7 +20,7 @@ pytestmark = pytest.mark.slow
 
 LISTED = Path(__file__).with_name("surviving_mutants.txt")
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
-SAMPLE = 10  # mutants of each formula in the everyday run
+SAMPLE = 5  # mutants of each formula in the everyday run
 Key = tuple[str, str]
 
 

@@ -810,7 +810,8 @@ def test_evidence_is_printed_as_a_number(lesson):
     (path,) = SOLUTIONS.glob(f"{lesson}-*.ipynb")
     for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
         for output in cell.get("outputs", ()):
-            words = "".join(output.get("text", ())).split()
+            printed = output.get("text") or output.get("data", {}).get("text/plain", ())
+            words = "".join(printed).split()
             assert not {"True", "False"} & set(words), cell["id"]
 
 

@@ -14,6 +14,7 @@ from course.shapes import (
     HalfSpace,
     Polytopes,
     Sphere,
+    k_dop,
     polytopes,
 )
 
@@ -51,7 +52,12 @@ def require_sound(solids, rounding=1e-12):
             corner = solids.vertices[loop]
             area = sum(np.cross(a - corner[0], b - corner[0])
                        for a, b in zip(corner[1:], corner[2:], strict=False))  # fmt: skip
-            assert area @ n > 0.999 * np.linalg.norm(area) > 0
+            # Where a face is but a sliver, only the hull says which way it faces.
+            if (
+                rounding < 1e-10
+                and np.linalg.norm(area) > 1e-3 * np.square(corner - corner[0]).max()
+            ):
+                assert area @ n > 0.999 * np.linalg.norm(area)
             for a, b in zip(loop, np.roll(loop, -1), strict=True):
                 assert (a, b) not in runs
                 runs[int(a), int(b)] = f
@@ -207,3 +213,79 @@ def test_topology_goes_along():
     assert [f is g for f, g in zip(joined.forms[:4], hulls.forms[::-1], strict=True)]
     assert "topology" in vars(joined.forms[0]) and "topology" not in vars(more.forms[0])
     require_sound(polytopes(joined))
+
+
+# Campaigns: sets of points that break hulls, and k-DOPs around such sets.
+
+
+def hard_points(rng):
+    """Lattices, clusters, needles, plates, prisms, points within others' hulls."""
+    kind, m = rng.integers(7), int(rng.integers(1, 60))
+    lattice = rng.integers(0, 3, size=(m, 3)).astype(float)
+    normal = rng.normal(size=(m, 3))
+    if kind == 0:
+        return lattice
+    if kind == 1:
+        return lattice * rng.choice([1, 0.1, 1e-3, 1e-6, 1e-9, 1e-11], 3)
+    if kind == 2:
+        return normal / np.linalg.norm(normal, axis=1, keepdims=True)
+    if kind == 3:
+        return normal * 10.0 ** rng.uniform(-13, 0, 3)
+    if kind == 4:
+        angle = np.arange(m) * 2 * np.pi / m
+        ring = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+        return np.concatenate([ring, ring + [0, 0, 10.0 ** rng.uniform(-13, 1)]])
+    if kind == 5:
+        near = normal[rng.integers(0, m, 30)]
+        noise = rng.normal(size=(30, 3)) * 10.0 ** rng.uniform(-17, -5)
+        return np.concatenate([normal, near + noise])
+    return np.concatenate([lattice, rng.dirichlet(np.ones(m), 20) @ lattice])
+
+
+def slack_of(points):
+    """1e-9 of the size, and 64 eps of the largest coordinate."""
+    eps = np.finfo(float).eps
+    return 1e-9 * np.ptp(points, axis=0).max() + 64 * eps * np.abs(points).max()
+
+
+@pytest.mark.parametrize(
+    "count", [25, pytest.param(3000, marks=pytest.mark.long)], ids=["few", "many"]
+)
+def test_hulls_of_hard_points(count):
+    """All points below all faces, all supports at a corner, the layout whole."""
+    rng = np.random.default_rng(7)
+    for _ in range(count):
+        away = rng.choice([0, 1, 1e4, 1e8])
+        points = hard_points(rng) @ rotations(rng, 1)[0].T + away
+        solids, slack = polytopes(ConvexHull(points)), slack_of(points)
+        assert (points @ solids.normals.T <= solids.offsets + slack).all()
+        u = rng.normal(size=(30, 3))
+        u /= np.linalg.norm(u, axis=1, keepdims=True)
+        most = ((points - away) @ u.T).max(axis=0)
+        kept = ((solids.vertices - away) @ u.T).max(axis=0)
+        np.testing.assert_allclose(kept, most, atol=slack, rtol=0)
+        require_sound(solids, slack)
+
+
+@pytest.mark.parametrize(
+    "count", [10, pytest.param(1500, marks=pytest.mark.long)], ids=["few", "many"]
+)
+def test_k_dops_around_hard_points(count):
+    """All corners within all slabs, each slab touched, the layout whole."""
+    rng = np.random.default_rng(8)
+    for _ in range(count):
+        points = hard_points(rng) + rng.choice([0, 1, 1e4, 1e8])
+        kdop = k_dop(points, int(rng.choice([14, 18, 26])))
+        solids, slack = polytopes(kdop), slack_of(points)
+        along = solids.vertices @ kdop.directions.T
+        np.testing.assert_allclose(along.max(axis=0), kdop.upper, atol=slack, rtol=0)
+        np.testing.assert_allclose(along.min(axis=0), kdop.lower, atol=slack, rtol=0)
+        require_sound(solids, 4 * slack)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_volume_of_a_hull_is_qhulls(seed):
+    from scipy.spatial import ConvexHull as Qhull
+
+    points = np.random.default_rng(seed).normal(size=(40, 3)) * [1, 3, 0.1]
+    assert ConvexHull(points).volume() == pytest.approx(Qhull(points).volume, rel=1e-12)

@@ -38,7 +38,8 @@ from course.workbook.stage.words import shown_number
 COLORS = ("blue", "vermillion")
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
 WINDOW = (-2.9, -0.95, 2.9, 1.25)
-SCALE = 0.45  # metres drawn for 1 m/s
+SCALE = 0.45  # metres drawn for 1 m/s, while nothing is faster than FASTEST [m/s]
+FASTEST = 4.0
 PUSHED = 0.14  # for which the impulse is seen [s]
 ROWS = (0.42, 0.12)  # of the velocities above the balls [m]
 BELOW = -0.77  # where the centre of mass is shown [m]
@@ -95,9 +96,10 @@ def impulse(against: Any = None, exercise: str = "impulse_central") -> Exhibit:
         KNOBS,
         hold,
         PRESETS,
-        question="Ball 2 comes in with 3 m/s, ball 1 stands still, both weigh 1 kg, nothing is lost. "
-        "Which speeds do they leave with?",
-        answer="They swap them: ball 2 stops, ball 1 leaves with 3 m/s (key 1).",
+        question="Ball 2 weighs twice as much as ball 1, they meet head on at 2 m/s, and e = 0.8. "
+        "Does ball 2 go on, stop, or turn round?",
+        answer="It turns round, with 0.4 m/s: v₂ changes by half of what v₁ changes by, and that is 4.8 m/s. "
+        "With e = 0.5 it would stop.",
     )  # fmt: skip
 
 
@@ -152,11 +154,12 @@ def _pane(title: str, motion: CentralMotion, times: Any) -> Pane:
         for k, (r, color) in enumerate(zip(motion.radius, COLORS, strict=True))
     ]
     return Pane(
-        [*balls, ball(0.045, color="black")],
+        [*balls, labelled(ball(0.045, color="black"), "centre of mass")],
         place,
         title=title,
         arrows=[
-            Arrows("velocity", velocity, "m/s", at=place[:, :2], scale=SCALE, color=COLORS, lift=lifted, numbers=True),
+            Arrows("velocity", velocity, "m/s", at=place[:, :2], scale=SCALE * FASTEST / _top(motion), color=COLORS,
+                   lift=lifted, numbers=True),
             Arrows("impulse p̂", push, "N s", at=place[:, :2], scale=_push_scale(motion), color="green"),
             Arrows("normal n", [[1.0, 0.0, 0.0]], at=[[0.0, 0.0, BELOW]], scale=0.4, color="black", shown=False),
         ],
@@ -191,10 +194,14 @@ def _charts(motions: list[CentralMotion], times: Any) -> list[Any]:
 
 
 def _around(*motions: CentralMotion) -> tuple[float, float]:
-    """Limits that stand still while a knob moves within a factor of two."""
-    fastest = max(4.0, *(float(np.abs(m.velocity).max()) for m in motions))
-    top = 4.0 * 2.0 ** np.ceil(np.log2(fastest / 4.0))
+    top = _top(*motions)
     return -1.08 * top, 1.08 * top
+
+
+def _top(*motions: CentralMotion) -> float:
+    """As fast as anything is, in steps of a factor of two: pictures stand still while a knob moves."""
+    fastest = max(FASTEST, *(float(np.abs(m.velocity).max()) for m in motions))
+    return float(FASTEST * 2.0 ** np.ceil(np.log2(fastest / FASTEST)))
 
 
 def _guides(mass: Any, before: Any, after: Any) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from course.workbook.stage import (
     Preset,
     Segments,
     ball,
+    labelled,
     standing,
 )
 from course.workbook.stage.words import shown_number
@@ -106,8 +107,8 @@ def _pane(scene: Dome, theta: float, times: np.ndarray, gaps: list[np.ndarray]) 
     return Pane(
         [
             standing(ball(scene.radius)),
-            ball(0.014, color="orange"),
-            ball(0.018, color="black"),
+            labelled(ball(0.014, color="orange"), "old point"),
+            labelled(ball(0.018, color="black"), "particle"),
         ],
         place,
         arrows=[

@@ -70,9 +70,10 @@ def gap_rate() -> Exhibit:
         KNOBS,
         held,
         PRESETS,
-        question="The bar's centre rises with 0.5 m/s and the plank's does not move. Can the gap close all the same?",
-        answer="Yes (key 4): d is measured at the contact. A's corner sinks where the bar turns against the clock, "
-        "and B's point rises: ḋ is the difference of the two points' velocities along N.",
+        question="Neither centre moves, but both bodies turn. Does the gap stay as wide as it is?",
+        answer="No: d is measured at the contact. A's corner sinks where the bar turns against the clock, "
+        "and B's point rises: ḋ is the difference of the two points' velocities along N. It closes even where A's "
+        "centre rises (key 4).",
     )
 
 

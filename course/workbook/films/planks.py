@@ -82,7 +82,7 @@ def _pane(found: PlankForces, path: Array, rest: Array) -> Pane:
     solids = [
         box((0.1, 1.5, 0.05), color="orange"),
         labelled(ball(0.14, color="blue"), "20"),
-        ball(0.035, color="black"),
+        labelled(ball(0.035, color="black"), "centre of mass"),
         labelled(standing(box((0.1, 0.06, 0.3))), "1"),
         labelled(standing(box((0.1, 0.06, 0.3))), "2"),
         standing(box((0.1, 30.0, 1.0)), endless=True),

@@ -22,8 +22,7 @@ from course.workbook.stage import (
 )
 
 SWEEPS, HIGH, MOST = 60, 0.5, 12  # how many, a box's height [m], most boxes
-WINDOW = (-0.75, -0.35, 5.35, 7.0)
-LONGEST = 2.6  # of the forces as they are drawn [m]
+BESIDE, APART = 0.75, 0.36  # where the forces are drawn, each beside the one below [m]
 KNOBS = (
     Knob("count", "boxes", 6, 2, MOST, 1),
     Knob("top", "mass of the topmost", 1.0, 0.01, 100.0, unit="kg", logarithmic=True),
@@ -58,7 +57,7 @@ def film(count: float, top: float, relaxation: float) -> Film:
     return Film(
         [_pane(found, times)],
         times,
-        Flat("xz", WINDOW),
+        Flat("xz", _window(round(count))),
         title="Sweeps through a stack",
         caption="A second of the film is one sweep. The dot is at the contact that is set; green its force so far, "
         "black the force that carries all above.",
@@ -71,6 +70,16 @@ def film(count: float, top: float, relaxation: float) -> Film:
     )  # fmt: skip
 
 
+def longest(count: int) -> float:
+    """Of the forces as they are drawn [m]."""
+    return 0.4 + 0.2 * count
+
+
+def _window(count: int) -> tuple[float, float, float, float]:
+    """The stack and its forces, whatever stands on top: left, bottom, right, top [m]."""
+    return -0.75, -0.35, BESIDE + APART * count + 0.1, HIGH * count + longest(count)
+
+
 def _pane(found: SweptStack, times: Array) -> Pane:
     steps, count = found.path.shape
     height = HIGH * np.arange(count)
@@ -81,8 +90,8 @@ def _pane(found: SweptStack, times: Array) -> Pane:
     place[1:, count + 1, 2] = height[np.arange(steps - 1) % count]
     colors = ["orange" if k % 2 else "sky" for k in range(count)]
     boxes = [box((0.5, 0.5, 0.49 * HIGH), color=color) for color in colors]
-    at = np.stack([0.75 + 0.36 * np.arange(count), 0 * height, height], axis=-1)
-    scale = LONGEST / float(found.truth.max())
+    at = np.stack([BESIDE + APART * np.arange(count), 0 * height, height], axis=-1)
+    scale = longest(count) / float(found.truth.max())
     power = 10.0 ** np.floor(np.log10(scale))
     scale = power * max(s for s in (1, 2, 5) if s * power <= scale)
     up = np.array([0.0, 0.0, 1.0])

@@ -75,9 +75,10 @@ def wall(against: Any = None) -> Exhibit:
         KNOBS,
         [Hand(away, body=0, until=0.6 * MEETING)],
         PRESETS,
-        question="A ball comes at 45° onto a level wall, and half of the speed comes back, e = 0.5. "
-        "Does it leave flatter or steeper than it came?",
-        answer="Flatter, at 27°: only the part along n is halved, the part along the wall stays (key 2).",
+        question="The wall is tilted, and e = 0.6 of the speed into it comes back. "
+        "Seen from the wall, does the ball leave flatter or steeper than it came?",
+        answer="Flatter: only the part along n shrinks, the part along the wall stays. "
+        "From 45° onto a level wall it leaves at 27° where e = 0.5 (key 2).",
     )  # fmt: skip
 
 

@@ -10,7 +10,6 @@ from scipy.spatial import ConvexHull, QhullError
 
 from course.arrays import Array
 from course.workbook.plots.figure import PALETTE
-from course.workbook.stage.words import shown_number
 
 INK, SOFT, FIXED = "#16191d", "#5b6470", "#c9cfd6"
 
@@ -67,31 +66,33 @@ def arrow(start: Array, tip: Array, color: str) -> str:
 
 def segments(shown: Any, index: int, screen: Any) -> list[str]:
     color = PALETTE[shown.color]
-    out = []
     ends = (np.asarray(shown.start)[index], np.asarray(shown.end)[index])
-    for k, (start, end) in enumerate(zip(*ends, strict=True)):
-        (x, y), (a, b) = screen(start), screen(end)
-        out.append(
-            f'<path d="M{x:.1f} {y:.1f}L{a:.1f} {b:.1f}" stroke="{color}" stroke-width="2"/>'
-        )
-        if shown.value is not None:
-            value = float(np.asarray(shown.value)[index][k])
-            words = f"{shown.name} {shown_number(value, 3)} {shown.unit}"
-            place = np.array([(x + a) / 2 + 4, (y + b) / 2])
-            out.append(text(place, words.strip(), color, "400", "start"))
-    return out
+    return [
+        f'<path d="M{x:.1f} {y:.1f}L{a:.1f} {b:.1f}" stroke="{color}" stroke-width="2"/>'
+        for (x, y), (a, b) in zip(*map(screen, ends), strict=True)
+    ]
 
 
 def text(
-    place: Array, words: str, color: str, weight: str, anchor: str = "middle"
-) -> str:
+    place: Array, words: str, color: str, weight: str, anchor: str = "middle", behind: str = "#fff"
+) -> str:  # fmt: skip
+    """Words at a place, with a rim of what is behind them: lines may run there."""
     x, y = place
-    # White around what is not written on a body: it may lie on lines or a floor.
-    halo = "" if color == "#fff" else 'stroke="#fff" stroke-width="3" '
     return (
-        f'<text x="{x:.1f}" y="{y + 5:.1f}" text-anchor="{anchor}" fill="{color}" {halo}'
-        f'paint-order="stroke" font-weight="{weight}">{html.escape(words)}</text>'
+        f'<text x="{x:.1f}" y="{y + 5:.1f}" text-anchor="{anchor}" fill="{color}" '
+        f'stroke="{behind}" stroke-width="3" paint-order="stroke" '
+        f'font-weight="{weight}">{html.escape(words)}</text>'
     )
+
+
+def ink_on(color: str) -> str:
+    """Black or white, whichever is read better on a colour (WCAG's contrast)."""
+    channels = np.array([int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)])
+    linear = np.where(
+        channels <= 0.04045, channels / 12.92, ((channels + 0.055) / 1.055) ** 2.4
+    )
+    light = float(linear @ [0.2126, 0.7152, 0.0722]) + 0.05
+    return "#ffffff" if 1.05 / light >= light / 0.055 else "#111418"
 
 
 def line(points: Array, color: str, wide: float, alpha: float = 1.0) -> str:

@@ -13,10 +13,16 @@ PARTS = (
     "asking",
     "clock",
     "look",
+    "labels",
     "matrices",
     "flat",
+    "camera",
+    "drawing",
     "space",
     "charts",
+    "elements",
+    "layout",
+    "hands",
     "stage",
 )
 _IMPORT = re.compile(r"^import [^;]*?;\n", re.MULTILINE | re.DOTALL)

@@ -15,7 +15,19 @@ from course.arrays import Array
 from course.workbook.plots.figure import PALETTE
 from course.workbook.stage import marks
 from course.workbook.stage.film import Film
+from course.workbook.stage.lettering import (
+    HEIGHT,
+    LETTER,
+    THIN,
+    Label,
+    Line,
+    Shape,
+    arrow_label,
+    lettered,
+    segment_label,
+)
 from course.workbook.stage.panes import Pane
+from course.workbook.stage.plane_picture import size_in_words
 from course.workbook.stage.solids import Solid
 from course.workbook.stage.views import CAMERAS, Space
 
@@ -28,6 +40,8 @@ SEAM = "0.9"  # what an edge is wide, so that nothing shows between neighbours
 #: Triangles with an edge longer than this part of what is seen are cut: painted as wholes
 #: from far to near, large ones would cover what lies before their middle.
 FINE = 0.2
+THROUGH = 0.35  # how much of a hidden arrow is seen
+TOGETHER = 4  # moments of a trail that are one piece
 #: Something to paint: how far from the eye it is [m], and its SVG.
 Piece = tuple[float, str]
 
@@ -105,24 +119,80 @@ def space_picture(
     pieces: list[Piece] = []
     for k, solid in enumerate(pane.solids):
         pieces += _body(solid, turn[k], place[k], eye)
-    for a in pane.arrows:
-        if a.shown:
-            start = np.asarray(a.at)[index]
-            tip = start + float(a.scale or 1) * np.asarray(a.vector)[index]
-            for b, e, color in zip(start, tip, a.color, strict=True):
-                pieces += _arrow(b, e, PALETTE[color], eye)
-    out += [drawn for _, drawn in sorted(pieces, key=lambda p: -p[0])]
     for body in pane.trails:
-        path = np.asarray(pane.position)[: index + 1, body]
         color = PALETTE[pane.solids[body].parts[0].color]
-        out.append(marks.line(eye.screen(path), color, 1.5, 0.6))
-    for k, solid in enumerate(pane.solids):
-        if solid.label:
-            out.append(marks.text(eye.screen(place[k]), solid.label, marks.INK, "600"))
+        pieces += _trail(np.asarray(pane.position)[: index + 1, body], color, eye)
+    arrows, words = _arrows(pane, index, eye)
+    pieces += arrows
+    out += [drawn for _, drawn in sorted(pieces, key=lambda p: -p[0])]
+    # What a body hides of an arrow shines through it.
+    hidden = "".join(drawn for _, drawn in sorted(arrows, key=lambda p: -p[0]))
+    out.append(f'<g opacity="{THROUGH}">{hidden}</g>')
     for s in pane.segments:
         if s.shown:
             out += marks.segments(s, index, eye.screen)
-    return "".join(out)
+    return "".join(out + _labels(pane, index, place, turn, words, eye))
+
+
+def _arrows(pane: Pane, index: int, eye: Eye) -> tuple[list[Piece], list[Any]]:
+    """Pieces of all arrows that are shown; where each is on the canvas, its colour and its words."""
+    pieces: list[Piece] = []
+    words = []
+    for a in pane.arrows:
+        if not a.shown:
+            continue
+        vector = np.asarray(a.vector)[index]
+        start = np.asarray(a.at)[index]
+        tip = start + float(a.scale or 1) * vector
+        for b, e, v, color in zip(start, tip, vector, a.color, strict=True):
+            drawn = list(_arrow(b, e, PALETTE[color], eye))
+            pieces += drawn
+            if drawn:
+                said = size_in_words(a, v) if a.numbers else ""
+                words.append((eye.screen(np.stack([b, e])), PALETTE[color], said))
+    return pieces, words
+
+
+def _trail(path: Array, color: str, eye: Eye) -> Iterator[Piece]:
+    """A body's way in pieces, each as far from the eye as its middle."""
+    view = eye.middle + eye.distance * eye.axes[2]
+    for k in range(0, len(path) - 1, TOGETHER):
+        some = path[k : k + TOGETHER + 1]
+        far = float(np.linalg.norm(some.mean(axis=0) - view))
+        yield far, marks.line(eye.screen(some), color, 1.5, 0.6)
+
+
+def _labels(
+    pane: Pane, index: int, place: Array, turn: Array, words: list[Any], eye: Eye
+) -> list[str]:
+    """Names of bodies, sizes of arrows, values of measured lines: where they cover nothing."""
+    lines = [Line(ends, 4.0) for ends, _, _ in words]
+    labels = []
+    for k, solid in enumerate(pane.solids):
+        if solid.label:
+            x, y = eye.screen(place[k])
+            aside = 0.5 * LETTER * len(solid.label) + 12.0
+            near = [[x, y + HEIGHT], [x, y - HEIGHT], [x + aside, y], [x - aside, y]]
+            labels.append(Label(solid.label, marks.INK, np.array(near)))
+    for ends, color, said in words:
+        if said:
+            labels.append(arrow_label(said, color, *ends))
+    for s in pane.segments:
+        if not s.shown:
+            continue
+        both = [eye.screen(np.asarray(v)[index]) for v in (s.start, s.end)]
+        for k, (a, b) in enumerate(zip(*both, strict=True)):
+            lines.append(Line(np.stack([a, b]), THIN))
+            if s.value is not None:
+                value = float(np.asarray(s.value)[index][k])
+                ends = np.stack([a, b])
+                color = PALETTE[s.color]
+                labels.append(segment_label(s.name, value, s.unit, color, ends))
+    shapes = [
+        Shape(marks.hull(eye.screen(part.core @ turn[k].T + place[k])), eye.pixels(part.radius, place[k]))
+        for k, solid in enumerate(pane.solids) if not solid.fixed for part in solid.parts
+    ]  # fmt: skip
+    return lettered(labels, lines, shapes, eye.size)
 
 
 def _body(solid: Solid, turn: Array, place: Array, eye: Eye) -> Iterator[Piece]:

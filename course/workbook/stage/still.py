@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import base64
 import html
-from typing import Any
 
 import numpy as np
 
-from course import rotations
-from course.arrays import Array
 from course.workbook.plots.figure import PALETTE
 from course.workbook.stage import marks
 from course.workbook.stage.film import Film
-from course.workbook.stage.panes import Pane
 from course.workbook.stage.perspective import space_picture
-from course.workbook.stage.views import PLANES, Flat
+from course.workbook.stage.plane_picture import plane_picture, window_of
+from course.workbook.stage.views import Flat
 from course.workbook.stage.words import description, scale_in_words
 
 WIDTH = 720.0  # of the whole picture, and the least a pane is high
@@ -35,7 +32,7 @@ def svg(film: Film, *, time: float | None = None) -> str:
     drawn = []
     for k, pane in enumerate(film.panes):
         x, y = (0.0, k * (height + head)) if stacked else (k * width, 0.0)
-        body = _flat(film, pane, index, width, height) if isinstance(film.view, Flat) else \
+        body = plane_picture(film, pane, index, width, height) if isinstance(film.view, Flat) else \
             space_picture(film, pane, index, width, height)  # fmt: skip
         drawn.append(
             f'<g transform="translate({x:.1f} {y:.1f})">{_title(pane.title, width)}'
@@ -64,19 +61,8 @@ def image(film: Film, *, time: float | None = None) -> str:
 def _aspect(film: Film) -> float:
     if not isinstance(film.view, Flat):
         return 1.35
-    left, bottom, right, top = _window(film)
+    left, bottom, right, top = window_of(film)
     return float(np.clip((right - left) / (top - bottom), 0.6, 6.0))
-
-
-def _window(film: Film) -> tuple[float, float, float, float]:
-    assert isinstance(film.view, Flat)
-    if film.view.window is not None:
-        return film.view.window
-    right, up = (np.array(v) for v in PLANES[film.view.plane])
-    low, high = film.bounds
-    (a, c), (b, d) = (sorted((low @ v, high @ v)) for v in (right, up))
-    margin = 0.06 * max(c - a, d - b) or 1.0
-    return a - margin, b - margin, c + margin, d + margin
 
 
 def _title(words: str, width: float) -> str:
@@ -88,46 +74,6 @@ def _title(words: str, width: float) -> str:
         f'<text x="{width / 2:.0f}" y="16" text-anchor="middle" font-weight="600">'
         f"{html.escape(seen)}</text>"
     )
-
-
-def _flat(film: Film, pane: Pane, index: int, width: float, height: float) -> str:
-    left, bottom, right, top = _window(film)
-    assert isinstance(film.view, Flat)
-    plane = np.array(PLANES[film.view.plane])
-    scale = min(width / (right - left), height / (top - bottom))
-    middle = np.array([(left + right) / 2, (bottom + top) / 2])
-
-    def screen(p: Any) -> Array:
-        return np.asarray(
-            [width / 2, height / 2]
-            + scale * (np.asarray(p) @ plane.T - middle) * [1, -1]
-        )
-
-    out = []
-    turn = rotations.to_matrix(np.asarray(pane.orientation)[index])
-    place = np.asarray(pane.position)[index]
-    for k in sorted(range(len(pane.solids)), key=lambda k: not pane.solids[k].fixed):
-        solid = pane.solids[k]
-        for part in solid.parts:
-            points = marks.hull(screen(part.core @ turn[k].T + place[k]))
-            color = marks.FIXED if solid.fixed else PALETTE[part.color]
-            out.append(marks.outline(points, part.radius * scale, color))
-        if solid.label:
-            ink = marks.INK if solid.fixed else "#fff"  # what is fixed is light
-            out.append(marks.text(screen(place[k]), solid.label, ink, "600"))
-    for s in pane.segments:
-        if s.shown:
-            out += marks.segments(s, index, screen)
-    for a in pane.arrows:
-        if a.shown:
-            lift = np.outer(np.asarray(a.lift), plane[1])
-            start = np.asarray(a.at)[index] + lift
-            tip = start + float(a.scale or 1) * np.asarray(a.vector)[index]
-            out += [
-                marks.arrow(b, e, PALETTE[c])
-                for b, e, c in zip(screen(start), screen(tip), a.color, strict=True)
-            ]
-    return "".join(out)
 
 
 def _legend(film: Film, top: float) -> tuple[str, int]:

@@ -105,3 +105,14 @@ def test_momenta_off_the_line_are_seen_off_it():
 
     motion = central_motion(**RIGHT, restitution=0.8, outcome=by_momenta(all_alike))
     assert motion.aside == pytest.approx([4.8, -2.4])
+
+
+def test_the_answer_to_the_question():
+    """Of the film that stands there at first, and with e = 0.5."""
+    shown = {knob.name: knob.value for knob in KNOBS}
+    after = central_motion(**shown).velocity[-1]
+    assert after == pytest.approx([2.8, -0.4])
+    stopped = central_motion(**{**shown, "restitution": 0.5}).velocity[-1]
+    assert stopped[1] == pytest.approx(0.0, abs=1e-12)
+    assert shown["mass_2"] == 2 * shown["mass_1"]
+    assert shown["velocity_2"] == -shown["velocity_1"] == 2

@@ -41,7 +41,10 @@ def test_it_can_be_made_at_both_ends_of_every_knob_and_for_every_preset(name):
         said = [shown_number(v, n.digits) for n in film.numbers for v in n.values]
         assert not [v for v in said if "e−" in v]
         if isinstance(film.view, Flat):
-            assert film.view.window == first.view.window is not None
+            assert film.view.window is not None
+            # The picture stands still while a knob moves; other bodies are another picture.
+            if len(film.panes[0].solids) == len(first.panes[0].solids):
+                assert film.view.window == first.view.window
     assert exhibit.question and exhibit.answer
 
 

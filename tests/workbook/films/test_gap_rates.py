@@ -82,3 +82,14 @@ def test_a_hand_moves_the_tip_that_it_holds():
             for f in (first, film)
         ]
         assert tips[1][2] - tips[0][2] == pytest.approx(0.1)
+
+
+def test_the_answer_to_the_question():
+    """At first neither centre moves and the gap closes; by key 4 it does so while A's centre rises."""
+    values = dict(gap_rate().values)
+    assert values["velocity_a"] == values["velocity_b"] == 0
+    closes = [values, PRESETS[3].values]
+    for v in closes:
+        now = rates_now(v["rate_a"], v["rate_b"], v["velocity_a"], v["velocity_b"])
+        assert sum(now.parts.values()) < 0
+    assert PRESETS[3].values["velocity_a"] > 0

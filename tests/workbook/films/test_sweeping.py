@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from course.study.swept_stacks import swept_stack
-from course.workbook.films.sweeping import KNOBS, LONGEST, PRESETS, SWEEPS, sweeps
+from course.workbook.films.sweeping import KNOBS, PRESETS, SWEEPS, longest, sweeps
 
 START = {k.name: k.value for k in KNOBS}
 CASES = [START | {k.name: end} for k in KNOBS for end in (k.low, k.high)]
@@ -58,10 +58,11 @@ def test_the_film_shows_the_path_and_its_ending_is_true(values):
     force, right = film.panes[0].arrows
     assert np.asarray(force.vector)[:, :, 2] == pytest.approx(found.path)
     assert np.asarray(right.vector)[0, :, 2] == pytest.approx(found.truth)
-    assert (
-        force.scale == right.scale
-        and 0.2 * LONGEST < right.scale * found.truth.max() <= LONGEST
-    )
+    assert force.scale == right.scale
+    assert 0.2 < right.scale * found.truth.max() / longest(n) <= 1
+    tips = np.asarray(right.at)[0] + right.scale * np.asarray(right.vector)[0]
+    _, _, far, top = film.view.window
+    assert tips[:, 0].max() < far and tips[:, 2].max() <= top
     off = np.abs(found.path[::n] / found.truth - 1).max(axis=1)
     if "still" in film.ending:
         assert off[-1] > 0.01

@@ -38,6 +38,9 @@ def test_the_answer_to_the_question():
     leaves = np.degrees(np.arctan2(values["along n after"], values["along the wall"]))
     assert leaves == pytest.approx(26.565, abs=1e-3)
     assert values["energy kept"] == pytest.approx(62.5)
+    film = wall().made()
+    values = {n.name: n.values[0] for n in film.numbers}
+    assert abs(values["along n after"]) < abs(values["along n before"])
 
 
 def test_what_is_said_of_a_ball_that_leaves():

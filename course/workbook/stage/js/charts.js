@@ -50,6 +50,18 @@ export function tenTo(value) {
   return `10${raised}`;
 }
 
+const LEAST_PLOT = 4; // heights of a letter
+
+/**
+ * How much higher than its width asks for a chart has to be, for something to be seen below its names [pixels].
+ * @param {CanvasRenderingContext2D} context @param {object} chart @param {number} width @param {number} height @param {number} font
+ */
+export function heightMissing(context, chart, width, height, font) {
+  context.font = `${font}px system-ui, sans-serif`;
+  const rows = chart.kind === "path" && height < 14 * font ? 0 : legendRows(context, chart, width, font).length;
+  return Math.max(0, (1.7 + 1.35 * rows + 2.7 + LEAST_PLOT) * font - height);
+}
+
 /** Paints a chart at a time; returns the boxes of its texts, and how a place in it is a time. */
 export function drawChart(context, chart, film, time, options) {
   const { width, height, theme, font } = options;

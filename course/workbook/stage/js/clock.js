@@ -1,6 +1,6 @@
 // The film's time: playing at the display's rate, standing, stepping.
 
-import { stepped } from "./film.js";
+import { stepped, written } from "./film.js";
 
 export const FRAME = 1 / 30; // a single step, in seconds of playing
 
@@ -61,4 +61,10 @@ export class Clock {
     this.seek(time);
     this.next(() => this.#tick());
   }
+}
+
+/** Seconds of motion in one of playing, as it is said: "real time", "5 times slower". @param {number} speed @returns {string} */
+export function speedInWords(speed) {
+  if (Math.abs(speed - 1) < 1e-9) return "real time";
+  return speed < 1 ? `${written(1 / speed, 2)} times slower` : `${written(speed, 2)} times faster`;
 }

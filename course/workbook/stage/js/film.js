@@ -157,26 +157,3 @@ export function written(value, digits = 3) {
     ? text.toExponential().replace("e+", "e") : String(text);
   return plain.replace(/-/g, "−");
 }
-
-/**
- * Places for labels: each takes the first of its candidates that covers no label placed
- * before it, and none where all do.
- * @param {{text: string, width: number, height: number, places: number[][]}[]} labels
- *   places: middles (x, y) in order of preference; must: drawn in any case
- * @param {number[][]} taken boxes [left, top, right, bottom] that are not to be covered
- */
-export function placedLabels(labels, taken = []) {
-  const boxes = taken.slice();
-  const out = [];
-  for (const label of labels) {
-    const box = ([x, y]) => [x - label.width / 2, y - label.height / 2,
-      x + label.width / 2, y + label.height / 2];
-    const free = (b) => boxes.every((o) => b[2] <= o[0] || o[2] <= b[0] || b[3] <= o[1] || o[3] <= b[1]);
-    const place = label.places.find((p) => free(box(p)));
-    if (place) {
-      boxes.push(box(place));
-      out.push(Object.assign({}, label, { x: place[0], y: place[1], box: box(place) }));
-    }
-  }
-  return out;
-}

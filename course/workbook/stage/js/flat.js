@@ -1,7 +1,8 @@
 // A flat picture of a pane on a canvas: bodies as outlines, to scale, and what is drawn on them.
 
 import { between, dot, hull, momentAt, turned, turnedBetween, written } from "./film.js";
-import { drawArrow, drawLabels } from "./look.js";
+import { covers, drawLabels } from "./labels.js";
+import { drawArrow } from "./look.js";
 
 /**
  * How the plane of a view lies on a canvas: the whole window, to one scale, in its middle.
@@ -32,44 +33,51 @@ export function flatFrame(view, width, height) {
   };
 }
 
-/** Paints a pane at a time; returns the boxes of its labels. */
+/** Paints a pane at a time; returns the boxes of its labels, how many were wanted, and what they keep clear of. */
 export function drawFlat(context, film, pane, time, options) {
-  const { width, height, theme, font, hidden, trails } = options;
+  const { width, height, theme, font, hidden, trails, handles, memory } = options;
   const view = film.view;
   const frame = flatFrame(view, width, height);
   const moment = momentAt(film.times, time);
   context.fillStyle = theme.paper;
   context.fillRect(0, 0, width, height);
-  const labels = [];
+  const [labels, lines, bodies] = [[], [], []];
   const order = pane.solids.map((_, i) => i)
     .sort((a, b) => Number(pane.solids[b].fixed) - Number(pane.solids[a].fixed));
   if (trails) for (const body of pane.trails) drawTrail(context, film, pane, body, time, frame, theme);
-  for (const body of order) drawBody(context, pane, body, moment, frame, theme, font, labels);
-  for (const s of pane.segments) if (!hidden.has(s.name)) drawSegments(context, s, moment, frame, theme, labels, font);
-  for (const a of pane.arrows) if (!hidden.has(a.name)) drawArrows(context, a, view, moment, frame, theme, labels, font);
-  const drawn = drawLabels(context, labels.filter((l) => l.onBody), theme, font, [width, height]);
-  const rest = drawLabels(context, labels.filter((l) => !l.onBody), theme, font, [width, height], drawn.map((l) => l.box));
-  return [...drawn, ...rest];
+  for (const body of order) drawBody(context, pane, body, moment, frame, theme, font, labels, bodies);
+  for (const s of pane.segments) if (!hidden.has(s.name)) drawSegments(context, s, moment, frame, theme, labels, lines, font);
+  for (const a of pane.arrows) if (!hidden.has(a.name)) drawArrows(context, a, view, moment, frame, theme, labels, lines, font);
+  const surroundings = { lines, bodies, handles, bounds: [width, height], memory };
+  return { labels: drawLabels(context, labels, theme, font, surroundings), wanted: labels.length, lines };
 }
 
 function pose(pane, body, moment) {
   return [between(pane.position, moment, 3 * body, 3), turnedBetween(pane.orientation, moment, 4 * body)];
 }
 
-function drawBody(context, pane, body, moment, frame, theme, font, labels) {
+function drawBody(context, pane, body, moment, frame, theme, font, labels, bodies) {
   const solid = pane.solids[body];
   const [x, q] = pose(pane, body, moment);
-  for (const part of solid.parts) {
-    const points = part.core.map((p) => frame.screen(turned(q, p).map((v, i) => v + x[i])));
-    outline(context, hull(points), part.radius * frame.scale, solid.fixed ? theme.fixed : theme.palette[part.color], theme, solid.fixed);
-  }
+  const shapes = solid.parts.map((part) => ({ fixed: solid.fixed, radius: part.radius * frame.scale,
+    points: hull(part.core.map((p) => frame.screen(turned(q, p).map((v, i) => v + x[i])))) }));
+  const colors = solid.parts.map((part) => (solid.fixed ? theme.fixed : theme.palette[part.color]));
+  shapes.forEach(({ points, radius }, k) => outline(context, points, radius, colors[k], theme, solid.fixed));
   if (!solid.fixed && solid.parts.length === 1 && solid.parts[0].core.length === 1) {
     mark(context, solid.parts[0].radius * frame.scale, frame, x, q, theme);
   }
-  if (solid.label) {
-    labels.push({ text: solid.label, color: solid.fixed ? theme.ink : "#ffffff", places: [frame.screen(x)],
-      veil: false, onBody: true });
-  }
+  bodies.push(...shapes);
+  if (solid.label) labels.push(nameOf(solid, body, frame.screen(x), shapes, colors[0], theme, font));
+}
+
+/** A body's name: within it where there is room, else beside it. */
+function nameOf(solid, body, [x, y], shapes, fill, theme, font) {
+  const inside = shapes.find(({ points: p, radius }) => covers([x - 1, y - 1, x + 1, y + 1], { points: p, radius })) || shapes[0];
+  const reach = solid.parts.length === 1 && inside.points.length === 1 ? inside.radius : 0.6 * font;
+  const [aside, over] = [0.3 * (solid.label.length + 2) * font + reach, 0.7 * font + reach];
+  const places = [[0, 0], [0, 0.5], [0, -0.5], [0.5, 0], [-0.5, 0]].map(([a, b]) => [x + a * reach, y + b * reach]);
+  return { key: `body ${body}`, text: solid.label, color: theme.ink, fill, inside, anchor: [x, y],
+    places: [...places, [x + aside, y], [x - aside, y], [x, y - over], [x, y + over]] };
 }
 
 /** A dot near the rim of a ball, so that its turning is seen. */
@@ -169,13 +177,15 @@ export function arrowTip(arrows, k, view, moment) {
   return between(arrows.at, moment, 3 * k, 3).map((v, i) => v + arrows.scale * vector[i] + (lift && lift * view.up[i]));
 }
 
-function drawArrows(context, arrows, view, moment, frame, theme, labels, font) {
+function drawArrows(context, arrows, view, moment, frame, theme, labels, lines, font) {
   const width = Math.max(2, 0.17 * font);
   arrows.colors.forEach((color, k) => {
     const [start, tip, vector] = arrowEnds(arrows, k, view, moment, frame);
     drawArrow(context, start, tip, theme.palette[color], width);
     const length = Math.hypot(tip[0] - start[0], tip[1] - start[1]);
-    if (!arrows.numbers || length < 3) return;
+    if (length < 3) return;
+    lines.push([...start, ...tip, 1.5 * width]);
+    if (!arrows.numbers) return;
     const said = arrows.unit ? `${written(Math.hypot(...vector))} ${arrows.unit}` : arrows.name;
     const [ux, uy] = [(tip[0] - start[0]) / length, (tip[1] - start[1]) / length];
     const middle = [(start[0] + tip[0]) / 2, (start[1] + tip[1]) / 2];
@@ -184,13 +194,13 @@ function drawArrows(context, arrows, view, moment, frame, theme, labels, font) {
     const [wide, high] = [0.3 * said.length * font + 0.6 * font, off];
     const aside = (far) => [far * Math.abs(uy) * wide, -far * Math.abs(ux) * high];
     const at = ([x, y], [dx, dy]) => [x + dx, y + dy];
-    labels.push({ text: said, color: theme.palette[color], places: [
+    labels.push({ key: `${arrows.name} ${k}`, text: said, color: theme.palette[color], anchor: middle, places: [
       at(middle, aside(1)), at(middle, aside(-1)), at(tip, [ux * wide, uy * high]),
       at(tip, aside(1)), at(tip, aside(-1)), at(middle, aside(2.2)), at(middle, aside(-2.2))] });
   });
 }
 
-function drawSegments(context, segments, moment, frame, theme, labels, font) {
+function drawSegments(context, segments, moment, frame, theme, labels, lines, font) {
   const count = segments.start.stride / 3;
   const color = theme.palette[segments.color];
   context.strokeStyle = color;
@@ -202,10 +212,11 @@ function drawSegments(context, segments, moment, frame, theme, labels, font) {
     context.moveTo(a[0], a[1]);
     context.lineTo(b[0], b[1]);
     context.stroke();
+    lines.push([...a, ...b, 1]);
     if (!segments.value) continue;
     const value = between(segments.value, moment, k, 1)[0];
     const [x, y] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-    labels.push({ text: `${segments.name} ${written(value)} ${segments.unit}`, color,
+    labels.push({ key: `${segments.name} ${k}`, text: `${segments.name} ${written(value)} ${segments.unit}`, color, anchor: [x, y],
       places: [[x + 3 * font, y], [x - 3 * font, y], [x, y - font], [x, y + font]] });
   }
 }

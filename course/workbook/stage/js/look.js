@@ -1,6 +1,4 @@
-// Colours for light and dark, and what is drawn the same way in every picture: arrows, labels.
-
-import { placedLabels } from "./film.js";
+// Colours for light and dark, and arrows, which are drawn the same way in every flat picture.
 
 // The palette is made for white paper; on a dark page the deep tones are lifted.
 const LIFTED = {
@@ -53,32 +51,4 @@ export function drawArrow(context, start, tip, color, width) {
   context.lineTo(neck[0] + half * uy, neck[1] - half * ux);
   context.closePath();
   context.fill();
-}
-
-/**
- * Labels that cover neither each other nor what is taken; returns their boxes.
- * @param {{text: string, color: string, places: number[][]}[]} wanted
- */
-export function drawLabels(context, wanted, theme, font, bounds, taken = []) {
-  context.font = `${font}px system-ui, sans-serif`;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  const [width, height] = bounds;
-  const measured = wanted.map((label) => {
-    const w = context.measureText(label.text).width + 0.5 * font;
-    const inside = label.places.map(([x, y]) => [
-      Math.min(width - w / 2 - 1, Math.max(w / 2 + 1, x)),
-      Math.min(height - 0.65 * font, Math.max(0.65 * font, y))]);
-    return Object.assign({}, label, { width: w, height: 1.25 * font, places: inside });
-  });
-  const placed = placedLabels(measured, taken);
-  for (const label of placed) {
-    if (label.veil !== false) {
-      context.fillStyle = theme.veil;
-      context.fillRect(label.box[0], label.box[1], label.width, label.height);
-    }
-    context.fillStyle = label.color;
-    context.fillText(label.text, label.x, label.y);
-  }
-  return placed.map(({ text, box }) => ({ text, box }));
 }

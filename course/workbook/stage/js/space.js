@@ -1,97 +1,19 @@
-// A view into space, by WebGL2: bodies, their shadows on a ground, arrows; labels, trails and
-// measured lines are painted above them. Browsers keep about 16 WebGL contexts alive: all
-// pictures of a page are drawn by one, out of sight, and copied onto canvases of their own.
+// A view into space: bodies, their shadows on a ground, arrows and trails by WebGL2; measured lines
+// and labels are painted above them.
 
-import { between, momentAt, turnedBetween, written } from "./film.js";
-import { drawLabels } from "./look.js";
-import { arrowCorners, corners, frameAlong, indexed, lookAt, multiplied, perspective, projected, putPlace, shadowOn, unit }
-  from "./matrices.js";
+import { eyeOf, eyePlace, pixelSize } from "./camera.js";
+import { INSTANCE, LIGHT, sharedDrawing } from "./drawing.js";
+import { between, hull, momentAt, turned, turnedBetween, written } from "./film.js";
+import { drawLabels } from "./labels.js";
+import { corners, cross, frameAlong, projected, putPlace, shadowOn, unit } from "./matrices.js";
 
-const ANGLE = (32 * Math.PI) / 180; // from foot to top of the picture
-const LIGHT = unit([-0.45, 0.62, -1]); // the way it shines
-const ROOM = 1.06; // around what is seen
-const INSTANCE = 15; // numbers: three axes, a place, a colour
-const STILL = Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+const TRAIL = 1.8; // pixels
+const THROUGH = 0.35; // how much is seen of an arrow that a body hides
+const MOST_OF_TRAIL = 1500; // pieces
 
-const VERTEX = `#version 300 es
-  layout(location=0) in vec3 place; layout(location=1) in vec3 normal; layout(location=2) in vec3 color;
-  layout(location=3) in vec3 first; layout(location=4) in vec3 second; layout(location=5) in vec3 third;
-  layout(location=6) in vec3 start; layout(location=7) in vec3 tint;
-  uniform mat4 eye, flatten; out vec3 n, c;
-  void main() {
-    n = normalize(first) * normal.x + normalize(second) * normal.y + normalize(third) * normal.z; c = color * tint;
-    gl_Position = eye * flatten * vec4(start + first * place.x + second * place.y + third * place.z, 1.0); }`;
-const FRAGMENT = `#version 300 es
-  precision mediump float; in vec3 n, c; uniform vec3 light; uniform vec4 flat_color; out vec4 painted;
-  void main() {
-    float lit = 0.76 + 0.28 * max(-0.8, dot(normalize(n), -light));
-    painted = flat_color.a > 0.0 ? flat_color : vec4(c * lit, 1.0); }`;
-
-/** The colour of a palette as three numbers from 0 to 1. */
+/** The colour of a palette as three numbers from 0 to 1. @param {string} hex "#rrggbb" @returns {number[]} */
 export function rgb(hex) {
   return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
-}
-
-/** A camera that looks at the middle of the window from a preset's side, as near as shows all of it. */
-export function cameraOf(view, preset) {
-  const [direction, up] = view.cameras[preset];
-  const d = unit(direction);
-  const flat = up[2] === 0;
-  const camera = { yaw: flat ? -Math.PI / 2 : Math.atan2(d[1], d[0]), pitch: flat ? Math.PI / 2 - 1e-3 : Math.asin(d[2]),
-    reach: 0.5 * Math.hypot(...view.high.map((v, i) => v - view.low[i])) || 1 };
-  const seen = lookAt(d, [0, 0, 0], flat ? up : [0, 0, 1]);
-  let distance = 0;
-  for (let k = 0; k < 8; k += 1) {
-    const p = view.low.map((v, i) => ((k >> i) & 1 ? view.high[i] : v));
-    const [x, y, z] = [0, 1, 2].map((row) => seen[row] * p[0] + seen[4 + row] * p[1] + seen[8 + row] * p[2]);
-    distance = Math.max(distance, z + (ROOM * Math.max(Math.abs(x) / 1.2, Math.abs(y))) / Math.tan(ANGLE / 2));
-  }
-  return Object.assign(camera, { distance: distance || 1 });
-}
-
-/** From the world to the screen, for a camera and a picture's shape. */
-export function eyeOf(camera, aspect) {
-  const { yaw, pitch, distance, reach } = camera;
-  const away = distance * Math.max(1, 1.2 / aspect);
-  const eye = [Math.cos(yaw) * Math.cos(pitch), Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch)]
-    .map((v) => away * v);
-  const near = Math.max(0.02 * away, away - 4 * reach);
-  return multiplied(perspective(ANGLE, aspect, near, away + 4 * reach), lookAt(eye, [0, 0, 0], [0, 0, 1]));
-}
-
-/**
- * How a hand moves in space: where points are on the canvas, and the way from `start` along
- * the knobs' directions (one or two) whose end is nearest to a point of the canvas.
- */
-export function spaceFrame(camera, width, height) {
-  const eye = eyeOf(camera, width / height);
-  const screen = (p) => projected(eye, p, width, height).point;
-  const dragged = (start, directions, [x, y]) => {
-    const moved = [0, 0, 0];
-    for (let turn = 0; turn < 6; turn += 1) { // Newton's way: the perspective is not linear
-      const at = start.map((v, i) => v + moved[i]);
-      const here = screen(at);
-      const small = 1e-4 * camera.reach;
-      const slopes = directions.map((d) => screen(at.map((v, i) => v + small * d[i])).map((v, i) => (v - here[i]) / small));
-      const left = [x - here[0], y - here[1]];
-      leastSquares(slopes, left).forEach((s, k) => directions[k].forEach((d, i) => { moved[i] += s * d; }));
-    }
-    return moved;
-  };
-  return { screen, dragged };
-}
-
-/** The one or two factors of plane vectors whose sum is nearest to another. */
-function leastSquares(slopes, left) {
-  const inner = (a, b) => a[0] * b[0] + a[1] * b[1];
-  const [a, b] = slopes;
-  if (!b) return [inner(a, left) / (inner(a, a) || 1)];
-  // Seen from its edge a plane is a line: what lies across it cannot be taken from the picture.
-  const least = 1e-3 * (inner(a, a) + inner(b, b)) || 1;
-  const [aa, ab, bb] = [inner(a, a) + least, inner(a, b), inner(b, b) + least];
-  const [p, q] = [inner(a, left), inner(b, left)];
-  const size = aa * bb - ab * ab;
-  return [(bb * p - ab * q) / size, (aa * q - ab * p) / size];
 }
 
 /** The lines of a ground plane at round distances, as wide as everything; nine numbers an end. */
@@ -112,131 +34,9 @@ function groundLines(view, color) {
   return new Float32Array(out);
 }
 
-function rendererOf(gl) {
-  const told = gl.getExtension("WEBGL_debug_renderer_info");
-  return String(gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-}
-
-/** The page's one WebGL context, and what all pictures draw with. */
-class Drawing {
-  constructor() {
-    this.#open(true);
-    // Where the processor draws, smoothing every frame halves their number: there only what stands is smooth.
-    this.slow = Boolean(this.gl) && /swiftshader|llvmpipe|software/i.test(rendererOf(this.gl));
-    if (this.slow) {
-      const lose = this.gl.getExtension("WEBGL_lose_context");
-      if (lose) lose.loseContext();
-      this.#open(false);
-    }
-    this.views = new Set();
-    this.age = 0; // how often the context was lost
-    if (!this.gl) return;
-    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-    this.canvas.addEventListener("webglcontextrestored", () => {
-      this.age += 1;
-      this.#begin();
-      for (const view of this.views) view.again();
-    });
-    this.#begin();
-  }
-
-  #open(antialias) {
-    this.canvas = document.createElement("canvas");
-    this.gl = this.canvas.getContext("webgl2", { antialias });
-  }
-
-  #begin() {
-    const { gl } = this;
-    this.program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(this.program, shader);
-    }
-    gl.linkProgram(this.program);
-    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS) && !gl.isContextLost()) {
-      throw new Error(gl.getProgramInfoLog(this.program));
-    }
-    this.uniform = Object.fromEntries(["eye", "flatten", "light", "flat_color"].map((n) => [n, gl.getUniformLocation(this.program, n)]));
-    gl.vertexAttrib3f(2, 1, 1, 1); // what has no colours of its own is white, and tinted
-    this.arrows = [0, 1].map((head) => this.mesh(arrowCorners(10, head), [3, 3]));
-  }
-
-  /** Corners: `sizes` numbers for each attribute from location 0 on; and room for instances. */
-  mesh(values, sizes) {
-    const { gl } = this;
-    const array = gl.createVertexArray();
-    const [buffer, order, instances] = [0, 1, 2].map(() => gl.createBuffer());
-    const stride = sizes.reduce((a, b) => a + b, 0);
-    const once = indexed(values, stride);
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, once.values, gl.STATIC_DRAW);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, order);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, once.index, gl.STATIC_DRAW);
-    sizes.reduce((from, size, location) => {
-      gl.enableVertexAttribArray(location);
-      gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * stride, 4 * from);
-      return from + size;
-    }, 0);
-    gl.bindBuffer(gl.ARRAY_BUFFER, instances);
-    for (let k = 0; k < 5; k += 1) {
-      gl.enableVertexAttribArray(3 + k);
-      gl.vertexAttribPointer(3 + k, 3, gl.FLOAT, false, 4 * INSTANCE, 12 * k);
-      gl.vertexAttribDivisor(3 + k, 1);
-    }
-    return { array, buffers: [buffer, order, instances], instances, count: once.index.length };
-  }
-
-  /** Draws a mesh once for each 15 numbers; none: for those it was drawn with before. */
-  draw(mesh, values, color, lines = false) {
-    const { gl, uniform } = this;
-    gl.bindVertexArray(mesh.array);
-    if (values) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, mesh.instances);
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.DYNAMIC_DRAW);
-      mesh.drawn = values.length / INSTANCE;
-    }
-    gl.uniform4fv(uniform.flat_color, color || [0, 0, 0, 0]);
-    gl.drawElementsInstanced(lines ? gl.LINES : gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0, mesh.drawn);
-  }
-
-  /** A clean sheet of so many pixels in the lower left corner. */
-  begin(width, height, eye, paper) {
-    const { gl, canvas, uniform } = this;
-    // All of it is copied, however much was asked for: where that is slow it is as large as the picture.
-    if (this.slow ? canvas.width !== width : canvas.width < width) canvas.width = width;
-    if (this.slow ? canvas.height !== height : canvas.height < height) canvas.height = height;
-    gl.viewport(0, 0, width, height);
-    gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(0, 0, width, height);
-    gl.enable(gl.DEPTH_TEST);
-    gl.clearColor(...paper, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.useProgram(this.program);
-    gl.uniform3fv(uniform.light, LIGHT);
-    gl.uniformMatrix4fv(uniform.eye, false, eye);
-    gl.uniformMatrix4fv(uniform.flatten, false, STILL);
-  }
-
-  drop(meshes) {
-    for (const { array, buffers } of meshes) {
-      this.gl.deleteVertexArray(array);
-      for (const buffer of buffers) this.gl.deleteBuffer(buffer);
-    }
-  }
-}
-
-/** The same for every stage of a page, each of which may be a module of its own. */
-function sharedDrawing() {
-  const name = Symbol.for("course.stage.drawing");
-  globalThis[name] = globalThis[name] || new Drawing();
-  return globalThis[name];
-}
-
-/** The drawing of one pane in space; `again` is called when it must be drawn anew. */
+/** The drawing of one pane in space. */
 export class SpaceView {
+  /** @param {() => void} again is called when it must be drawn anew */
   constructor(again) {
     Object.assign(this, { again, drawing: sharedDrawing(), meshes: [], loaded: [] });
     this.drawing.views.add(this);
@@ -259,8 +59,14 @@ export class SpaceView {
     this.loaded = now;
   }
 
-  /** Paints a time onto a canvas; returns the matrix from the world to the screen. */
-  draw(context, film, pane, time, { theme, hidden, camera, width, height, hurried }) {
+  /**
+   * Paints a time onto a canvas.
+   * @param {CanvasRenderingContext2D} context @param {object} film @param {object} pane @param {number} time [s]
+   * @param {object} options theme, hidden (names), trails, camera, width, height, hurried
+   * @returns {Float32Array} the matrix from the world to the screen
+   */
+  draw(context, film, pane, time, options) {
+    const { theme, hidden, camera, width, height, hurried } = options;
     const { drawing } = this;
     const { gl } = drawing;
     const eye = eyeOf(camera, width / height);
@@ -276,6 +82,7 @@ export class SpaceView {
       drawing.draw(mesh, values);
     }
     this.#arrows(pane, moment, theme, hidden, camera);
+    if (options.trails) this.#trails(film, pane, moment, options);
     if (this.ground) this.#floor(film.view, theme, camera);
     context.save();
     context.setTransform(1, 0, 0, 1, 0, 0);
@@ -291,6 +98,23 @@ export class SpaceView {
     gl.uniformMatrix4fv(uniform.flatten, false, shadowOn(ground - 0.001 * camera.reach, LIGHT));
     const shadow = rgb(theme.paper).map((v) => (theme.dark ? 0.45 * v : 0.82 * v));
     for (const { mesh, fixed } of this.bodies) if (!fixed) drawing.draw(mesh, null, [...shadow, 1]);
+  }
+
+  /** Lines that bodies leave behind them, hidden where something is before them. */
+  #trails(film, pane, moment, { theme, camera, width, height }) {
+    const eye = eyePlace(camera, width / height);
+    const wide = 0.5 * TRAIL * pixelSize(height);
+    for (const body of pane.trails) {
+      const step = Math.max(1, Math.floor(moment.index / MOST_OF_TRAIL));
+      const points = [];
+      for (let k = 0; k <= moment.index; k += step) points.push(between(pane.position, { index: k, part: 0 }, 3 * body, 3));
+      points.push(between(pane.position, moment, 3 * body, 3));
+      const values = strips(points, eye, wide);
+      if (!values.length) continue;
+      const color = rgb(theme.palette[pane.solids[body].parts[0].color]);
+      const faint = rgb(theme.paper).map((v, i) => 0.35 * v + 0.65 * color[i]);
+      this.drawing.draw(this.drawing.ribbon, values, [...faint, 1]);
+    }
   }
 
   #arrows(pane, moment, theme, hidden, camera) {
@@ -314,7 +138,9 @@ export class SpaceView {
       });
     }
     if (!shafts.length) return;
-    [shafts, heads].forEach((values, which) => this.drawing.draw(this.drawing.arrows[which], new Float32Array(values)));
+    const { drawing } = this;
+    drawing.through(THROUGH, () => [shafts, heads].forEach((values, which) => drawing.draw(drawing.arrows[which], new Float32Array(values))));
+    for (const mesh of drawing.arrows) drawing.draw(mesh, null);
   }
 
   release() {
@@ -325,6 +151,21 @@ export class SpaceView {
   }
 }
 
+/** Strips that face the eye between points; INSTANCE numbers each. @param {number} wide half of it, at 1 m from the eye [m] */
+function strips(points, eye, wide) {
+  const out = [];
+  for (let k = 1; k < points.length; k += 1) {
+    const [a, b] = [points[k - 1], points[k]];
+    const along = b.map((v, i) => v - a[i]);
+    const away = eye.map((v, i) => v - a[i]);
+    const aside = cross(along, away);
+    if (Math.hypot(...aside) < 1e-12) continue;
+    const half = wide * Math.hypot(...away);
+    out.push(...unit(aside).map((v) => half * v), ...unit(away), ...along, ...a, 1, 1, 1);
+  }
+  return new Float32Array(out);
+}
+
 function sheet(context, theme, width, height, words) {
   context.fillStyle = theme.paper;
   context.fillRect(0, 0, width, height);
@@ -332,59 +173,71 @@ function sheet(context, theme, width, height, words) {
   context.fillText(words, 12, 24);
 }
 
-/** What lies above the bodies: trails, measured lines, labels; returns the labels' boxes. */
+/**
+ * What lies above the bodies: measured lines and labels.
+ * @param {CanvasRenderingContext2D} context @param {object} film @param {object} pane @param {number} time [s]
+ * @param {Float32Array} eye from the world to the screen @param {object} options as for `SpaceView.draw`; and font, handles, memory
+ * @returns {{labels: object[], wanted: number, lines: number[][]}} boxes, how many there should be, what they keep clear of
+ */
 export function drawAbove(context, film, pane, time, eye, options) {
-  const { width, height, theme, font, hidden, trails } = options;
+  const { width, height, theme, font, hidden, handles, memory } = options;
   const moment = momentAt(film.times, time);
-  const at = (p) => projected(eye, p, width, height);
-  const line = (points, color, wide, alpha = 1) => {
+  const at = (p) => projected(eye, p, width, height).point;
+  const [labels, lines] = [[], []];
+  pane.solids.forEach((solid, k) => {
+    if (!solid.label) return;
+    const [x, y] = at(between(pane.position, moment, 3 * k, 3));
+    labels.push({ key: `body ${k}`, text: solid.label, color: theme.ink, anchor: [x, y],
+      places: [[x, y + 1.1 * font], [x, y - 1.1 * font], [x + font, y], [x - font, y]] });
+  });
+  for (const s of pane.segments) if (!hidden.has(s.name)) measuredLines(context, s, moment, at, theme, font, labels, lines);
+  for (const a of pane.arrows) if (!hidden.has(a.name)) arrowLabels(a, moment, at, theme, font, labels, lines);
+  const surroundings = { lines, bodies: outlines(pane, moment, at, eye, height), handles, bounds: [width, height], memory };
+  return { labels: drawLabels(context, labels, theme, font, surroundings), wanted: labels.length, lines };
+}
+
+function measuredLines(context, segments, moment, at, theme, font, labels, lines) {
+  const color = theme.palette[segments.color];
+  for (let k = 0; k < segments.start.stride / 3; k += 1) {
+    const [a, b] = [segments.start, segments.end].map((track) => at(between(track, moment, 3 * k, 3)));
     context.strokeStyle = color;
-    context.lineWidth = wide;
-    context.globalAlpha = alpha;
+    context.lineWidth = 2.2;
     context.beginPath();
-    points.forEach((p, k) => {
-      const { point, before } = at(p);
-      if (k && before) context.lineTo(...point); else context.moveTo(...point);
-    });
+    context.moveTo(...a);
+    context.lineTo(...b);
     context.stroke();
-    context.globalAlpha = 1;
-  };
-  if (trails) {
-    for (const body of pane.trails) {
-      const step = Math.max(1, Math.floor(moment.index / 1500));
-      const points = [];
-      for (let k = 0; k <= moment.index; k += step) points.push(between(pane.position, { index: k, part: 0 }, 3 * body, 3));
-      points.push(between(pane.position, moment, 3 * body, 3));
-      line(points, theme.palette[pane.solids[body].parts[0].color], 1.5, 0.6);
-    }
+    lines.push([...a, ...b, 1]);
+    if (!segments.value) continue;
+    const [x, y] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+    labels.push({ key: `${segments.name} ${k}`, color, anchor: [x, y],
+      text: `${segments.name} ${written(between(segments.value, moment, k, 1)[0])} ${segments.unit}`,
+      places: [[x + 3 * font, y], [x - 3 * font, y], [x, y - font], [x, y + font]] });
   }
-  const labels = pane.solids.map((solid, k) => ({ solid, k })).filter(({ solid }) => solid.label)
-    .map(({ solid, k }) => {
-      const [x, y] = at(between(pane.position, moment, 3 * k, 3)).point;
-      return { text: solid.label, color: theme.ink, places: [[x, y + 1.1 * font], [x, y - 1.1 * font], [x + font, y], [x - font, y]] };
-    });
-  for (const s of pane.segments) {
-    if (hidden.has(s.name)) continue;
-    for (let k = 0; k < s.start.stride / 3; k += 1) {
-      const ends = [s.start, s.end].map((track) => between(track, moment, 3 * k, 3));
-      line(ends, theme.palette[s.color], 2.2);
-      if (!s.value) continue;
-      const [a, b] = ends.map((p) => at(p).point);
-      const [x, y] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-      labels.push({ text: `${s.name} ${written(between(s.value, moment, k, 1)[0])} ${s.unit}`, color: theme.palette[s.color],
-        places: [[x + 3 * font, y], [x - 3 * font, y], [x, y - font], [x, y + font]] });
-    }
-  }
-  for (const a of pane.arrows) {
-    if (hidden.has(a.name) || !a.numbers) continue;
-    a.colors.forEach((color, k) => {
-      const vector = between(a.vector, moment, 3 * k, 3);
-      const tip = between(a.at, moment, 3 * k, 3).map((v, i) => v + a.scale * vector[i]);
-      if (Math.hypot(...vector) * a.scale < 1e-6) return;
-      const { point: [x, y] } = at(tip);
-      const said = a.unit ? `${written(Math.hypot(...vector))} ${a.unit}` : a.name;
-      labels.push({ text: said, color: theme.palette[color], places: [[x, y - font], [x, y + font], [x + 3 * font, y], [x - 3 * font, y]] });
-    });
-  }
-  return drawLabels(context, labels, theme, font, [width, height]);
+}
+
+function arrowLabels(arrows, moment, at, theme, font, labels, lines) {
+  arrows.colors.forEach((color, k) => {
+    const vector = between(arrows.vector, moment, 3 * k, 3);
+    if (Math.hypot(...vector) * arrows.scale < 1e-6) return;
+    const start = between(arrows.at, moment, 3 * k, 3);
+    const [from, [x, y]] = [at(start), at(start.map((v, i) => v + arrows.scale * vector[i]))];
+    lines.push([...from, x, y, 0.25 * font]);
+    if (!arrows.numbers) return;
+    const text = arrows.unit ? `${written(Math.hypot(...vector))} ${arrows.unit}` : arrows.name;
+    const aside = 0.3 * (text.length + 2) * font;
+    const [a, b] = [(from[0] + x) / 2, (from[1] + y) / 2];
+    labels.push({ key: `${arrows.name} ${k}`, text, color: theme.palette[color], anchor: [a, b],
+      places: [[x, y - font], [x, y + font], [x + aside, y], [x - aside, y], [a + aside, b], [a - aside, b]] });
+  });
+}
+
+/** What bodies cover of the picture, nearly: the outline of each part. */
+function outlines(pane, moment, at, eye, height) {
+  return pane.solids.flatMap((solid, k) => {
+    if (solid.fixed) return [];
+    const [x, q] = [between(pane.position, moment, 3 * k, 3), turnedBetween(pane.orientation, moment, 4 * k)];
+    const depth = eye[3] * x[0] + eye[7] * x[1] + eye[11] * x[2] + eye[15];
+    return solid.parts.map((part) => ({ radius: part.radius / (pixelSize(height) * Math.max(depth, 1e-9)),
+      points: hull(part.core.map((p) => at(turned(q, p).map((v, i) => v + x[i])))) }));
+  });
 }

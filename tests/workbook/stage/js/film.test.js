@@ -4,16 +4,11 @@ import test from "node:test";
 import { draggedValue, learnedGain, rounded, slid, unslid } from "../../../../course/workbook/stage/js/asking.js";
 import { Clock } from "../../../../course/workbook/stage/js/clock.js";
 import {
-  between, hull, momentAt, placedLabels, slerp, stepped, ticks, turned, turnedBetween, unpack, written,
+  between, hull, momentAt, slerp, stepped, ticks, turned, turnedBetween, unpack, written,
 } from "../../../../course/workbook/stage/js/film.js";
+import { random } from "./random.js";
 
 const close = (a, b, tolerance = 1e-12) => a.forEach((v, i) => assert.ok(Math.abs(v - b[i]) <= tolerance, `${a} is not ${b}`));
-const random = (seed) => () => { // mulberry32: a small generator that can be seeded
-  seed = (seed + 0x6d2b79f5) | 0;
-  let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
-  t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-  return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-};
 
 test("numbers come out of base64 as they went in", () => {
   const values = new Float64Array([1.5, -2, 1e8 + 1]);
@@ -115,18 +110,6 @@ test("numbers are written for reading", () => {
   assert.equal(written(Infinity), "∞");
   assert.equal(written(NaN), "–");
   assert.equal(written(123456, 6), "1.23456e5");
-});
-
-test("labels never cover each other, and one without a free place is left out", () => {
-  const next = random(4);
-  const labels = Array.from({ length: 60 }, () => ({ text: "x", width: 40, height: 15,
-    places: Array.from({ length: 4 }, () => [400 * next(), 300 * next()]) }));
-  const placed = placedLabels(labels, [[0, 0, 50, 50]]);
-  assert.ok(placed.length > 10 && placed.length < 60);
-  const boxes = [[0, 0, 50, 50], ...placed.map((l) => l.box)];
-  boxes.forEach((a, i) => boxes.slice(0, i).forEach((b) => {
-    assert.ok(a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1]);
-  }));
 });
 
 test("a hand moves a knob along its direction, within its ends, on its steps", () => {

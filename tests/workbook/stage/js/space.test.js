@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 
 import { projected } from "../../../../course/workbook/stage/js/matrices.js";
-import { cameraOf, eyeOf, spaceFrame } from "../../../../course/workbook/stage/js/space.js";
+import { cameraOf, eyeOf, spaceFrame } from "../../../../course/workbook/stage/js/camera.js";
 
 const cameras = {
   corner: [[0.62, -0.72, 0.42], [0, 0, 1]], front: [[0, -1, 0], [0, 0, 1]],
