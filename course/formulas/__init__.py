@@ -2,14 +2,15 @@
 
 One module a lesson, named as the lesson is. An exercise's reference is the function of
 its name, with its own signature: what it is judged by, what its hint shows at the end
-and what its solution cell holds are these lines; the library is measured by them. Asked by no exercise are ``project``
-and ``box_axes``, which lesson 05 shows, and ``separation_acceleration``.
+and what its solution cell holds are these lines; the library is measured by them. Asked
+by no exercise are ``project`` and ``box_axes``, which lesson 05 shows, and
+``separation_acceleration``.
 
 lesson_00_start_here (Start here)
     speed_along
 lesson_05_separating_axis (Separating axis)
-    half_shadow, shadow_gap, edge_normals, polygons_overlap, oriented_boxes_overlap,
-    project, box_axes; least_translation, hulls_overlap
+    project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
+    oriented_boxes_overlap, least_translation, hulls_overlap
 lesson_09_energy_and_motion (Energy and motion)
     sigma, linear_kinetic_energy, angular_kinetic_energy, world_inertia,
     angular_acceleration, symplectic_euler_step, rotate, rk4_step

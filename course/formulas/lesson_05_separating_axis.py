@@ -77,7 +77,7 @@ def box_axes(rotation_a, rotation_b):
     3 face normals of A, 3 of B, 9 products a_i x b_j of their edges; the products are
     not of unit length, and 0 where edges are parallel    (syllabus rows 4 and 10)
 
-    rotations (..., 3, 3); returns (..., 15, 3).
+    rotations (..., 3, 3) [1]; returns (..., 15, 3) [1].
     Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996.
     """
     a, b = np.swapaxes(rotation_a, -1, -2), np.swapaxes(rotation_b, -1, -2)

@@ -58,6 +58,12 @@ from course.study.gap_cases import (
     old_point,
     pair_states,
 )
+from course.study.growing_hulls import (
+    HullGrowth,
+    gjk_distance,
+    hull_growth,
+    random_hull,
+)
 from course.study.growth import SolverGrowth, solver_growth
 from course.study.impact_cases import (
     CentralImpact,
@@ -151,6 +157,7 @@ __all__ = [
     "DifferenceBody",
     "DifferenceErrors",
     "GapRate",
+    "HullGrowth",
     "MatrixGrowth",
     "Method",
     "OldPoint",
@@ -195,8 +202,10 @@ __all__ = [
     "exact_matrix",
     "find_threshold",
     "gap_rate",
+    "gjk_distance",
     "growth_per_step",
     "growth_rate",
+    "hull_growth",
     "impulses_at_once",
     "impulses_by_springs",
     "impulses_by_steps",
@@ -216,6 +225,7 @@ __all__ = [
     "polygon_shadows",
     "pushed_table",
     "random_box_pairs",
+    "random_hull",
     "relative_verdict",
     "rod_landing",
     "rod_on_spring",

@@ -33,7 +33,7 @@ def answers_in(lesson) -> dict:
 @pytest.mark.parametrize("lesson", all_lessons(), ids=lambda le: le.number)
 def test_every_solution_passes_with_other_seeds(lesson):
     namespace = answers_in(lesson)
-    drawn = np.random.default_rng(int(lesson.number)).integers(2**32, size=SEEDS)
+    drawn = np.random.default_rng(int(lesson.number[:2])).integers(2**32, size=SEEDS)
     for exercise in lesson.exercises:
         names = [a.name for a in exercise.arguments]
         answer = as_function(

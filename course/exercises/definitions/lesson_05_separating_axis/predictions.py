@@ -69,6 +69,25 @@ def _triangle_and_box() -> int:
     return faces_of_box + face + edges_of_box * edges
 
 
+def _shortest_way() -> str:
+    """Shifts of the least length, in many directions: which of them parts the polygons?"""
+    from course.study import PENTAGON, TRIANGLE, polygon_shadows, turned
+
+    a = turned(TRIANGLE, 20.0, (-0.6, 0.4))
+    found = polygon_shadows(a, PENTAGON)
+    angle = np.radians(np.arange(3600) / 10)
+    ways = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    depth = -found.gap.max()
+    parting = [w for w in ways if polygon_shadows(a + 1.0001 * depth * w, PENTAGON).gap.max() > 0]
+    across = np.abs(np.mean(parting, axis=0) @ found.axes.T).max()
+    return "normal" if across > 0.999 else "centres"
+
+
+def _products_of_64() -> int:
+    n = 64
+    return 2 * n * (2 * (2 * n - 4) + (3 * n - 6) ** 2)
+
+
 PREDICTIONS = (
     Prediction(
         "hidden_gap",
@@ -165,4 +184,27 @@ PREDICTIONS = (
         },
     ),
 )  # fmt: skip
-DEEPER_PREDICTIONS = ()
+DEEPER_PREDICTIONS = (
+    Prediction(
+        "shortest_way",
+        "Two convex polygons overlap. Along which direction is the shortest shift that parts them?",
+        _shortest_way,
+        "It is across an edge of A or of B: from a place inside a polygon the nearest place on its rim is the foot of a "
+        "perpendicular on a side.",
+        choices={
+            "centres": "from middle to middle",
+            "normal": "across an edge of one of the two",
+            "corners": "from the deepest corner of one to the nearest corner of the other",
+        },
+        wrong={"centres": "So it is for circles."},
+        later="Derive",
+    ),
+    Prediction(
+        "products_of_64",
+        "How many dot products does a verdict by all axes take, for two polytopes with 64 corners each?",
+        _products_of_64,
+        "124 faces and 186 edges each: 248 + 186^2 = 34,844 axes, times 128 corners.",
+        tolerance=0.02,
+        wrong={34844: "That is the number of axes. Each asks for the places of 128 corners."},
+    ),
+)
