@@ -43,7 +43,9 @@ class BoxPairs:
         return astuple(self)
 
 
-def random_turns(rng: np.random.Generator, count: int, *, upright: bool = False) -> Array:
+def random_turns(
+    rng: np.random.Generator, count: int, *, upright: bool = False
+) -> Array:
     """Rotations, (count, 3, 3): every one alike, or about z only."""
     if upright:
         angle = rng.uniform(0.0, 2 * np.pi, count)
@@ -78,8 +80,12 @@ def gaps_on_axes(pairs: BoxPairs, count: int = 15) -> Array:
     axes = formulas.box_axes(pairs.rotation_a, pairs.rotation_b)[:, :count]
     between = pairs.center_b - pairs.center_a
     gap = np.abs(np.einsum("pkd,pd->pk", axes, between))
-    gap -= np.einsum("pki,pi->pk", np.abs(axes @ pairs.rotation_a), pairs.half_extents_a)
-    gap -= np.einsum("pki,pi->pk", np.abs(axes @ pairs.rotation_b), pairs.half_extents_b)
+    gap -= np.einsum(
+        "pki,pi->pk", np.abs(axes @ pairs.rotation_a), pairs.half_extents_a
+    )
+    gap -= np.einsum(
+        "pki,pi->pk", np.abs(axes @ pairs.rotation_b), pairs.half_extents_b
+    )
     return np.asarray(gap)
 
 
@@ -87,7 +93,7 @@ def by_axes(pairs: BoxPairs, count: int) -> tuple[BoolArray, int]:
     """The verdict of the first axes, and how many axes a program tries that stops at the first gap."""
     apart = gaps_on_axes(pairs, count) > 0
     tried = np.where(apart.any(axis=-1), np.argmax(apart, axis=-1) + 1, count)
-    return ~apart.any(axis=-1), int(tried.sum())
+    return np.asarray(~apart.any(axis=-1)), int(tried.sum())
 
 
 def by_balls(pairs: BoxPairs) -> BoolArray:
@@ -142,5 +148,7 @@ def box_verdict_costs(
     return work_precision(problem, methods, count_unit="axes compared")
 
 
-def _asking(asked: Callable[..., BoolArray], pairs: BoxPairs) -> Callable[[float], tuple[BoolArray, int]]:
+def _asking(
+    asked: Callable[..., BoolArray], pairs: BoxPairs
+) -> Callable[[float], tuple[BoolArray, int]]:
     return lambda _: (asked(*pairs.arguments), 0)

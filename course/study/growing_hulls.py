@@ -32,7 +32,9 @@ class Hull:
         return self.vertices, self.normals, self.edges
 
 
-def random_hull(rng: np.random.Generator, corners: int, center: Sequence[float]) -> Hull:
+def random_hull(
+    rng: np.random.Generator, corners: int, center: Sequence[float]
+) -> Hull:
     """A polytope with so many corners on a turned ellipsoid with half axes of 1, 0.8 and 0.6 m."""
     points = rng.normal(size=(corners, 3))
     points *= [1.0, 0.8, 0.6] / np.linalg.norm(points, axis=-1, keepdims=True)
@@ -43,9 +45,13 @@ def random_hull(rng: np.random.Generator, corners: int, center: Sequence[float])
 def hull_of(points: Array) -> Hull:
     """Faces and edges of the hull of points in general position, by Qhull."""
     found = ConvexHull(points)
-    sides = np.sort(found.simplices[:, [[0, 1], [1, 2], [0, 2]]].reshape(-1, 2), axis=-1)
+    sides = np.sort(
+        found.simplices[:, [[0, 1], [1, 2], [0, 2]]].reshape(-1, 2), axis=-1
+    )
     pairs = np.unique(sides, axis=0)
-    return Hull(points, found.equations[:, :3], points[pairs[:, 1]] - points[pairs[:, 0]])
+    return Hull(
+        points, found.equations[:, :3], points[pairs[:, 1]] - points[pairs[:, 0]]
+    )
 
 
 def gjk_distance(a: Array, b: Array) -> tuple[float, int]:
@@ -85,7 +91,11 @@ def nearest_of_simplex(corners: Array) -> tuple[Array, Array]:
             some = corners[list(chosen)]
             # Least |sum l_i w_i| with sum l_i = 1: w_0 plus a step along the edges from it.
             along = (some[1:] - some[0]).T
-            step = np.linalg.lstsq(along, -some[0], rcond=None)[0] if size > 1 else np.zeros(0)
+            step = (
+                np.linalg.lstsq(along, -some[0], rcond=None)[0]
+                if size > 1
+                else np.zeros(0)
+            )
             weights = np.array([1.0 - step.sum(), *step])
             if weights.min() < -1e-12:
                 continue

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-
 from scipy.spatial import ConvexHull
 
 from course import formulas, rotations
@@ -54,7 +53,8 @@ def polygon_shadows(a: Array, b: Array) -> PolygonShadows:
     axes = np.concatenate([formulas.edge_normals(a), formulas.edge_normals(b)])
     shadows = formulas.project(a, axes), formulas.project(b, axes)
     gap = formulas.shadow_gap(*shadows[0], *shadows[1])
-    return PolygonShadows(a, b, axes, *(np.stack(s, axis=-1) for s in shadows), gap)
+    shadow_a, shadow_b = (np.stack(ends, axis=-1) for ends in shadows)
+    return PolygonShadows(a, b, axes, shadow_a, shadow_b, gap)
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,8 +87,9 @@ def turning_axis(found: PolygonShadows, degrees: Array) -> TurningAxis:
         for polygon in (found.a, found.b)
         for pick in (np.argmin, np.argmax)
     )
-    shadows = (np.stack(e, axis=-1) for e in ends)
-    return TurningAxis(axis, *shadows, formulas.shadow_gap(*ends[0], *ends[1]), bounding)
+    shadow_a, shadow_b = (np.stack(e, axis=-1) for e in ends)
+    gap = formulas.shadow_gap(*ends[0], *ends[1])
+    return TurningAxis(axis, shadow_a, shadow_b, gap, bounding)
 
 
 def common(shadow_a: Array, shadow_b: Array) -> Array:
@@ -129,7 +130,9 @@ def by_normals(function: Callable[..., Any]) -> Verdict:
 
     def verdict(a: Array, b: Array) -> bool:
         axes = np.concatenate([asked(function, [p.shape], p)[0] for p in (a, b)])
-        gap = formulas.shadow_gap(*formulas.project(a, axes), *formulas.project(b, axes))
+        gap = formulas.shadow_gap(
+            *formulas.project(a, axes), *formulas.project(b, axes)
+        )
         return bool(gap.max() <= 0)
 
     return verdict
@@ -213,7 +216,8 @@ def sinking_boxes(
     stop, met = stopped_at(overlap, way)
     height = np.maximum(way, stop)
     gaps = np.array([_gaps(rotation, e, np.array([*place, h])) for h in height])
-    return SinkingBoxes(times, height, rotation, place, e, *gaps.T, stopped=met)
+    faces, edges = gaps[:, 0], gaps[:, 1]
+    return SinkingBoxes(times, height, rotation, place, e, faces, edges, met)
 
 
 def _gaps(rotation: Array, e: Array, between: Array) -> tuple[float, float]:

@@ -29,10 +29,14 @@ def relative_verdict(pairs: BoxPairs, epsilon: float = 0.0) -> BoolArray:
     """
     R = np.swapaxes(pairs.rotation_a, -1, -2) @ pairs.rotation_b
     t = np.einsum("pji,pj->pi", pairs.rotation_a, pairs.center_b - pairs.center_a)
-    return verdict_of_relative(R, t, pairs.half_extents_a, pairs.half_extents_b, epsilon)
+    return verdict_of_relative(
+        R, t, pairs.half_extents_a, pairs.half_extents_b, epsilon
+    )
 
 
-def verdict_of_relative(R: Array, t: Array, e_a: Array, e_b: Array, epsilon: float = 0.0) -> BoolArray:
+def verdict_of_relative(
+    R: Array, t: Array, e_a: Array, e_b: Array, epsilon: float = 0.0
+) -> BoolArray:
     """The same, from R (p, 3, 3), t, e_A and e_B, (p, 3) each [m]."""
     size = np.abs(R) + epsilon
     ok = np.all(np.abs(t) <= e_a + np.einsum("pij,pj->pi", size, e_b), axis=-1)
@@ -61,14 +65,21 @@ def tilted_pairs(tilt: float, count: int, seed: int) -> BoxPairs:
     return BoxPairs(center_a, rotation_a, e[0], center_b, turned, e[1])
 
 
-def called_apart(tilts: Sequence[float], *, count: int = 20_000, seed: int = 5, epsilon: float = 0.0) -> Array:
+def called_apart(
+    tilts: Sequence[float], *, count: int = 20_000, seed: int = 5, epsilon: float = 0.0
+) -> Array:
     """Share of the overlapping pairs that the short form calls apart, for each tilt."""
     return np.array(
-        [1.0 - np.mean(relative_verdict(tilted_pairs(t, count, seed), epsilon)) for t in tilts]
+        [
+            1.0 - np.mean(relative_verdict(tilted_pairs(t, count, seed), epsilon))
+            for t in tilts
+        ]
     )
 
 
-def rounding_says(tilts: Sequence[float], *, count: int = 20_000, seed: int = 6) -> Array:
+def rounding_says(
+    tilts: Sequence[float], *, count: int = 20_000, seed: int = 6
+) -> Array:
     """The share that rounding alone predicts: R is right but for a random error in each entry.
 
     An entry of R is a sum of three products, each about a third, of factors that were

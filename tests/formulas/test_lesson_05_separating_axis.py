@@ -64,8 +64,10 @@ def test_the_gap_of_two_intervals_by_sampling_their_points():
         common = set(range(a[0], a[1] + 1)) & set(range(b[0], b[1] + 1))
         assert (gap <= 0) == bool(common)
         # The least whole shift of A after which no point of one is inside the other.
-        halves = np.arange(-40, 41) / 2
-        least = min(abs(s) for s in range(-30, 31) if not np.any((halves > a[0] + s) & (halves > b[0]) & (halves < a[1] + s) & (halves < b[1])))  # fmt: skip
+        halves = np.arange(-80, 81) / 2
+        in_b = (halves > b[0]) & (halves < b[1])
+        parting = [s for s in range(-30, 31) if not np.any(in_b & (halves > a[0] + s) & (halves < a[1] + s))]  # fmt: skip
+        least = min(map(abs, parting))
         assert least == (max(0, -gap) if common and a[0] < a[1] and b[0] < b[1] else 0)
 
 
@@ -100,7 +102,7 @@ def test_polygons_in_a_batch_are_those_one_by_one():
     b = b.reshape(5, 6, 4, 2)
     got = formulas.polygons_overlap(a, b)
     assert got.shape == (5, 6)
-    one_by_one = [[formulas.polygons_overlap(p, q) for p, q in zip(*row, strict=True)] for row in zip(a, b, strict=True)]  # fmt: skip
+    one_by_one = [[formulas.polygons_overlap(a[i, j], b[i, j]) for j in range(6)] for i in range(5)]  # fmt: skip
     assert np.array_equal(got, one_by_one)
 
 
@@ -182,7 +184,10 @@ def test_the_least_translation_parts_them_and_none_shorter_does():
 def test_hulls_overlap_where_a_linear_programme_finds_a_common_point():
     rng, seen = np.random.default_rng(11), set()
     for _ in range(40):
-        a, b = rng.normal(size=(8, 3)), rng.normal(size=(6, 3)) + rng.normal(size=3) * 1.2
+        a, b = (
+            rng.normal(size=(8, 3)),
+            rng.normal(size=(6, 3)) + rng.normal(size=3) * 1.2,
+        )
         if abs(signed_gap(a, b)) > 1e-9:
             verdict = bool(formulas.hulls_overlap(*hull(a), *hull(b)))
             assert verdict == common_point(a, b)

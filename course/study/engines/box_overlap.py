@@ -27,7 +27,10 @@ def by_fcl(*boxes: Array) -> BoolArray:
             for c, r, s in zip(center, rotation, e, strict=True)
         ])  # fmt: skip
     return np.array(
-        [fcl.collide(a, b, request, fcl.CollisionResult()) > 0 for a, b in zip(*objects, strict=True)]
+        [
+            fcl.collide(a, b, request, fcl.CollisionResult()) > 0
+            for a, b in zip(*objects, strict=True)
+        ]
     )
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from course.arrays import Array
+from course.arrays import Array, IntArray
 from course.study.shadow_cases import (
     PENTAGON,
     TRIANGLE,
@@ -36,11 +36,14 @@ from course.workbook.stage import (
 )
 
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
-WINDOW = (-3.4, -2.9, 3.4, 2.9)
+WINDOW = (-3.7, -3.7, 3.7, 3.7)
 BESIDE = 1.6  # how far from the middle the axis with its shadows is drawn [m]
-ROW, TOP, NAMES_AT, NUMBERS_AT = 0.64, 2.3, -3.1, 2.1  # of the rows [m]
+ROW, TOP, NAMES_AT, NUMBERS_AT = 0.85, 3.0, -3.4, 2.7  # of the rows [m]
 SMALL = 0.75  # how much smaller the shadows of the rows are
-TIMES, PACE = np.linspace(0.0, 6.0, 61), 30.0  # [s], and how fast the axis turns [degrees/s]
+TIMES, PACE = (
+    np.linspace(0.0, 6.0, 61),
+    30.0,
+)  # [s], and how fast the axis turns [degrees/s]
 KNOBS = (
     Knob("x", "A at x", -1.5, -1.7, 1.7, 0.05, "m"),
     Knob("y", "A at y", 1.3, -1.4, 1.4, 0.05, "m"),
@@ -75,7 +78,8 @@ def _film(x: float, y: float, turn: float) -> Film:
         TIMES,
         Flat("xy", WINDOW),
         title="Two polygons and their shadows",
-        caption="Drag the triangle A, or turn it. Left: an axis that turns, from the edge normal with the greatest gap on. "
+        caption="Drag the triangle A, or turn it. Left: an axis that turns, from the edge normal with the "
+        "greatest gap on. "
         "Right: the normals of all eight edges.",
         ending=_ending(found),
         numbers=[
@@ -89,7 +93,9 @@ def flat(polygon: Array, color: str, label: str, place: tuple[float, float]) -> 
     """A polygon of the plane as a body about a place."""
     corners = np.concatenate([polygon - place, np.zeros((len(polygon), 1))], axis=-1)
     fan = [(0, k, k + 1) for k in range(1, len(polygon) - 1)]
-    return replace(labelled(mesh(corners, fan, color=color), label), what=f"polygon {label}")
+    return replace(
+        labelled(mesh(corners, fan, color=color), label), what=f"polygon {label}"
+    )
 
 
 def _in_space(points: Array) -> Array:
@@ -111,7 +117,9 @@ def _picture(
         return _in_space(along[..., None] * n[:, None] + beside)
 
     lines = [
-        Segments(name, on_axis(ends[:, :1], lift), on_axis(ends[:, 1:], lift), color=color)
+        Segments(
+            name, on_axis(ends[:, :1], lift), on_axis(ends[:, 1:], lift), color=color
+        )
         for name, ends, lift, color in (
             ("shadow of A", turning.shadow_a, 0.0, "blue"),
             ("shadow of B", turning.shadow_b, -0.08 * side, "orange"),
@@ -143,25 +151,36 @@ def _picture(
 
 def _rows(found: PolygonShadows) -> Pane:
     height = TOP - ROW * np.arange(len(found.axes))
-    names = [f"A{k + 1}" for k in range(len(found.a))] + [f"B{k + 1}" for k in range(len(found.b))]
+    names = [f"A{k + 1}" for k in range(len(found.a))] + [
+        f"B{k + 1}" for k in range(len(found.b))
+    ]
     place = np.stack([np.full(len(names), NAMES_AT), height, 0 * height], axis=-1)
     apart = found.gap > 0
 
-    def line(ends: Array, lift: float, rows: Array) -> tuple[Array, Array]:
+    def line(ends: Array, lift: float, rows: IntArray) -> tuple[Array, Array]:
         at = np.clip(SMALL * ends[rows] - 0.35, -2.75, 2.0)
         return tuple(
-            np.stack([at[:, k], height[rows] + lift, 0 * height[rows]], axis=-1) for k in (0, 1)
+            np.stack([at[:, k], height[rows] + lift, 0 * height[rows]], axis=-1)
+            for k in (0, 1)
         )  # type: ignore[return-value]
 
     every, between = np.arange(len(names)), common(found.shadow_a, found.shadow_b)
-    numbers = np.stack([np.full(len(names), NUMBERS_AT), height - 0.06, 0 * height], axis=-1)
+    numbers = np.stack(
+        [np.full(len(names), NUMBERS_AT), height - 0.06, 0 * height], axis=-1
+    )
     kinds = (("apart", apart, "green"), ("overlapping", ~apart, "vermillion"))
     marks = [
         Segments(name, *line(between, -0.14, np.flatnonzero(rows)), color=color)
         for name, rows, color in kinds
     ]
     values = [
-        Segments("gap", numbers[rows], numbers[rows], np.round(found.gap[rows], 2) + 0.0, color=color)
+        Segments(
+            "gap",
+            numbers[rows],
+            numbers[rows],
+            np.round(found.gap[rows], 2) + 0.0,
+            color=color,
+        )
         for name, rows, color in kinds
     ]
     return Pane(
@@ -182,6 +201,10 @@ def _ending(found: PolygonShadows) -> str:
     seen = [int(np.sum(part > 0)) for part in (found.gap[:count], found.gap[count:])]
     if found.overlap:
         return f"No axis has a gap: they overlap, and the least shift that parts them is {-found.gap.max():.2f} m"
-    whose = "edges of both show it" if all(seen) else f"only {'A' if seen[0] else 'B'} shows it"
+    whose = (
+        "edges of both show it"
+        if all(seen)
+        else f"only {'A' if seen[0] else 'B'} shows it"
+    )
     have = "axis has" if sum(seen) == 1 else "axes have"
     return f"They are apart: {sum(seen)} of 8 {have} a gap, and {whose}"

@@ -94,7 +94,8 @@ def _film(title: str, right: SinkingBoxes, other: Any, attempt: Attempt | None) 
         charts=[Curves("greatest gap on", "m", curves, limits=(-1.5, 2.2), colors=["vermillion", "green"])],
         numbers=[
             Number("B's centre ends at", tuple(round(float(m.height[-1]), 3) for m in motions), "m"),
-            Number("greatest gap there", tuple(round(float(max(m.faces[-1], m.edges[-1])), 3) + 0.0 for m in motions), "m"),
+            Number("greatest gap there", tuple(round(float(max(m.faces[-1], m.edges[-1])), 3) + 0.0 for m in "
+                "motions), "m"),
         ],
         speed=0.6,
     )  # fmt: skip

@@ -105,8 +105,13 @@ def _film(
     def pane(title: str, slide: Slide) -> Pane:
         place = np.zeros((len(times), 2, 3))
         place[:, 0, 0], place[:, 0, 1] = slide.x, lane
-        quarter = rotations.from_rotation_vector(np.array([[0.0, 0.0, np.radians(turn)], [0.0, 0.0, 0.0]]))
-        bodies = [flat(TRIANGLE, "blue", "A", (0.0, 0.0)), flat(PENTAGON, "orange", "B", (0.0, 0.0))]
+        quarter = rotations.from_rotation_vector(
+            np.array([[0.0, 0.0, np.radians(turn)], [0.0, 0.0, 0.0]])
+        )
+        bodies = [
+            flat(TRIANGLE, "blue", "A", (0.0, 0.0)),
+            flat(PENTAGON, "orange", "B", (0.0, 0.0)),
+        ]
         return Pane(bodies, place, quarter, title=title)
 
     names = ("right", "yours")
@@ -123,7 +128,9 @@ def _film(
     )  # fmt: skip
 
 
-def _ending(right: Slide, motions: list[Slide], attempt: Attempt | None, other: Any) -> str:
+def _ending(
+    right: Slide, motions: list[Slide], attempt: Attempt | None, other: Any
+) -> str:
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
     last = motions[-1]

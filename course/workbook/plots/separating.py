@@ -30,14 +30,30 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
             ends = found.corners[[k, (k + 1) % len(found.corners)]]
             first = found.owner.index(owner) == k
             label = f"edge of {owner}" + (", turned round" if owner == "B" else "")
-            line(right, ends, COLORS[owner], ls=LOOKS[owner], lw=2.4, label=label if first else None)
+            line(
+                right,
+                ends,
+                COLORS[owner],
+                ls=LOOKS[owner],
+                lw=2.4,
+                label=label if first else None,
+            )
         right.plot(0, 0, "k+", ms=14, mew=2, ls="none", label="0")
         left.set(title="A and B", xlabel="x [m]", ylabel="y [m]", aspect="equal")
-        right.set(title="all differences a - b", xlabel="x [m]", ylabel="y [m]", aspect="equal")
+        right.set(
+            title="all differences a - b",
+            xlabel="x [m]",
+            ylabel="y [m]",
+            aspect="equal",
+        )
         for ax in (left, right):
             ax.margins(0.12)
         right.legend()
-    where = "outside, so A and B are apart" if found.distance > 0 else "inside, so A and B overlap"
+    where = (
+        "outside, so A and B are apart"
+        if found.distance > 0
+        else "inside, so A and B overlap"
+    )
     count = len(found.owner)
     describe(
         right,
@@ -51,8 +67,11 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
 def _outline(ax: Axes, polygon: ArrayLike, name: str) -> None:
     corners = np.asarray(polygon)
     ax.fill(*corners.T, facecolor=PALETTE[COLORS[name]], alpha=0.25)
-    line(ax, np.concatenate([corners, corners[:1]]), COLORS[name], ls=LOOKS[name], lw=2.4)
-    ax.text(*corners.mean(axis=0), name, ha="center", va="center", weight="bold")
+    line(
+        ax, np.concatenate([corners, corners[:1]]), COLORS[name], ls=LOOKS[name], lw=2.4
+    )
+    x, y = corners.mean(axis=0)
+    ax.text(x, y, name, ha="center", va="center", weight="bold")
 
 
 def notch(outline: ArrayLike, square: ArrayLike, *, ax: Axes | None = None) -> Axes:
@@ -62,7 +81,12 @@ def notch(outline: ArrayLike, square: ArrayLike, *, ax: Axes | None = None) -> A
         _outline(ax, outline, "A")
         _outline(ax, square, "B")
         line(ax, [[0, 1], [1, 1]], "0.4", ls=":", label="cut in two convex parts")
-        ax.set(title="A square in the notch of an L", xlabel="x [m]", ylabel="y [m]", aspect="equal")
+        ax.set(
+            title="A square in the notch of an L",
+            xlabel="x [m]",
+            ylabel="y [m]",
+            aspect="equal",
+        )
         ax.margins(0.12)
         ax.legend()
     describe(

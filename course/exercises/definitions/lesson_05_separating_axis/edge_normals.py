@@ -14,7 +14,9 @@ from course.exercises.slips import slip
 _TURNED = "np.stack([edges[..., 1], -edges[..., 0]], axis=-1)"
 
 
-def _several(rng: np.random.Generator, shape: tuple[int, ...], corners: int) -> dict[str, np.ndarray]:
+def _several(
+    rng: np.random.Generator, shape: tuple[int, ...], corners: int
+) -> dict[str, np.ndarray]:
     count = int(np.prod(shape))
     drawn = polygons(rng, corners, count) + rng.normal(size=(count, 1, 2)).round(2)
     return {"vertices": drawn.reshape(*shape, corners, 2)}

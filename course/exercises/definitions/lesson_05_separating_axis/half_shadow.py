@@ -30,7 +30,7 @@ def _points(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
-def _longest(e_1, e_2, e_3, c_1, c_2, c_3):  # type: ignore[no-untyped-def]
+def _longest(e_1, e_2, e_3, c_1, c_2, c_3):
     import sympy as sp
 
     return sp.Max(e_1 * abs(c_1), e_2 * abs(c_2), e_3 * abs(c_3))
@@ -44,8 +44,19 @@ HALF_SHADOW = Exercise(
     minutes=7,
     task="Give half the length of a box's shadow on a unit axis, in e_1, e_2, e_3 and the cosines c_1, c_2, c_3.",
     arguments=(
-        *(Value(f"e_{i}", "scalar", "m", f"half extent along box axis {i}") for i in (1, 2, 3)),
-        *(Value(f"c_{i}", "scalar", "", f"n.r_{i}, cosine between the axis and box axis {i}") for i in (1, 2, 3)),
+        *(
+            Value(f"e_{i}", "scalar", "m", f"half extent along box axis {i}")
+            for i in (1, 2, 3)
+        ),
+        *(
+            Value(
+                f"c_{i}",
+                "scalar",
+                "",
+                f"n.r_{i}, cosine between the axis and box axis {i}",
+            )
+            for i in (1, 2, 3)
+        ),
     ),
     results=(Value("half_shadow", "(...)", "m", "half the length of the shadow"),),
     reference=formulas.half_shadow,
@@ -59,7 +70,9 @@ HALF_SHADOW = Exercise(
         ),
         Mistake(
             "the size of one corner's place",
-            slip(formulas.half_shadow, _FORMULA, "abs(e_1 * c_1 + e_2 * c_2 + e_3 * c_3)"),
+            slip(
+                formulas.half_shadow, _FORMULA, "abs(e_1 * c_1 + e_2 * c_2 + e_3 * c_3)"
+            ),
             "You take the size of the sum, so it is the corner with three plus signs or the one across. Each of the "
             "three signs can be chosen by itself: the size belongs around each term.",
         ),

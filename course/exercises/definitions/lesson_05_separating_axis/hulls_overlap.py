@@ -42,14 +42,18 @@ _PYRAMID = (
 NAMES = ("vertices_a", "normals_a", "edges_a", "vertices_b", "normals_b", "edges_b")
 
 
-def _polytopes(rng: np.random.Generator, form: Any, center: Array) -> tuple[Array, Array, Array]:
+def _polytopes(
+    rng: np.random.Generator, form: Any, center: Array
+) -> tuple[Array, Array, Array]:
     """Vertices, face normals, edges, each direction once, of a stretched and turned form."""
     points, faces, edges = (np.array(part) for part in form)
     stretched = points * rng.uniform(0.4, 1.2, (POOL, 1, 3))
     turned = stretched @ np.swapaxes(turns(rng, POOL), -1, -2)
     vertices = np.round(turned + center[:, None], 3)
     corner = vertices[:, faces]
-    normals = np.cross(corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0])
+    normals = np.cross(
+        corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0]
+    )
     normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
     return vertices, normals, vertices[:, edges[:, 1]] - vertices[:, edges[:, 0]]
 
@@ -57,7 +61,9 @@ def _polytopes(rng: np.random.Generator, form: Any, center: Array) -> tuple[Arra
 def _drawn(first: Any, second: Any) -> Callable[[np.random.Generator], Pairs]:
     def drawn(rng: np.random.Generator) -> Pairs:
         center, way = rng.normal(size=(2, POOL, 3))
-        way *= rng.uniform(0.4, 2.0, (POOL, 1)) / np.linalg.norm(way, axis=-1, keepdims=True)
+        way *= rng.uniform(0.4, 2.0, (POOL, 1)) / np.linalg.norm(
+            way, axis=-1, keepdims=True
+        )
         parts = *_polytopes(rng, first, center), *_polytopes(rng, second, center + way)
         return dict(zip(NAMES, parts, strict=True))
 
@@ -78,7 +84,9 @@ def _gaps(pairs: Pairs) -> Gaps:
     }  # fmt: skip
 
 
-def _pair(rng: np.random.Generator, kind: str, first: Any = _TETRAHEDRON, second: Any = _PRISM) -> Pairs:
+def _pair(
+    rng: np.random.Generator, kind: str, first: Any = _TETRAHEDRON, second: Any = _PRISM
+) -> Pairs:
     return taken(rng, _drawn(first, second), _gaps, [(KINDS | BOX_KINDS)[kind]])
 
 
@@ -130,23 +138,37 @@ HULLS_OVERLAP = Exercise(
     mistakes=(
         Mistake(
             "faces only",
-            slip(formulas.hulls_overlap, "[normals_a, normals_b, products]", "[normals_a, normals_b]"),
+            slip(
+                formulas.hulls_overlap,
+                "[normals_a, normals_b, products]",
+                "[normals_a, normals_b]",
+            ),
             "You try the faces only. Two edges can pass each other where no face shows it: the products of the edges "
             "are axes too.",
         ),
         Mistake(
             "edges only",
-            slip(formulas.hulls_overlap, "[normals_a, normals_b, products]", "[products]"),
+            slip(
+                formulas.hulls_overlap, "[normals_a, normals_b, products]", "[products]"
+            ),
             "You try the products of the edges only. The faces' normals are axes too.",
         ),
         Mistake(
             "faces of A missing",
-            slip(formulas.hulls_overlap, "[normals_a, normals_b, products]", "[normals_b, products]"),
+            slip(
+                formulas.hulls_overlap,
+                "[normals_a, normals_b, products]",
+                "[normals_b, products]",
+            ),
             "The normals of A's faces are missing among your axes.",
         ),
         Mistake(
             "faces of B missing",
-            slip(formulas.hulls_overlap, "[normals_a, normals_b, products]", "[normals_a, products]"),
+            slip(
+                formulas.hulls_overlap,
+                "[normals_a, normals_b, products]",
+                "[normals_a, products]",
+            ),
             "The normals of B's faces are missing among your axes.",
         ),
         Mistake(
@@ -156,8 +178,11 @@ HULLS_OVERLAP = Exercise(
         ),
         Mistake(
             "the other way round",
-            slip(formulas.hulls_overlap, "np.all(shadow_gap(*shadow_a, *shadow_b) <= 0)",
-                 "np.any(shadow_gap(*shadow_a, *shadow_b) > 0)"),
+            slip(
+                formulas.hulls_overlap,
+                "np.all(shadow_gap(*shadow_a, *shadow_b) <= 0)",
+                "np.any(shadow_gap(*shadow_a, *shadow_b) > 0)",
+            ),
             "Your answer is reversed: it is True for pairs that are apart.",
         ),
         Mistake(

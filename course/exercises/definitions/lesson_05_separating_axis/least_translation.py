@@ -9,19 +9,26 @@ import numpy as np
 from course import formulas
 from course.arrays import Array
 from course.exercises.definition import Case, Exercise, Mistake, Property, Value
+from course.exercises.definitions.lesson_05_separating_axis.polygons_overlap import (
+    touching,
+)
 from course.exercises.definitions.lesson_05_separating_axis.shared import (
     VERTICES_A,
     VERTICES_B,
     polygon_pairs,
 )
-from course.exercises.definitions.lesson_05_separating_axis.polygons_overlap import (
-    touching,
-)
 from course.exercises.slips import slip
 
 _AXES = "edge_normals(vertices_a), edge_normals(vertices_b)"
 #: Kinds of pairs that take turns in a batch.
-_KINDS = ("across A", "across B", "seen by A only", "across B", "across A", "seen by B only")
+_KINDS = (
+    "across A",
+    "across B",
+    "seen by A only",
+    "across B",
+    "across A",
+    "seen by B only",
+)
 
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
@@ -62,14 +69,21 @@ LEAST_TRANSLATION = Exercise(
     mistakes=(
         Mistake(
             "sign",
-            slip(formulas.least_translation, "ahead, back = upper_b - lower_a, lower_b - upper_a",
-                 "ahead, back = upper_b - lower_a, lower_b - upper_a; axes = -axes"),
+            slip(
+                formulas.least_translation,
+                "ahead, back = upper_b - lower_a, lower_b - upper_a",
+                "ahead, back = upper_b - lower_a, lower_b - upper_a; axes = -axes",
+            ),
             "The length is right and the direction reversed: you push A into B. A leaves along +n when the shorter "
             "way is past B's upper end.",
         ),
         Mistake(
             "always along +n",
-            slip(formulas.least_translation, "np.where(ahead < -back, ahead, back)", "ahead"),
+            slip(
+                formulas.least_translation,
+                "np.where(ahead < -back, ahead, back)",
+                "ahead",
+            ),
             "You always push A along +n, past B's upper end. On many axes the way back, along -n past its lower end, "
             "is the shorter one.",
         ),
@@ -95,7 +109,11 @@ LEAST_TRANSLATION = Exercise(
         ),
         Mistake(
             "least value, not least size",
-            slip(formulas.least_translation, "np.argmin(np.abs(shift), axis=-1)", "np.argmin(shift, axis=-1)"),
+            slip(
+                formulas.least_translation,
+                "np.argmin(np.abs(shift), axis=-1)",
+                "np.argmin(shift, axis=-1)",
+            ),
             "You look for the least number, and the shifts along -n are below 0: so you find the longest of those. "
             "Compare their sizes.",
         ),

@@ -23,7 +23,9 @@ _HALF_B = "np.sum(np.abs(axes @ rotation_b) * half_extents_b[..., None, :], axis
 
 
 def _pair(*values: object) -> Pairs:
-    return {v.name: np.asarray(x, float) for v, x in zip(_ARGUMENTS, values, strict=True)}
+    return {
+        v.name: np.asarray(x, float) for v, x in zip(_ARGUMENTS, values, strict=True)
+    }
 
 
 #: Kinds of pairs that take turns in a batch.
@@ -78,79 +80,119 @@ ORIENTED_BOXES_OVERLAP = Exercise(
     cases=_cases,
     mistakes=(
         _without(
-            "six axes", "box_axes(rotation_a, rotation_b)", "box_axes(rotation_a, rotation_b)[..., :6, :]",
-            message="You try the six face normals only. Pairs whose edges pass each other like crossed swords are apart, and "
+            "six axes",
+            "box_axes(rotation_a, rotation_b)",
+            "box_axes(rotation_a, rotation_b)[..., :6, :]",
+            message="You try the six face normals only. Pairs whose edges pass each other like crossed swords "
+            "are apart, and "
             "you say that they overlap: the nine products of edges belong to it.",
         ),
         _without(
-            "edges only", "box_axes(rotation_a, rotation_b)", "box_axes(rotation_a, rotation_b)[..., 6:, :]",
+            "edges only",
+            "box_axes(rotation_a, rotation_b)",
+            "box_axes(rotation_a, rotation_b)[..., 6:, :]",
             message="You try the nine products of edges only. The six face normals belong to the axes too.",
         ),
         _without(
-            "half of A left out", "<= half_a + half_b", "<= half_b",
-            message="A's half shadow is missing: you ask whether A's *centre* is in reach of B. Both half shadows add up.",
+            "half of A left out",
+            "<= half_a + half_b",
+            "<= half_b",
+            message="A's half shadow is missing: you ask whether A's *centre* is in reach of B. Both half "
+            "shadows add up.",
         ),
         _without(
-            "half of B left out", "<= half_a + half_b", "<= half_a",
-            message="B's half shadow is missing: you ask whether B's *centre* is in reach of A. Both half shadows add up.",
+            "half of B left out",
+            "<= half_a + half_b",
+            "<= half_a",
+            message="B's half shadow is missing: you ask whether B's *centre* is in reach of A. Both half "
+            "shadows add up.",
         ),
         _without(
-            "rows of A", "axes @ rotation_a", "axes @ np.swapaxes(rotation_a, -1, -2)",
+            "rows of A",
+            "axes @ rotation_a",
+            "axes @ np.swapaxes(rotation_a, -1, -2)",
             message="For A you multiply by the rows of its rotation. Its axes are the columns: the cosines n.r_i are "
             "axes @ rotation_a.",
         ),
         _without(
-            "rows of B", "axes @ rotation_b", "axes @ np.swapaxes(rotation_b, -1, -2)",
+            "rows of B",
+            "axes @ rotation_b",
+            "axes @ np.swapaxes(rotation_b, -1, -2)",
             message="For B you multiply by the rows of its rotation. Its axes are the columns: the cosines n.r_i are "
             "axes @ rotation_b.",
         ),
         _without(
-            "rows of both", "axes @ rotation_a", "axes @ np.swapaxes(rotation_a, -1, -2)",
-            "axes @ rotation_b", "axes @ np.swapaxes(rotation_b, -1, -2)",
-            message="You multiply by the rows of the rotations. A box's axes are the columns: the cosines n.r_i of all axes "
+            "rows of both",
+            "axes @ rotation_a",
+            "axes @ np.swapaxes(rotation_a, -1, -2)",
+            "axes @ rotation_b",
+            "axes @ np.swapaxes(rotation_b, -1, -2)",
+            message="You multiply by the rows of the rotations. A box's axes are the columns: the cosines "
+            "n.r_i of all axes "
             "are axes @ rotation.",
         ),
         _without(
-            "signs of the cosines", "np.abs(axes @ rotation_a)", "(axes @ rotation_a)",
-            "np.abs(axes @ rotation_b)", "(axes @ rotation_b)",
+            "signs of the cosines",
+            "np.abs(axes @ rotation_a)",
+            "(axes @ rotation_a)",
+            "np.abs(axes @ rotation_b)",
+            "(axes @ rotation_b)",
             message="The cosines keep their signs, so the terms of a half shadow cancel. Take the size of each.",
         ),
         _without(
-            "sign of the distance", "np.abs(between)", "between",
-            message="You compare n.(x_B - x_A) without its size: on an axis that points from B to A it is below 0, and the "
+            "sign of the distance",
+            "np.abs(between)",
+            "between",
+            message="You compare n.(x_B - x_A) without its size: on an axis that points from B to A it is "
+            "below 0, and the "
             "boxes seem to overlap however far they are.",
         ),
         _without(
-            "centre of B from the origin", "(center_b - center_a)", "center_b",
+            "centre of B from the origin",
+            "(center_b - center_a)",
+            "center_b",
             message="You take B's centre from the origin. What counts is its place from A's centre, x_B - x_A.",
         ),
         _without(
             "ellipsoids",
-            _HALF_A, "np.sqrt(np.sum(((axes @ rotation_a) * half_extents_a[..., None, :]) ** 2, axis=-1))",
-            _HALF_B, "np.sqrt(np.sum(((axes @ rotation_b) * half_extents_b[..., None, :]) ** 2, axis=-1))",
-            message="The root of the sum of squares is the half shadow of an ellipsoid inside the box. A box's corner reaches "
+            _HALF_A,
+            "np.sqrt(np.sum(((axes @ rotation_a) * half_extents_a[..., None, :]) ** 2, axis=-1))",
+            _HALF_B,
+            "np.sqrt(np.sum(((axes @ rotation_b) * half_extents_b[..., None, :]) ** 2, axis=-1))",
+            message="The root of the sum of squares is the half shadow of an ellipsoid inside the box. A "
+            "box's corner reaches "
             "farther: the sizes of the three terms add up.",
         ),
         _without(
-            "sides halved", "<= half_a + half_b", "<= (half_a + half_b) / 2",
+            "sides halved",
+            "<= half_a + half_b",
+            "<= (half_a + half_b) / 2",
             message="Your half shadows are half as long as they should be: half_extents are already half the sides.",
         ),
         _without(
-            "one axis is enough", "np.all", "np.any",
+            "one axis is enough",
+            "np.all",
+            "np.any",
             message="You say that they overlap as soon as their shadows do on *one* axis. They must on all 15.",
         ),
         _without(
-            "the other way round", "np.all(np.abs(between) <= half_a + half_b, axis=-1)",
+            "the other way round",
+            "np.all(np.abs(between) <= half_a + half_b, axis=-1)",
             "np.any(np.abs(between) > half_a + half_b, axis=-1)",
             message="Your answer is reversed: it is True for pairs that are apart.",
         ),
         _without(
-            "touching left out", "<= half_a", "< half_a",
-            message="With < nothing that touches overlaps, and parallel boxes never do: the product of parallel edges is the "
+            "touching left out",
+            "<= half_a",
+            "< half_a",
+            message="With < nothing that touches overlaps, and parallel boxes never do: the product of "
+            "parallel edges is the "
             "zero vector, on which all lengths are 0, and 0 < 0 is false. Shapes are closed: <=.",
         ),
         _without(
-            "one verdict for the batch", "half_b, axis=-1)", "half_b)",
+            "one verdict for the batch",
+            "half_b, axis=-1)",
+            "half_b)",
             message="Right for one pair. For a batch you give a single verdict for all: np.all(..., axis=-1).",
         ),
     ),  # fmt: skip

@@ -78,7 +78,11 @@ def _shortest_way() -> str:
     angle = np.radians(np.arange(3600) / 10)
     ways = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     depth = -found.gap.max()
-    parting = [w for w in ways if polygon_shadows(a + 1.0001 * depth * w, PENTAGON).gap.max() > 0]
+    parting = [
+        w
+        for w in ways
+        if polygon_shadows(a + 1.0001 * depth * w, PENTAGON).gap.max() > 0
+    ]
     across = np.abs(np.mean(parting, axis=0) @ found.axes.T).max()
     return "normal" if across > 0.999 else "centres"
 
@@ -112,7 +116,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "turned_square",
-        "From lesson 02: a square with half sides of 1 m is turned by 45 degrees. How far does it reach along x from its "
+        "From lesson 02: a square with half sides of 1 m is turned by 45 degrees. How far does it reach along "
+        "x from its "
         "centre?",
         _turned_square,
         "A corner now lies on the x axis, half a diagonal away: the root of 2, 1.414 m.",
@@ -136,7 +141,8 @@ PREDICTIONS = (
         "2: 2.83 m.",
         unit="m",
         tolerance=0.01,
-        wrong={3.5355: "That is where the gap on the face normals closes.", 3.8284: "That is where it closed on the face normals before the turn."},
+        wrong={3.5355: "That is where the gap on the face normals closes.", 3.8284: "That is where it closed "
+            "on the face normals before the turn."},
     ),
     Prediction(
         "six_axes",
@@ -158,7 +164,8 @@ PREDICTIONS = (
             "tiny": "from 1e-8 rad on, the root of the rounding",
             "rounding": "not before about 1e-15 rad, the rounding itself",
         },
-        wrong={"tiny": "The root of the rounding appears where a small *square* is compared, as in 1 - cos. Here the tilt stands alone."},
+        wrong={"tiny": "The root of the rounding appears where a small *square* is compared, as in 1 - cos. "
+            "Here the tilt stands alone."},
     ),
     Prediction(
         "notch",
@@ -168,7 +175,8 @@ PREDICTIONS = (
         "The L's edges have two directions of normals only, x and y, and along both its shadow reaches to 3.",
         unit="m",
         tolerance=0.02,
-        wrong={1: "Up to there they do overlap. The function does not know about the notch.", 2: "That is where it leaves the hull of the L, whose slanted edge the outline does not have."},
+        wrong={1: "Up to there they do overlap. The function does not know about the "
+            "notch.", 2: "That is where it leaves the hull of the L, whose slanted edge the outline does not have."},
     ),
     Prediction(
         "triangle_and_box",
@@ -189,7 +197,8 @@ DEEPER_PREDICTIONS = (
         "shortest_way",
         "Two convex polygons overlap. Along which direction is the shortest shift that parts them?",
         _shortest_way,
-        "It is across an edge of A or of B: from a place inside a polygon the nearest place on its rim is the foot of a "
+        "It is across an edge of A or of B: from a place inside a polygon the nearest place on its rim is the "
+        "foot of a "
         "perpendicular on a side.",
         choices={
             "centres": "from middle to middle",
@@ -205,6 +214,8 @@ DEEPER_PREDICTIONS = (
         _products_of_64,
         "124 faces and 186 edges each: 248 + 186^2 = 34,844 axes, times 128 corners.",
         tolerance=0.02,
-        wrong={34844: "That is the number of axes. Each asks for the places of 128 corners."},
+        wrong={
+            34844: "That is the number of axes. Each asks for the places of 128 corners."
+        },
     ),
 )

@@ -101,7 +101,13 @@ def polygon_pairs(
 ) -> Pairs:  # fmt: skip
     """Pairs whose kinds, of ``KINDS`` or ``OWNERS``, take turns."""
     names = [kinds] if isinstance(kinds, str) else kinds
-    return taken(rng, _polygon_pairs(corners), polygon_gaps, [(KINDS | OWNERS)[k] for k in names], shape)
+    return taken(
+        rng,
+        _polygon_pairs(corners),
+        polygon_gaps,
+        [(KINDS | OWNERS)[k] for k in names],
+        shape,
+    )
 
 
 #: What a pair of polygons must be.
@@ -122,7 +128,9 @@ OWNERS: dict[str, Kind] = {
 
 def _any(gaps: Gaps) -> Array:
     """The greatest gap of all axes that decide."""
-    return np.max([v for name, v in gaps.items() if name in ("A", "B", "edges")], axis=0)
+    return np.max(
+        [v for name, v in gaps.items() if name in ("A", "B", "edges")], axis=0
+    )
 
 
 # Boxes. The gap that each family of axes sees, so that no family can be left out.
