@@ -66,8 +66,9 @@ def test_the_gap_of_two_intervals_by_sampling_their_points():
         # The least whole shift of A after which no point of one is inside the other.
         halves = np.arange(-80, 81) / 2
         in_b = (halves > b[0]) & (halves < b[1])
-        parting = [s for s in range(-30, 31) if not np.any(in_b & (halves > a[0] + s) & (halves < a[1] + s))]  # fmt: skip
-        least = min(map(abs, parting))
+        shifts = np.arange(-30, 31)[:, None]
+        in_a = (halves > a[0] + shifts) & (halves < a[1] + shifts)
+        least = np.abs(shifts[~np.any(in_a & in_b, axis=-1)]).min()
         assert least == (max(0, -gap) if common and a[0] < a[1] and b[0] < b[1] else 0)
 
 

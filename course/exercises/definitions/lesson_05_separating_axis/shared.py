@@ -76,23 +76,35 @@ def polygons(rng: np.random.Generator, corners: int, count: int) -> Array:
 def _polygon_pairs(corners: tuple[int, int]) -> Callable[[np.random.Generator], Pairs]:
     def drawn(rng: np.random.Generator) -> Pairs:
         a, b = (polygons(rng, n, POOL) for n in corners)
-        shift = rng.uniform(-1.6, 1.6, (POOL, 1, 2))
-        return {"vertices_a": a, "vertices_b": np.round(b + shift, 3)}
+        center = rng.uniform(-3.0, 3.0, (POOL, 1, 2))
+        shift = center + rng.uniform(-1.6, 1.6, (POOL, 1, 2))
+        return {
+            "vertices_a": np.round(a + center, 3),
+            "vertices_b": np.round(b + shift, 3),
+        }
 
     return drawn
 
 
 def polygon_gaps(pairs: Pairs) -> Gaps:
-    """Greatest gaps on A's, on B's edge normals, along x and y; and the second of all."""
+    """Greatest gaps on A's, on B's edge normals, along x and y; the second of all; and of A above or below B."""
     a, b = pairs["vertices_a"], pairs["vertices_b"]
-    families = {"A": formulas.edge_normals(a), "B": formulas.edge_normals(b), "xy": np.eye(2)}  # fmt: skip
-    each = {
-        name: formulas.shadow_gap(*formulas.project(a, n), *formulas.project(b, n))
-        for name, n in families.items()
+    normals = formulas.edge_normals(a), formulas.edge_normals(b)
+    both = np.concatenate(normals, axis=-2)
+    shadow_a, shadow_b = formulas.project(a, both), formulas.project(b, both)
+    gap, count = formulas.shadow_gap(*shadow_a, *shadow_b), a.shape[-2]
+    upright = np.eye(2)
+    along_xy = formulas.shadow_gap(
+        *formulas.project(a, upright), *formulas.project(b, upright)
+    )
+    return {
+        "A": gap[..., :count].max(axis=-1),
+        "B": gap[..., count:].max(axis=-1),
+        "xy": along_xy.max(axis=-1),
+        "second": np.sort(gap, axis=-1)[..., -2],
+        "above": (shadow_a[0] - shadow_b[1]).max(axis=-1),
+        "below": (shadow_b[0] - shadow_a[1]).max(axis=-1),
     }
-    both = np.concatenate([each["A"], each["B"]], axis=-1)
-    second = np.sort(both, axis=-1)[..., -2]
-    return {name: gap.max(axis=-1) for name, gap in each.items()} | {"second": second}
 
 
 def polygon_pairs(
@@ -119,10 +131,12 @@ KINDS: dict[str, Kind] = {
     "near": lambda g: (np.abs(_any(g)) > CLEAR) & (np.abs(_any(g)) < 0.4),
     "deep": lambda g: _any(g) < -0.3,
 }
-#: With one least shift only, across an edge of A or of B.
+#: With one least shift only, across an edge of A or of B; or apart, with A above B or below it on the axes.
 OWNERS: dict[str, Kind] = {
     "across A": lambda g: (g["A"] < -CLEAR) & (g["A"] > np.maximum(g["B"], g["second"] + CLEAR)),
     "across B": lambda g: (g["B"] < -CLEAR) & (g["B"] > np.maximum(g["A"], g["second"] + CLEAR)),
+    "above only": lambda g: (g["above"] > CLEAR) & (g["below"] < -CLEAR),
+    "below only": lambda g: (g["below"] > CLEAR) & (g["above"] < -CLEAR),
 }  # fmt: skip
 
 
