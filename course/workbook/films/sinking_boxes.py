@@ -82,6 +82,7 @@ def six_faces(
 def _film(title: str, right: SinkingBoxes, other: Any, attempt: Attempt | None) -> Film:
     motions = moved(right, other) if attempt else [right]
     last = motions[-1]
+    gaps = tuple(round(float(max(m.faces[-1], m.edges[-1])), 3) + 0.0 for m in motions)
     curves = {"six face normals": last.faces, "nine products of edges": last.edges}
     return Film(
         attempt.panes(title, _pane, right, other) if attempt else [_pane(title, right)],
@@ -94,8 +95,7 @@ def _film(title: str, right: SinkingBoxes, other: Any, attempt: Attempt | None) 
         charts=[Curves("greatest gap on", "m", curves, limits=(-1.5, 2.2), colors=["vermillion", "green"])],
         numbers=[
             Number("B's centre ends at", tuple(round(float(m.height[-1]), 3) for m in motions), "m"),
-            Number("greatest gap there", tuple(round(float(max(m.faces[-1], m.edges[-1])), 3) + 0.0 for m in "
-                "motions), "m"),
+            Number("greatest gap there", gaps, "m"),
         ],
         speed=0.6,
     )  # fmt: skip
@@ -115,7 +115,9 @@ def _pane(title: str, boxes: SinkingBoxes) -> Pane:
     start[:, 0, 2] = np.sqrt(2.0)
     end = start.copy()
     end[:, 0, 2] += np.maximum(boxes.edges, 0.0)
-    gap = Segments("gap", start, end, np.maximum(boxes.edges, 0.0)[:, None], color="green")
+    gap = Segments(
+        "gap", start, end, np.maximum(boxes.edges, 0.0)[:, None], color="green"
+    )
     crossed = abs(boxes.place[0]) < 1e-9
     return Pane(solids, place, turn, title=title, segments=[gap] if crossed else [])
 
