@@ -6,12 +6,9 @@ from collections.abc import Callable
 from dataclasses import astuple, dataclass
 
 import numpy as np
-from scipy.spatial import ConvexHull
-from scipy.spatial.transform import Rotation
-
 from course import formulas
 from course.arrays import Array, BoolArray
-from course.study.engines.box_overlap import installed_engines
+from course.study.engines import installed_engines
 from course.study.precision import Method, Problem, WorkPrecision, work_precision
 
 CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1.0)])
@@ -47,6 +44,8 @@ def random_turns(
     rng: np.random.Generator, count: int, *, upright: bool = False
 ) -> Array:
     """Rotations, (count, 3, 3): every one alike, or about z only."""
+    from scipy.spatial.transform import Rotation
+
     if upright:
         angle = rng.uniform(0.0, 2 * np.pi, count)
         about_z = angle[:, None] * [0.0, 0.0, 1.0]
@@ -112,6 +111,8 @@ def by_upright_boxes(pairs: BoxPairs) -> BoolArray:
 
 def true_overlap(pairs: BoxPairs) -> BoolArray:
     """The truth, without any of the axes: is 0 in Qhull's hull of all differences of corners?"""
+    from scipy.spatial import ConvexHull
+
     points = [
         np.einsum("pij,pcj->pci", r, CORNERS * e[:, None]) + c[:, None]
         for c, r, e in (pairs.arguments[:3], pairs.arguments[3:])

@@ -8,9 +8,6 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from scipy.spatial import ConvexHull
-from scipy.spatial.transform import Rotation
-
 from course import formulas
 from course.arrays import Array, IntArray
 
@@ -36,6 +33,8 @@ def random_hull(
     rng: np.random.Generator, corners: int, center: Sequence[float]
 ) -> Hull:
     """A polytope with so many corners on a turned ellipsoid with half axes of 1, 0.8 and 0.6 m."""
+    from scipy.spatial.transform import Rotation
+
     points = rng.normal(size=(corners, 3))
     points *= [1.0, 0.8, 0.6] / np.linalg.norm(points, axis=-1, keepdims=True)
     turn = Rotation.from_quat(rng.normal(size=4)).as_matrix()
@@ -44,6 +43,8 @@ def random_hull(
 
 def hull_of(points: Array) -> Hull:
     """Faces and edges of the hull of points in general position, by Qhull."""
+    from scipy.spatial import ConvexHull
+
     found = ConvexHull(points)
     sides = np.sort(
         found.simplices[:, [[0, 1], [1, 2], [0, 2]]].reshape(-1, 2), axis=-1

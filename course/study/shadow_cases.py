@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.spatial import ConvexHull
-
 from course import formulas, rotations
 from course.arrays import Array, IntArray
 from course.study.asking import asked
@@ -258,6 +256,8 @@ class DifferenceBody:
 
 def difference_body(a: Array, b: Array) -> DifferenceBody:
     """The hull of all differences of corners, by Qhull, and whose edge each of its edges is."""
+    from scipy.spatial import ConvexHull
+
     differences = (a[:, None] - b[None]).reshape(-1, 2)
     corners = differences[ConvexHull(differences).vertices]
     normals = formulas.edge_normals(corners)

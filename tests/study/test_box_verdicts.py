@@ -19,7 +19,7 @@ from course.study import (
     wrong_share,
 )
 from course.study.box_verdicts import CORNERS
-from course.study.engines.box_overlap import installed_engines
+from course.study.engines import installed_engines
 
 
 @pytest.fixture(scope="module")

@@ -41,6 +41,15 @@ class Listed:
 
 LISTED = (
     Listed(
+        "impulse",
+        "central_impacts",
+        "One impact: masses, velocities, restitution",
+        (15, 16, 17),
+        5,
+        "1: they swap. 2: the heavy ball is a wall. Then e to 0, and look at the grey area.",
+        still=0.1,
+    ),
+    Listed(
         "shadows",
         "polygon_shadows",
         "Two polygons and their shadows on all axes",
@@ -56,15 +65,6 @@ LISTED = (
         4,
         "Vote first. 1 and play: the orange curve is below 0 while the green one is not. 3: parallel edges.",
         still=1.2,
-    ),
-    Listed(
-        "impulse",
-        "central_impacts",
-        "One impact: masses, velocities, restitution",
-        (15, 16, 17),
-        5,
-        "1: they swap. 2: the heavy ball is a wall. Then e to 0, and look at the grey area.",
-        still=0.1,
     ),
     Listed(
         "handle",

@@ -26,8 +26,8 @@ from course.workbook.stage import (
 LAST = 3.0  # [s]
 WINDOW = ((-2.2, -2.0, -1.5), (2.2, 2.0, 5.8))
 KNOBS = (
-    Knob("turn", "B turned about z by", 0.0, -90.0, 90.0, 5.0, "°"),
     Knob("aside", "B at x", 0.0, -2.0, 2.0, 0.1, "m"),
+    Knob("turn", "B turned about z by", 0.0, -90.0, 90.0, 5.0, "°"),
 )
 PRESETS = (
     Preset("edge on edge", {"turn": 0, "aside": 0}),

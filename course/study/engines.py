@@ -1,4 +1,4 @@
-"""Whether boxes overlap, asked of python-fcl and coal, where they are installed."""
+"""Other people's libraries, asked the same questions where they are installed: python-fcl and coal."""
 
 from __future__ import annotations
 

@@ -1,1 +1,0 @@
-"""Other people's libraries, asked the same questions; each is imported when it is called."""
