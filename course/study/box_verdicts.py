@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import astuple, dataclass
 
 import numpy as np
+
 from course import formulas
 from course.arrays import Array, BoolArray
 from course.study.engines import installed_engines

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
 from course import formulas, rotations
 from course.arrays import Array, IntArray
 from course.study.asking import asked

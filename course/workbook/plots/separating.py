@@ -11,6 +11,7 @@ from course.workbook.plots.figure import (
     PALETTE,
     axes,
     describe,
+    legend_beside,
     line,
     side_by_side,
     style,
@@ -22,7 +23,7 @@ LOOKS = {"A": "-", "B": "--"}
 
 def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
     """Two polygons, and beside them the polygon of all differences a - b, with 0 marked."""
-    _, (left, right) = side_by_side(2, size=(9.6, 4.4))
+    _, (left, right) = side_by_side(2, size=(10.4, 4.2))
     with style():
         for name, polygon in (("A", found.a), ("B", found.b)):
             _outline(left, polygon, name)
@@ -48,7 +49,7 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
         )
         for ax in (left, right):
             ax.margins(0.12)
-        right.legend()
+        legend_beside(right)
     where = (
         "outside, so A and B are apart"
         if found.distance > 0
