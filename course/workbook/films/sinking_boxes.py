@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from course.workbook.stage import (
     Curves,
     Exhibit,
     Film,
+    Hand,
     Knob,
     Number,
     Pane,
@@ -35,6 +37,14 @@ PRESETS = (
     Preset("edges parallel", {"turn": 90, "aside": 0}),
     Preset("beside the edge", {"turn": 0, "aside": 1.2}),
 )
+QUESTION = (
+    "Two cubes of 2 m, each on an edge, the edges crossed. How high over the lower one's centre does the upper one "
+    "stop if a program tries the six face normals only?"
+)
+ANSWER = (
+    "At 3.83 m, a metre too high: they touch at 2.83 m. The axis that shows the gap is normal to no face, it is "
+    "across both edges."
+)
 
 
 def sinking(against: Any = None) -> Exhibit:
@@ -42,9 +52,10 @@ def sinking(against: Any = None) -> Exhibit:
 
     Args:
         against: plays a second one beside it: an ``oriented_boxes_overlap`` of your own;
-            "faces" plays the verdict of the six face normals.
-    """
-    if isinstance(against, str) and against == "faces":
+        "faces" plays the verdict of the six face normals, and tells nothing else: it
+        opens the lesson."""
+    opening = isinstance(against, str) and against == "faces"
+    if opening:
         answer, attempt = six_faces, Attempt("by the six face normals alone")
     else:
         answer, attempt = asked_of(against)
@@ -55,17 +66,17 @@ def sinking(against: Any = None) -> Exhibit:
         if against is None:
             return _film("", right, None, None)
         other = attempt.motion(lambda: sinking_boxes(turn, aside, times, answer))
+        if opening:
+            return replace(_film("in truth", right, other, attempt), charts=())
         return _film("by all 15 axes", right, other, attempt)
 
     return Exhibit(
         film,
         KNOBS,
-        (),
+        [Hand({"aside": (1.0, 0.0, 0.0)}, body=1)],
         PRESETS,
-        question="Two cubes of 2 m, each on an edge, the edges crossed. How high over the lower one's centre does "
-        "the upper one stop if a program tries the six face normals only?",
-        answer="At 3.83 m, a metre too high: they touch at 2.83 m. The axis that shows the gap is normal to no face, "
-        "it is across both edges.",
+        question="" if opening else QUESTION,
+        answer="" if opening else ANSWER,
     )
 
 
@@ -83,6 +94,9 @@ def _film(title: str, right: SinkingBoxes, other: Any, attempt: Attempt | None) 
     motions = moved(right, other) if attempt else [right]
     last = motions[-1]
     gaps = tuple(round(float(max(m.faces[-1], m.edges[-1])), 3) + 0.0 for m in motions)
+    names = ("B", "B by the other verdict")
+    heights = {name: m.height for name, m in zip(names, motions, strict=False)}
+    colors = ["blue", "orange"][: len(motions)]
     curves = {"six face normals": last.faces, "nine products of edges": last.edges}
     return Film(
         attempt.panes(title, _pane, right, other) if attempt else [_pane(title, right)],
@@ -90,9 +104,12 @@ def _film(title: str, right: SinkingBoxes, other: Any, attempt: Attempt | None) 
         Space("low", window=WINDOW),
         title="A cube sinks until the verdict is: they overlap",
         caption="The lower cube A stands on an edge, and so does B above it. B stops at the first moment at which "
-        "it is said to overlap A.",
+        "it is said to overlap A. Drag it aside, or turn it.",
         ending=_ending(motions, attempt, other),
-        charts=[Curves("greatest gap on", "m", curves, limits=(-1.5, 2.2), colors=["vermillion", "green"])],
+        charts=[
+            Curves("greatest gap on", "m", curves, limits=(-1.5, 2.2), colors=["vermillion", "green"]),
+            Curves("height of B's centre", "m", heights, limits=(1.0, 4.6), colors=colors),
+        ],
         numbers=[
             Number("B's centre ends at", tuple(round(float(m.height[-1]), 3) for m in motions), "m"),
             Number("greatest gap there", gaps, "m"),

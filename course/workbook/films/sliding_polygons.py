@@ -116,6 +116,7 @@ def _film(
 
     names = ("right", "yours")
     curves = {name: m.gap for name, m in zip(names, motions, strict=False)}
+    places = {name: m.x for name, m in zip(names, motions, strict=False)}
     colors = ["blue", "vermillion"][: len(curves)]
     return Film(
         attempt.panes(title, pane, right, other) if attempt else [pane(title, right)],
@@ -124,7 +125,10 @@ def _film(
         title="A slides until the verdict is: they overlap",
         caption="A stops at the first moment at which it is said to overlap B. Drag it up or down, or turn it.",
         ending=_ending(right, motions, attempt, other),
-        charts=[Curves("true greatest gap", "m", curves, limits=(-1.2, 3.0), colors=colors)],
+        charts=[
+            Curves("true greatest gap", "m", curves, limits=(-1.2, 3.0), colors=colors),
+            Curves("x of A", "m", places, limits=(-2.6, 2.6), colors=colors),
+        ],
         numbers=[Number("A ends at x", tuple(round(float(m.x[-1]), 3) + 0.0 for m in motions), "m")],
     )  # fmt: skip
 

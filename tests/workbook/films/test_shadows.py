@@ -85,6 +85,17 @@ def test_six_faces_stop_a_metre_too_high_and_fifteen_axes_do_not():
     assert film.ending.startswith("By this verdict B stops 1.00 m too high")
 
 
+def test_the_film_that_opens_the_lesson_tells_no_more_than_it_asks():
+    exhibit = sinking("faces")
+    film = exhibit.made()
+    assert not exhibit.question and not film.charts
+    assert [pane.title for pane in film.panes] == [
+        "in truth",
+        "by the six face normals alone",
+    ]
+    assert sinking().question and sinking().made().charts
+
+
 def test_a_slide_ends_where_the_polygons_touch():
     for preset in sliding().presets:
         film = sliding().made(**preset.values)
