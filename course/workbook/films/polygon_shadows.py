@@ -158,7 +158,7 @@ def _rows(found: PolygonShadows) -> Pane:
     apart = found.gap > 0
 
     def line(ends: Array, lift: float, rows: IntArray) -> tuple[Array, Array]:
-        at = np.clip(SMALL * ends[rows] - 0.35, -2.75, 2.0)
+        at = np.clip(SMALL * ends[rows] - 0.1, -2.4, 2.2)
         return tuple(
             np.stack([at[:, k], height[rows] + lift, 0 * height[rows]], axis=-1)
             for k in (0, 1)
@@ -168,30 +168,27 @@ def _rows(found: PolygonShadows) -> Pane:
     numbers = np.stack(
         [np.full(len(names), NUMBERS_AT), height - 0.06, 0 * height], axis=-1
     )
-    kinds = (("apart", apart, "green"), ("overlapping", ~apart, "vermillion"))
-    marks = [
-        Segments(name, *line(between, -0.14, np.flatnonzero(rows)), color=color)
-        for name, rows, color in kinds
-    ]
-    values = [
-        Segments(
-            "gap",
-            numbers[rows],
-            numbers[rows],
-            np.round(found.gap[rows], 2) + 0.0,
-            color=color,
-        )
-        for name, rows, color in kinds
-    ]
+    marks = []
+    for rows, color in ((apart, "green"), (~apart, "vermillion")):
+        ends = line(between, -0.14, np.flatnonzero(rows))
+        value = np.round(found.gap[rows], 2) + 0.0
+        marks.append(Segments("gap", *ends, color=color))
+        marks.append(Segments("gap", numbers[rows], numbers[rows], value, color=color))
+    # No corners are drawn here, so nothing leads from them to an axis.
+    nothing = np.zeros((0, 3))
     return Pane(
         [labelled(standing(ball(0.001)), name) for name in names],
         place,
         title="all eight axes",
+        arrows=[
+            Arrows("normals of the edges", _in_space(found.axes), at=place + [0.6, 0.0, 0.0], scale=0.25,
+                   color="black"),
+        ],
         segments=[
+            Segments("where they begin and end", nothing, nothing, color="grey"),
             Segments("shadow of A", *line(found.shadow_a, 0.0, every), color="blue"),
             Segments("shadow of B", *line(found.shadow_b, -0.07, every), color="orange"),
             *marks,
-            *values,
         ],
     )  # fmt: skip
 

@@ -52,8 +52,9 @@ def sinking(against: Any = None) -> Exhibit:
 
     Args:
         against: plays a second one beside it: an ``oriented_boxes_overlap`` of your own;
-        "faces" plays the verdict of the six face normals, and tells nothing else: it
-        opens the lesson."""
+            "faces" plays the verdict of the six face normals, and tells nothing else:
+            it opens the lesson.
+    """
     opening = isinstance(against, str) and against == "faces"
     if opening:
         answer, attempt = six_faces, Attempt("by the six face normals alone")
