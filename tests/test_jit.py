@@ -25,6 +25,8 @@ import numpy as np
 {before}
 from course.contact import ContactSystem, solve
 from course.study.impact_laws import impulses_in_turn
+from course.overlap import closest_points, oriented_boxes_overlap
+from course.shapes import OBB, ConvexHull, polytopes
 from course.scenes import pile, shaken, stack, wall
 
 rng = np.random.default_rng(3)
@@ -39,6 +41,11 @@ batch = ContactSystem(np.swapaxes(factor, 1, 2) @ factor, -np.einsum("smc,sm->sc
 numbers += solve(batch).acceleration.ravel().tolist()
 heap = pile(150, rng).system()
 numbers += (solve(heap).acceleration + 1.0).tolist()
+points, each = rng.normal(size=(2, 30, 6, 3)), np.arange(30)
+found = closest_points(*(polytopes(ConvexHull(p)) for p in points), each, each)
+numbers += found.gap.tolist() + found.point_a.ravel().tolist()
+box = OBB(points[0, :, 0], np.broadcast_to(np.eye(3), (30, 3, 3)), np.abs(points[0, :, 1]))
+numbers += oriented_boxes_overlap(box, box.reshaped(30, 1)).astype(float).ravel().tolist()
 print(json.dumps(numbers))
 """
 

@@ -21,7 +21,7 @@ RAISED = str.maketrans("0123456789-+ijknt", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺�
 LOWERED = str.maketrans("0123456789ijk", "₀₁₂₃₄₅₆₇₈₉ᵢⱼₖ")
 
 _GREEK = "|".join(GREEK)
-_FUNCTION = r"(?:exp|sin|cos|tan|sqrt|max|min|abs|log)"
+_FUNCTION = r"(?:exp|sin|cos|tan|sqrt|max|min|abs|log|ln)"
 _BRACKETS = r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)"
 #: What is left as it is.
 _CODE = re.compile(

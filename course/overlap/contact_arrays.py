@@ -29,6 +29,8 @@ from course.arrays import vectors as vectors_of
 #: What carries the normal: a face of B, a face of A, two crossing edges, or none of
 #: these (curved surfaces).
 FEATURES = ("face_b", "face_a", "edges", "curved")
+#: What ``Contacts.concatenate`` keeps only if every part has it: no number says "none".
+WHOLE = ("pair", "key")
 
 
 class Side(NamedTuple):
@@ -59,6 +61,10 @@ class Contacts:
         curvature_a, curvature_b: (c, 3, 3) symmetric curvature tensors
             [1/m], read where the feature is "curved" and needed there.
         pair: (c,) ints, which pair of a batch the contact belongs to.
+        key: (c, 4) ints from 0: handle of A and of B, feature of A and of B (vertices
+            are numbered first, then edges, then faces). A contact has the same key as
+            long as the same features touch, so that a solver can start from the force
+            it had a frame before.
     Raises:
         ValueError: another shape or kind, a body against itself, a feature without
             its data.
@@ -75,6 +81,7 @@ class Contacts:
     curvature_a: Array | None = None
     curvature_b: Array | None = None
     pair: IntArray | None = None
+    key: IntArray | None = None
 
     def __post_init__(self) -> None:
         body_a, body_b = indices("body_a", self.body_a), indices("body_b", self.body_b)
@@ -110,8 +117,26 @@ class Contacts:
             )
         if self.pair is not None:
             checked["pair"] = _table("pair", indices("pair", self.pair), (count,))
+        if self.key is not None:
+            checked["key"] = _table("key", indices("key", self.key), (count, 4))
         for name, array in checked.items():
             object.__setattr__(self, name, None if array is None else read_only(array))
+
+    @staticmethod
+    def unchecked(**arrays: NDArray[Any] | None) -> Contacts:
+        """Contacts of arrays that a compiled loop has just made: nothing is checked or copied.
+
+        Args:
+            arrays: the fields, of the right shape and type; what is not given is None.
+                Nobody may write to them any more.
+        """
+        contacts = object.__new__(Contacts)
+        for field in fields(Contacts):
+            array = arrays.get(field.name)
+            if array is not None:
+                array.setflags(write=False)
+            object.__setattr__(contacts, field.name, array)
+        return contacts
 
     def __len__(self) -> int:
         return self.body_a.size
@@ -164,7 +189,8 @@ class Contacts:
         """All contacts of all parts, in order.
 
         Edges and curvatures that a part does not have are filled with NaN
-        (its features do not read them); ``pair`` is kept if every part has it.
+        (its features do not read them); ``pair`` and ``key`` are kept if every part has
+        them.
         """
         parts = instances("parts", parts, Contacts)
         columns: list[Any] = []
@@ -184,7 +210,7 @@ def _joined(
     name: str, column: Sequence[NDArray[Any] | None], counts: Sequence[int]
 ) -> Any:
     present = [array for array in column if array is not None]
-    if not present or (name == "pair" and len(present) < len(column)):
+    if not present or (name in WHOLE and len(present) < len(column)):
         return None
     core = present[0].shape[1:]
     return np.concatenate(

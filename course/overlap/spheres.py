@@ -1,4 +1,4 @@
-"""Spheres that touch one another or a plane: the contacts, with the curvature of both sides."""
+"""Spheres against one another: verdict, gap, nearest points; the contacts of many, with the curvature of both sides."""
 
 from __future__ import annotations
 
@@ -6,8 +6,74 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, ArrayLike, failure, positive, scalars, vectors
+from course.arrays import (
+    Array,
+    ArrayLike,
+    BoolArray,
+    broadcast,
+    failure,
+    non_negative,
+    positive,
+    scalars,
+    vectors,
+)
+from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
+from course.overlap.directions import UP, directed
+from course.shapes import Sphere
+
+
+def spheres_overlap(
+    center_a: ArrayLike, radius_a: ArrayLike, center_b: ArrayLike, radius_b: ArrayLike
+) -> BoolArray:
+    """Whether two spheres overlap, without a square root.
+
+    |x_A - x_B|^2 <= (r_A + r_B)^2 (C. Ericson, *Real-Time Collision Detection*, section
+    4.3.1; syllabus row 9). Closed spheres: those that touch overlap.
+
+    Args:
+        center_a, center_b: (..., 3) [m].
+        radius_a, radius_b: at or above 0, (...) [m]; 0 is a point.
+    Returns:
+        bool (...).
+    """
+    x_a, x_b = vectors("center_a", center_a), vectors("center_b", center_b)
+    r_a, r_b = non_negative("radius_a", radius_a), non_negative("radius_b", radius_b)
+    broadcast(
+        center_a=(x_a, 1), radius_a=(r_a, 0), center_b=(x_b, 1), radius_b=(r_b, 0)
+    )
+    return _squares_overlap(x_a - x_b, r_a + r_b)
+
+
+def _squares_overlap(apart: Array, reach: Array) -> BoolArray:
+    return np.asarray(np.einsum("...i,...i", apart, apart) <= reach * reach)
+
+
+def two_spheres_overlap(a: Sphere, b: Sphere) -> BoolArray:
+    """Whether two spheres overlap, (...)."""
+    return _squares_overlap(a.center - b.center, a.radius + b.radius)
+
+
+def two_spheres_gap(a: Sphere, b: Sphere) -> Array:
+    """d = |x_A - x_B| - r_A - r_B, (...) [m]."""
+    apart = a.center - b.center
+    distance = np.sqrt(np.einsum("...i,...i", apart, apart))
+    return np.asarray(distance - (a.radius + b.radius))
+
+
+def closest_spheres(a: Sphere, b: Sphere) -> Closest:
+    """The nearest points of two spheres: N along x_A - x_B, upward where both have one centre.
+
+    d = |x_A - x_B| - r_A - r_B,  p_A = x_A - r_A N,  p_B = x_B + r_B N
+    (Ericson, section 4.3.1)
+    """
+    distance, normal = directed(a.center - b.center, UP)
+    return Closest(
+        gap=distance - (a.radius + b.radius),
+        normal=normal,
+        point_a=a.center - a.radius[..., None] * normal,
+        point_b=b.center + b.radius[..., None] * normal,
+    )
 
 
 def sphere_contacts(

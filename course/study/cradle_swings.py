@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from course.arrays import Array, IntArray, positive, scalar, whole_number
+from course.study.asking import RUN_AWAY, UnusableResult, asked
 from course.study.ball_impacts import cradle
 
 
@@ -40,7 +43,7 @@ def swinging_cradle(
     coming: int,
     restitution: float,
     *,
-    law: str,
+    law: str | Callable[[Array], Array],
     speed: float = 0.8,
     length: float = 1.0,
     gravity: float = 9.81,
@@ -57,7 +60,7 @@ def swinging_cradle(
         count: n balls.
         coming: how many of them are let go.
         restitution: e, from 0 to 1.
-        law: of ``resolve_collisions``.
+        law: of ``resolve_collisions``, or velocities (n,) after for those before.
         speed: of those at the bottom [m/s].
         length: of the threads [m].
         collisions: how many.
@@ -68,5 +71,32 @@ def swinging_cradle(
     rows = [np.where(np.arange(n) < moving, float(speed), 0.0)]
     for k in range(whole_number("collisions", collisions, minimum=1)):
         arriving = rows[-1] if k == 0 else -rows[-1]
-        rows.append(cradle(arriving, law=law, restitution=restitution))
+        after = (
+            cradle(arriving, law=law, restitution=restitution)
+            if isinstance(law, str)
+            else law(arriving)
+        )
+        rows.append(after)
     return SwingingCradle(float(np.pi * np.sqrt(fall)), np.array(rows))
+
+
+def by_impulses(
+    function: Callable[..., Any], restitution: float
+) -> Callable[[Array], Array]:
+    """A law for balls of 1 kg from ``simultaneous_impulses`` (A, u, e): p between neighbours.
+
+    A is 2 on its diagonal and -1 beside it, u = v_(i+1) - v_i, and p pushes ball i back
+    and ball i + 1 on.
+    """
+
+    def after(velocity: Array) -> Array:
+        closing = np.diff(velocity)
+        between = len(closing)
+        matrix = 2 * np.eye(between) - np.eye(between, k=1) - np.eye(between, k=-1)
+        (impulse,) = asked(function, (closing.shape,), matrix, closing, restitution)
+        gone = velocity - np.diff(impulse, prepend=0.0, append=0.0)
+        if np.abs(gone).max() > RUN_AWAY:
+            raise UnusableResult("it runs away: ball after ball is faster")
+        return np.asarray(gone)
+
+    return after

@@ -13,7 +13,7 @@ from course.workbook.numbers import NOISE, SETTLING, show
 
 _NUMBER = re.compile(r"(?:below )?[-+]?(?:[\d,]*\.?\d+(?:e[-+]?\d+)?|inf)%?|nan|")
 _PLAIN = re.compile(r"[-+]?\d+(?:\.(\d+))?")
-_EXPONENT = re.compile(r"([\d.]+)e([-+]?\d+)")
+_EXPONENT = re.compile(r"(?<![\w.])(\d[\d.]*)e([-+]?\d+)(?!\w)")
 
 
 def column_text(
@@ -44,10 +44,9 @@ def is_number(text: str) -> bool:
     return _NUMBER.fullmatch(text) is not None
 
 
-def typeset(number: str) -> str:
-    """A number as it is printed: with a true minus, and 10⁻⁶ in place of 1e-06."""
-    number = _EXPONENT.sub(_power_of_ten, number)
-    return number.replace("-", "\N{MINUS SIGN}")
+def with_powers(text: str) -> str:
+    """A text with 2 × 10⁻⁶ in place of 2e-06."""
+    return _EXPONENT.sub(_power_of_ten, text)
 
 
 def _is_real(cell: Any) -> bool:

@@ -13,12 +13,12 @@ import numpy as np
 
 from course.arrays import failure, written
 from course.exercises.letters import with_letters
-from course.workbook.columns import column_text, is_number, typeset
+from course.workbook.columns import column_text, is_number, with_powers
 from course.workbook.numbers import NOISE
 
 #: Places after the decimal point or significant digits: of all columns, or of each.
 Places = int | Sequence[int | None] | None
-_UNIT = re.compile(r" ?\[[^\]]*\]")
+_UNIT = re.compile(r" ?\[[^\]]*\]|(?<=\d) (?=[A-Za-z]{1,2}\b)")
 
 
 @dataclass(frozen=True)
@@ -175,13 +175,15 @@ def _html_cell(cell: str, side: str, index: int) -> str:
     tag, scope = ("td", "") if index else ("th", ' scope="row"')
     weight = "" if index else "; font-weight: normal"
     nowrap = "; white-space: nowrap" if side == "right" else ""
-    shown = typeset(cell) if side == "right" else html.escape(cell)
+    shown = html.escape(with_powers(cell))
+    if side == "right":
+        shown = shown.replace("-", "\N{MINUS SIGN}")
     style = f"text-align: {side}; {_CELL}{nowrap}{weight}"
     return f'<{tag}{scope} style="{style}">{shown}</{tag}>'
 
 
 def _unbroken(heading: str) -> str:
-    """A heading whose unit stays with the word before it."""
+    """A heading whose units stay with what is before them."""
     glued = _UNIT.sub(
         lambda unit: unit.group().replace(" ", "\N{NO-BREAK SPACE}"), heading
     )

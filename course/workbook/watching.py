@@ -73,6 +73,18 @@ WATCHED = {
     "projected_gauss_seidel": _plank,
     "pivot": _plank,
 }
+_stack = Watched("carried_stacks", "carried_stack_film", 0.35, several=True)
+#: Other films of an exercise, by what they show it on.
+ELSEWHERE = {
+    "stack": {
+        n: _stack for n in ("solve_contact_qp", "projected_gauss_seidel", "pivot")
+    },
+    "cradle": {
+        "simultaneous_impulses": Watched(
+            "answered_cradles", "answered_cradle_film", 0.75
+        )
+    },
+}
 #: Exercises whose formula a slide prints wrongly, and the entry of docs/misprints.md.
 MISPRINTED = {
     "impulse_central": 3,
@@ -88,7 +100,7 @@ MISPRINTED = {
 }
 
 
-def watch(answer: Any) -> Any:
+def watch(answer: Any, *, on: str | None = None) -> Any:
     """Play your function beside the right one; the last line of a cell.
 
     Whether it passes its check or not: a wrong one is seen to let bodies through each
@@ -98,9 +110,10 @@ def watch(answer: Any) -> Any:
     Args:
         answer: your function, under its exercise's name; or that name alone, where a
             slide prints the formula wrongly: then the printed one plays.
+        on: another case, "stack" for contact forces, "cradle" for impulses at once.
     Raises:
         ValueError: an exercise whose case is no motion, a name whose formula is not
-            misprinted; the words list those that are.
+            misprinted, a case that it has not; the words list those that are.
     """
     name = answer if isinstance(answer, str) else name_of(answer, None)
     find_exercise(name)
@@ -116,6 +129,15 @@ def watch(answer: Any) -> Any:
         )
     from course.workbook import stage
 
-    film = WATCHED[name]
+    film = WATCHED[name] if on is None else _elsewhere(name, answer, on)
     against = "printed" if isinstance(answer, str) else answer
     return stage.show(film.exhibit(name, against), still=film.still)
+
+
+def _elsewhere(name: str, answer: Any, on: str) -> Watched:
+    cases = [case for case, films in ELSEWHERE.items() if name in films]
+    if isinstance(answer, str) or on not in cases:
+        known = " or ".join(repr(case) for case in cases) or "nothing"
+        wanted = f"{known} for your {name}" if cases else f"left out for {name}"
+        raise failure("on", wanted, repr(on))
+    return ELSEWHERE[on][name]

@@ -28,6 +28,7 @@ def nfc(text):
         ("(A p)_i, max_j |b_j|", "(A p)ᵢ, maxⱼ |bⱼ|"),
         ("of *all* axes, the *new* one", "of all axes, the new one"),
         ("3 * (-0.5), t_0 = sqrt(2 h/g), exp(sigma t)", "3 · (-0.5), t₀ = √(2 h/g), exp(σ t)"),
+        ("ln(1/delta)/sigma", "ln(1/δ)/σ"),
         ("a factor of pi", "a factor of π"),
     ],
 )  # fmt: skip

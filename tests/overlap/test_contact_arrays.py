@@ -59,6 +59,7 @@ def test_an_index_selects_the_optional_fields_too():
         curvature_a=curvature + np.swapaxes(curvature, 1, 2),
         curvature_b=np.zeros((3, 3, 3)),
         pair=[7, 8, 9],
+        key=np.arange(12).reshape(3, 4),
     )
     picked = contacts[[2, 0]]
     for field in fields(Contacts):
@@ -116,6 +117,24 @@ def test_concatenate_keeps_pair_only_if_every_part_has_it():
         Contacts.concatenate([some(), 3])
 
 
+def test_concatenate_keeps_keys_only_if_every_part_has_them():
+    key = np.arange(12).reshape(3, 4)
+    both = Contacts.concatenate([some(key=key), some(2, key=key[:2] + 20)])
+    assert both.key.tolist() == [*key.tolist(), *(key[:2] + 20).tolist()]
+    assert both[[4, 0]].key.tolist() == [[24, 25, 26, 27], [0, 1, 2, 3]]
+    assert Contacts.concatenate([some(key=key), some()]).key is None
+
+
+def test_arrays_of_a_loop_are_taken_as_they_are():
+    checked = some(key=np.zeros((3, 4), dtype=int))
+    given = {f.name: getattr(checked, f.name) for f in fields(Contacts)}
+    given["point"] = np.ones((3, 3))
+    loose = Contacts.unchecked(**given)
+    assert loose.point is given["point"] and loose.pair is None
+    with pytest.raises(ValueError, match="read-only"):
+        loose.point[0] = 2
+
+
 def test_fields_are_copies_that_cannot_be_written():
     point = np.zeros((3, 3))
     contacts = some(point=point)
@@ -150,6 +169,9 @@ def test_fields_are_copies_that_cannot_be_written():
             "curvature_a: expected symmetric tensors",
         ),
         (dict(pair=[0, 1]), r"pair: expected shape \(3,\)"),
+        (dict(key=np.zeros((3, 3), dtype=int)), r"key: expected shape \(3, 4\); got shape \(3, 3\)"),
+        (dict(key=np.full((3, 4), -1)), "key: expected whole numbers from 0; got -1"),
+        (dict(key=np.zeros((3, 4))), "key: expected whole numbers from 0"),
     ],
 )  # fmt: skip
 def test_refuses(fields, message):

@@ -134,10 +134,19 @@ def test_html_is_a_table_with_headings_of_columns_and_rows():
         ("-2.5e+08", "\N{MINUS SIGN}2.5 × 10⁸"),
         ("0e+00", "0"),
         ("-0.5", "\N{MINUS SIGN}0.5"),
+        ("1: 2e-05, so - so", "1: 2 × 10⁻⁵, so - so"),
+        ("file1e3 of v1.2e5", "file1e3 of v1.2e5"),
     ],
 )
 def test_powers_of_ten_have_no_e_in_html(number, shown):
     assert Cells(tabulate({"": "x", "y": number})._repr_html_()).cells[-1][1] == shown
+
+
+def test_units_are_not_torn_from_what_is_before_them():
+    shown = tabulate({"after 0.5 s, at [kg m/s]": 1, "2 of three": 2})._repr_html_()
+    space = "\N{NO-BREAK SPACE}"
+    headings = [f"after 0.5{space}s, at{space}[kg{space}m/s]", f"2{space}of three"]
+    assert [text for tag, text in Cells(shown).cells[:2]] == headings
 
 
 def test_words_are_never_markup():

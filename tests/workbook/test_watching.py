@@ -10,7 +10,7 @@ import pytest
 from course.exercises.definition import find_exercise
 from course.workbook import check, watch
 from course.workbook.stage.encoding import encoded
-from course.workbook.watching import MISPRINTED, WATCHED
+from course.workbook.watching import ELSEWHERE, MISPRINTED, WATCHED
 
 #: Seconds together: left out of the minute's run.
 pytestmark = pytest.mark.slow
@@ -85,6 +85,17 @@ def test_a_check_says_how_to_see_it(capsys):
     assert "watch(impulse_central) plays it" in capsys.readouterr().out
 
 
+def test_lessons_with_films_import_watch():
+    """What a check says can be typed into a cell as it stands."""
+    for name in WATCHED:
+        lesson, _ = find_exercise(name)
+        folder = Path(__file__).parents[2] / "solutions"
+        source = folder / f"{lesson.number}-{lesson.name}.ipynb"
+        cells = json.loads(source.read_text("utf-8"))["cells"]
+        code = "".join("".join(c["source"]) for c in cells if c["cell_type"] == "code")
+        assert re.search(r"from course\.workbook import [^)]*\bwatch\b", code), source
+
+
 def test_an_exercise_that_moves_nothing_is_refused():
     def p_hat():
         """No motion."""
@@ -120,6 +131,43 @@ def test_no_planted_mistake_breaks_the_film(name):
         film = film_of(name, mistake.function)
         json.dumps(encoded(film), allow_nan=False)
         assert film.ending and len(film.panes) == 2
+
+
+CASES = [(case, name) for case, films in ELSEWHERE.items() for name in films]
+
+
+@pytest.mark.parametrize(("case", "name"), CASES)
+def test_another_case_shows_right_and_wrong_answers(case, name):
+    exercise = find_exercise(name)[1]
+    exhibit = ELSEWHERE[case][name].exhibit(name, exercise.reference)
+    assert len(ELSEWHERE[case][name].exhibit(name, None).made().panes) == 1
+    for values in ({}, *(preset.values for preset in exhibit.presets)):
+        film = exhibit.made(**values)
+        json.dumps(encoded(film), allow_nan=False)
+        assert film.ending.startswith("Here both") and apart(film) < 1e-5
+    seen = []
+    for mistake in exercise.mistakes:
+        film = ELSEWHERE[case][name].exhibit(name, mistake.function).made()
+        json.dumps(encoded(film), allow_nan=False)
+        seen.append(apart(film) > 0.02 or "function" in film.ending)
+    assert any(seen)
+
+
+def test_another_case_is_asked_for_by_name_and_refused_where_there_is_none():
+    def pivot(a, b):
+        return np.zeros(len(b))
+
+    film = watch(pivot, on="stack").shown.made()
+    assert (
+        film.ending
+        == "With your function box 1 sinks into what is below it, d̈ = −9.81 m/s²"
+    )
+    with pytest.raises(
+        ValueError, match="on: expected 'stack' for your pivot; got 'cradle'"
+    ):
+        watch(pivot, on="cradle")
+    with pytest.raises(ValueError, match="on: expected left out for impulse_central"):
+        watch(impulse_central, on="stack")
 
 
 @pytest.mark.parametrize("name", MISPRINTED)

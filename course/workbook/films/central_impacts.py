@@ -38,8 +38,9 @@ from course.workbook.stage.words import shown_number
 COLORS = ("blue", "vermillion")
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
 WINDOW = (-2.9, -0.95, 2.9, 1.25)
-SCALE = 0.45  # metres drawn for 1 m/s, while nothing is faster than FASTEST [m/s]
-FASTEST = 4.0
+#: Metres drawn for 1 m/s, whatever comes out: an arrow that is held must not change its scale under the hand.
+SCALE = 0.45
+FASTEST = 4.0  # for which charts have room [m/s], before they are drawn smaller
 PUSHED = 0.14  # for which the impulse is seen [s]
 ROWS = (0.42, 0.12)  # of the velocities above the balls [m]
 BELOW = -0.77  # where the centre of mass is shown [m]
@@ -158,7 +159,7 @@ def _pane(title: str, motion: CentralMotion, times: Any) -> Pane:
         place,
         title=title,
         arrows=[
-            Arrows("velocity", velocity, "m/s", at=place[:, :2], scale=SCALE * FASTEST / _top(motion), color=COLORS,
+            Arrows("velocity", velocity, "m/s", at=place[:, :2], scale=SCALE, color=COLORS,
                    lift=lifted, numbers=True),
             Arrows("impulse p̂", push, "N s", at=place[:, :2], scale=_push_scale(motion), color="green"),
             Arrows("normal n", [[1.0, 0.0, 0.0]], at=[[0.0, 0.0, BELOW]], scale=0.4, color="black", shown=False),

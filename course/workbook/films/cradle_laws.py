@@ -76,7 +76,7 @@ def _film(motions: dict[str, SwingingCradle], coming: int) -> Film:
     times, after = moments(COLLISIONS * half, list(strikes), frames=72)
     done = np.searchsorted(strikes, times, side="left") + after
     return Film(
-        [_pane(law, motion.at(times, done)) for law, motion in motions.items()],
+        [cradle_pane(law, motion.at(times, done)) for law, motion in motions.items()],
         times,
         Flat("xz", WINDOW),
         title="Newton's cradle by three laws",
@@ -90,8 +90,12 @@ def _film(motions: dict[str, SwingingCradle], coming: int) -> Film:
     )
 
 
-def _pane(law: str, moved: tuple[Array, Array]) -> Pane:
+def cradle_pane(law: str, moved: tuple[Array, Array]) -> Pane:
+    """Balls on threads; displacements and velocities (t, n) [m], [m/s]."""
     shift, speed = moved
+    shift = np.clip(
+        shift, -LENGTH, LENGTH
+    )  # of a wrong answer: as far as threads reach
     hung = 2 * RADIUS * (np.arange(BALLS) - 0.5 * (BALLS - 1))
     place = np.zeros((len(shift), BALLS + 1, 3))
     place[:, :BALLS, 0] = hung + shift

@@ -50,12 +50,14 @@ class Label:
     Args:
         text, color: what is written, and how.
         places: middles in order of preference, (k, 2) [pixels].
+        anchor: the middle of what it belongs to, (2,) [pixels].
         inside, fill: the body that is named, and its colour.
     """
 
     text: str
     color: str
     places: Array
+    anchor: Array
     inside: Shape | None = None
     fill: str = ""
 
@@ -67,28 +69,38 @@ def lettered(
     taken: list[Array] = []
     out = []
     for label in labels:
+        if np.any(label.anchor < 0) or np.any(label.anchor > size):
+            continue  # a name of what is outside names nothing
         half = 0.5 * np.array([LETTER * len(label.text) + 4.0, HEIGHT])
-        around = _around(label.places[0], half)
+        around = _around(label.anchor)
         places = np.clip(np.concatenate([label.places, around]), half, size - half)
         liked = np.concatenate(
             [
                 np.arange(len(label.places)),
                 len(label.places)
-                + FARTHER * np.hypot(*((around - label.places[0]) / HEIGHT).T),
+                + FARTHER * np.hypot(*((around - label.anchor) / HEIGHT).T),
             ]
         )
         costs = np.full(len(places), np.inf)
         for k, (place, cost) in enumerate(zip(places, liked, strict=True)):
             if cost < costs.min():  # what stands there can only add to it
                 costs[k] = cost + _cost(place, half, label, taken, lines, bodies)
-        if (best := int(np.argmin(costs))) is not None and costs[best] < OVER_LABEL:
-            place = places[best]
-            taken.append(np.stack([place - half, place + half]))
-            within = label.inside is not None and _within(place, half, label.inside)
-            color = marks.ink_on(label.fill) if within else label.color
-            out.append(marks.text(place, label.text, color, "600" if label.inside else "400",
-                                  behind=label.fill if within else "#fff"))  # fmt: skip
+        best = int(np.argmin(costs))
+        if costs[best] >= OVER_LABEL:
+            continue
+        place = places[best]
+        taken.append(np.stack([place - half, place + half]))
+        within = label.inside is not None and _within(place, half, label.inside)
+        out.append(_written(label, place, within))
     return out
+
+
+def _written(label: Label, place: Array, within: bool) -> str:
+    color, behind = (
+        (marks.ink_on(label.fill), label.fill) if within else (label.color, "#fff")
+    )
+    weight = "600" if label.inside else "400"
+    return marks.text(place, label.text, color, weight, behind=behind)
 
 
 def arrow_label(text: str, color: str, start: Array, tip: Array) -> Label:
@@ -99,7 +111,7 @@ def arrow_label(text: str, color: str, start: Array, tip: Array) -> Label:
     aside = aside if aside[1] <= 0 else -aside
     middle = (start + tip) / 2
     near = [middle + aside, middle - aside, tip + on, tip + aside, tip - aside]
-    return Label(text, color, np.array(near))
+    return Label(text, color, np.array(near), middle)
 
 
 def segment_label(name: str, value: float, unit: str, color: str, ends: Array) -> Label:
@@ -107,10 +119,10 @@ def segment_label(name: str, value: float, unit: str, color: str, ends: Array) -
     words = f"{name} {shown_number(value, 3)} {unit}".strip()
     (x, y), right = ends.mean(axis=0), 0.5 * LETTER * len(words) + 8.0
     places = [[x + right, y], [x - right, y], [x, y - HEIGHT], [x, y + HEIGHT]]
-    return Label(words, color, np.array(places))
+    return Label(words, color, np.array(places), ends.mean(axis=0))
 
 
-def _around(place: Array, half: Array) -> Array:
+def _around(place: Array) -> Array:
     """Places farther and farther away."""
     far = np.arange(1.2, 9.0, 0.65)[:, None, None]
     turn = np.linspace(0, 2 * np.pi, 12, endpoint=False)[None, :, None]

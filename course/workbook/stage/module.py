@@ -21,6 +21,7 @@ PARTS = (
     "space",
     "charts",
     "elements",
+    "controls",
     "layout",
     "hands",
     "stage",

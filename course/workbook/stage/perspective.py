@@ -15,6 +15,7 @@ from course.arrays import Array
 from course.workbook.plots.figure import PALETTE
 from course.workbook.stage import marks
 from course.workbook.stage.film import Film
+from course.workbook.stage.flat_still import size_in_words
 from course.workbook.stage.lettering import (
     HEIGHT,
     LETTER,
@@ -27,7 +28,6 @@ from course.workbook.stage.lettering import (
     segment_label,
 )
 from course.workbook.stage.panes import Pane
-from course.workbook.stage.plane_picture import size_in_words
 from course.workbook.stage.solids import Solid
 from course.workbook.stage.views import CAMERAS, Space
 
@@ -173,7 +173,9 @@ def _labels(
             x, y = eye.screen(place[k])
             aside = 0.5 * LETTER * len(solid.label) + 12.0
             near = [[x, y + HEIGHT], [x, y - HEIGHT], [x + aside, y], [x - aside, y]]
-            labels.append(Label(solid.label, marks.INK, np.array(near)))
+            labels.append(
+                Label(solid.label, marks.INK, np.array(near), np.array([x, y]))
+            )
     for ends, color, said in words:
         if said:
             labels.append(arrow_label(said, color, *ends))

@@ -10,8 +10,8 @@ import numpy as np
 from course.workbook.plots.figure import PALETTE
 from course.workbook.stage import marks
 from course.workbook.stage.film import Film
+from course.workbook.stage.flat_still import plane_picture, window_of
 from course.workbook.stage.perspective import space_picture
-from course.workbook.stage.plane_picture import plane_picture, window_of
 from course.workbook.stage.views import Flat
 from course.workbook.stage.words import description, scale_in_words
 

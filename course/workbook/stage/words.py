@@ -50,7 +50,7 @@ def shown_number(value: float, digits: int) -> str:
         return "∞" if value > 0 else "−∞"
     if abs(value) < 1e-12:
         return "0"
-    if value and not 1e-4 <= abs(value) < 1e6:
+    if value and not 1e-4 <= abs(value) < 1e8:
         text = f"{value:.{digits}g}"
     else:  # an exponent is nothing to read aloud
         text = np.format_float_positional(

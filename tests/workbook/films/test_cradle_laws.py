@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from course import formulas
 from course.contact.collisions import LAWS
-from course.study.cradle_swings import swinging_cradle
+from course.study.cradle_swings import by_impulses, swinging_cradle
 from course.workbook.films.cradle_laws import cradle
 
 
@@ -58,3 +59,14 @@ def test_all_stay_together_where_nothing_bounces():
     film = cradle().made(restitution=0.0)
     for number in film.numbers[:5]:
         assert number.values == pytest.approx((0.16,) * 3)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
+@pytest.mark.parametrize("coming", [1, 2, 3])
+def test_impulses_of_the_formula_swing_as_the_simultaneous_law_does(
+    coming, restitution
+):
+    law = by_impulses(formulas.simultaneous_impulses, restitution)
+    found = swinging_cradle(5, coming, restitution, law=law)
+    right = swinging_cradle(5, coming, restitution, law="simultaneous")
+    assert found.velocity == pytest.approx(right.velocity, abs=1e-12)

@@ -1,7 +1,7 @@
 // A flat picture of a pane on a canvas: bodies as outlines, to scale, and what is drawn on them.
 
 import { between, dot, hull, momentAt, turned, turnedBetween, written } from "./film.js";
-import { covers, drawLabels } from "./labels.js";
+import { covers, drawLabels, inSight } from "./labels.js";
 import { drawArrow } from "./look.js";
 
 /**
@@ -49,7 +49,8 @@ export function drawFlat(context, film, pane, time, options) {
   for (const s of pane.segments) if (!hidden.has(s.name)) drawSegments(context, s, moment, frame, theme, labels, lines, font);
   for (const a of pane.arrows) if (!hidden.has(a.name)) drawArrows(context, a, view, moment, frame, theme, labels, lines, font);
   const surroundings = { lines, bodies, handles, bounds: [width, height], memory };
-  return { labels: drawLabels(context, labels, theme, font, surroundings), wanted: labels.length, lines };
+  const seen = inSight(labels, surroundings.bounds);
+  return { labels: drawLabels(context, seen, theme, font, surroundings), wanted: seen.length, lines };
 }
 
 function pose(pane, body, moment) {

@@ -4,8 +4,8 @@
 /** @typedef {{points: number[][], radius: number, fixed?: boolean}} Shape a convex polygon, grown by a radius */
 /**
  * @typedef {{text: string, color: string, places: number[][], key: string, inside?: Shape,
- *   fill?: string, anchor?: number[]}} Label places: middles (x, y) in order of preference; inside, fill: the body it names, and
- *   its colour; *   anchor: where a line from far away leads
+ *   fill?: string, anchor: number[]}} Label places: middles (x, y) in order of preference; inside, fill: the body it names, and
+ *   its colour; *   anchor: the middle of what it belongs to
  */
 /** @typedef {{lines: number[][], bodies: Shape[], handles?: Shape[], taken?: Box[], bounds: [number, number], memory?: Map<string, number[]>}} Surroundings
  *   lines: x, y of both ends, and how far beside it is still the line; memory: what was chosen before, kept from picture to picture */
@@ -114,7 +114,7 @@ export function placedLabels(labels, { lines, bodies, handles = [], taken = [], 
     };
     label.places.forEach((place, liked) => tried(place, liked, 0));
     if (!best || best.cost >= OVER_LINE) {
-      around(label.places[0], height).forEach(([x, y, far], k) => tried([x, y], label.places.length + k % RING / RING, far));
+      around(label.anchor, height).forEach(([x, y, far], k) => tried([x, y], label.places.length + k % RING / RING, far));
     }
     if (!best) continue;
     boxes.push(best.box);
@@ -122,6 +122,11 @@ export function placedLabels(labels, { lines, bodies, handles = [], taken = [], 
     out.push(Object.assign({}, label, best));
   }
   return out;
+}
+
+/** Those whose body or arrow is in the picture: a name of what is outside names nothing. @param {Label[]} labels @param {[number, number]} bounds */
+export function inSight(labels, [width, height]) {
+  return labels.filter(({ anchor: [x, y] }) => x >= 0 && y >= 0 && x <= width && y <= height);
 }
 
 /**
@@ -151,8 +156,8 @@ export function drawLabels(context, wanted, theme, font, surroundings) {
 }
 
 /** A thin line from a label that is far from what it names. */
-function lead(context, { box, places, anchor, color }) {
-  const [x, y] = anchor || places[0];
+function lead(context, { box, anchor, color }) {
+  const [x, y] = anchor;
   const [a, b] = [Math.min(box[2], Math.max(box[0], x)), Math.min(box[3], Math.max(box[1], y))];
   context.strokeStyle = color;
   context.lineWidth = 1;

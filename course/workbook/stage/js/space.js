@@ -4,7 +4,7 @@
 import { eyeOf, eyePlace, pixelSize } from "./camera.js";
 import { INSTANCE, LIGHT, sharedDrawing } from "./drawing.js";
 import { between, hull, momentAt, turned, turnedBetween, written } from "./film.js";
-import { drawLabels } from "./labels.js";
+import { drawLabels, inSight } from "./labels.js";
 import { corners, cross, frameAlong, projected, putPlace, shadowOn, unit } from "./matrices.js";
 
 const TRAIL = 1.8; // pixels
@@ -66,7 +66,7 @@ export class SpaceView {
    * @returns {Float32Array} the matrix from the world to the screen
    */
   draw(context, film, pane, time, options) {
-    const { theme, hidden, camera, width, height, hurried } = options;
+    const { theme, camera, width, height, hurried } = options;
     const { drawing } = this;
     const { gl } = drawing;
     const eye = eyeOf(camera, width / height);
@@ -81,7 +81,7 @@ export class SpaceView {
         between(pane.position, moment, 3 * k, 3), turnedBetween(pane.orientation, moment, 4 * k)));
       drawing.draw(mesh, values);
     }
-    this.#arrows(pane, moment, theme, hidden, camera);
+    this.#arrows(pane, moment, options);
     if (options.trails) this.#trails(film, pane, moment, options);
     if (this.ground) this.#floor(film.view, theme, camera);
     context.save();
@@ -117,7 +117,7 @@ export class SpaceView {
     }
   }
 
-  #arrows(pane, moment, theme, hidden, camera) {
+  #arrows(pane, moment, { theme, hidden, camera, hurried }) {
     const thick = 0.012 * camera.reach;
     const [shafts, heads] = [[], []];
     for (const arrows of pane.arrows) {
@@ -139,8 +139,11 @@ export class SpaceView {
     }
     if (!shafts.length) return;
     const { drawing } = this;
-    drawing.through(THROUGH, () => [shafts, heads].forEach((values, which) => drawing.draw(drawing.arrows[which], new Float32Array(values))));
-    for (const mesh of drawing.arrows) drawing.draw(mesh, null);
+    const both = [shafts, heads].map((values) => new Float32Array(values));
+    const draw = (again) => both.forEach((values, which) => drawing.draw(drawing.arrows[which], again ? null : values));
+    const through = !(drawing.slow && hurried); // where the processor draws, only of what stands
+    if (through) drawing.through(THROUGH, () => draw(false));
+    draw(through);
   }
 
   release() {
@@ -192,8 +195,10 @@ export function drawAbove(context, film, pane, time, eye, options) {
   });
   for (const s of pane.segments) if (!hidden.has(s.name)) measuredLines(context, s, moment, at, theme, font, labels, lines);
   for (const a of pane.arrows) if (!hidden.has(a.name)) arrowLabels(a, moment, at, theme, font, labels, lines);
-  const surroundings = { lines, bodies: outlines(pane, moment, at, eye, height), handles, bounds: [width, height], memory };
-  return { labels: drawLabels(context, labels, theme, font, surroundings), wanted: labels.length, lines };
+  const bodies = labels.length ? outlines(pane, moment, at, eye, height) : [];
+  const surroundings = { lines, bodies, handles, bounds: [width, height], memory };
+  const seen = inSight(labels, surroundings.bounds);
+  return { labels: drawLabels(context, seen, theme, font, surroundings), wanted: seen.length, lines };
 }
 
 function measuredLines(context, segments, moment, at, theme, font, labels, lines) {

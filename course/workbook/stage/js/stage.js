@@ -1,9 +1,10 @@
 // The stage in a page: pictures, charts, controls, hands and keys around one clock.
 
-import { asker, slid, unslid } from "./asking.js";
+import { asker } from "./asking.js";
 import { cameraOf } from "./camera.js";
 import { drawChart, heightMissing } from "./charts.js";
 import { Clock, speedInWords } from "./clock.js";
+import { actOnKey, clockRow, knobSliders, numbersTable, overlayBoxes, putOnSliders } from "./controls.js";
 import { icon, made } from "./elements.js";
 import { between, decoded, momentAt, written } from "./film.js";
 import { drawFlat } from "./flat.js";
@@ -16,7 +17,6 @@ const CHART_ASPECT = 1.5; // width over height
 const REST = 150; // milliseconds without a picture, after which one is drawn finely
 const TOLD_AFTER = 2; // repetitions of a question, after which it is said that no answer comes
 const UNANSWERED = "Python has not answered yet. While it runs another cell it cannot; where its kernel was started anew, run this cell again.";
-const SPEEDS = [1, 0.5, 0.25, 0.1];
 
 /** The stage for one exhibit. `ask(values, id)` asks Python for a film; none: nobody answers. */
 export class Stage {
@@ -33,7 +33,7 @@ export class Stage {
     for (const { arrows, segments } of this.film.panes) {
       for (const item of [...arrows, ...segments]) if (!item.shown) this.hidden.add(item.name);
     }
-    this.#overlays();
+    overlayBoxes(this);
     this.sizes = new ResizeObserver(() => this.paintSoon());
     this.sizes.observe(root);
     this.sight = new IntersectionObserver((found) => {
@@ -99,7 +99,7 @@ export class Stage {
     root.setAttribute("role", "group");
     root.setAttribute("aria-roledescription", "film");
     root.setAttribute("data-lm-suppress-shortcuts", "true"); // JupyterLab leaves our keys alone
-    root.addEventListener("keydown", (event) => this.#key(event));
+    root.addEventListener("keydown", (event) => actOnKey(this, event));
     this.parts = Object.fromEntries(["heading", "caption", "question", "pictures", "clock", "overlays", "knobs", "numbers"]
       .map((name) => [name, made("div", { class: name })]));
     root.replaceChildren(...Object.values(this.parts));
@@ -107,8 +107,9 @@ export class Stage {
     this.parts.presets = this.parts.heading.appendChild(made("span", { class: "presets" }));
     this.#question();
     this.#presets();
-    this.#controls();
-    this.#knobs();
+    clockRow(this);
+    this.sliders = knobSliders(this);
+    this.setKnobs(this.values);
   }
 
   #question() {
@@ -149,24 +150,6 @@ export class Stage {
     if (preset.film) { this.receive(preset.film, null); this.clock.play(); } else { this.startsAgain = true; this.ask(); }
   }
 
-  #controls() {
-    const button = (label, sign, act, key) => made("button",
-      { type: "button", "aria-label": label, title: `${label} (${key})`, onclick: act, ".innerHTML": icon(sign) });
-    this.playButton = button("play", "play", () => this.clock.toggle(), "space");
-    this.scrub = made("input", { type: "range", min: 0, max: 1000, step: 1, value: 0, class: "time", "aria-label": "time",
-      oninput: () => { this.clock.pause(); this.clock.seek(this.clock.first + (this.scrub.value / 1000) * (this.clock.last - this.clock.first)); } });
-    this.now = made("output", { class: "now" });
-    this.slow = made("select", { "aria-label": "speed", onchange: (e) => { this.clock.slow = Number(e.target.value); } },
-      ...SPEEDS.map((value) => made("option", { value }, "")));
-    this.cameras = made("select", { "aria-label": "view from", hidden: true,
-      onchange: () => this.look(this.cameras.value) });
-    const full = button("full screen", "full", () => this.fullScreen(), "f");
-    this.more = made("button", { type: "button", title: "another chart (c)", hidden: true, onclick: () => this.nextChart() }, "chart");
-    this.parts.clock.append(button("back to the start", "start", () => this.clock.reset(), "r"),
-      button("a step back", "back", () => this.clock.step(-1), "left arrow"), this.playButton,
-      button("a step on", "on", () => this.clock.step(1), "right arrow"), this.scrub, this.now, this.slow, this.cameras, this.more, full);
-  }
-
   look(preset) {
     for (const picture of this.pictures) picture.camera = cameraOf(this.film.view, preset);
     this.paintSoon();
@@ -177,29 +160,10 @@ export class Stage {
     else if (this.root.requestFullscreen) this.root.requestFullscreen();
   }
 
-  #knobs() {
-    this.sliders = {};
-    for (const knob of this.exhibit.knobs || []) {
-      const said = made("output", {});
-      const step = knob.log ? 10 : Math.max(1, Math.round((1000 * knob.step) / (knob.high - knob.low)));
-      const slider = made("input", { type: "range", min: 0, max: 1000, step,
-        "aria-label": `${knob.label}${knob.unit ? `, ${knob.unit}` : ""}`, disabled: !this.questions,
-        oninput: () => { this.told = true; this.setKnobs({ [knob.name]: unslid(knob, Number(slider.value)) }); this.ask(); } });
-      this.sliders[knob.name] = { knob, slider, said };
-      this.parts.knobs.append(made("label", {}, made("span", {}, knob.label), slider, said));
-    }
-    if (this.exhibit.film && !this.questions) this.parts.knobs.hidden = true;
-    this.setKnobs(this.values);
-  }
-
   /** Values onto their sliders. @param {Record<string, number>} values by the knob's name */
   setKnobs(values) {
     Object.assign(this.values, values);
-    for (const [name, { knob, slider, said }] of Object.entries(this.sliders)) {
-      slider.value = slid(knob, this.values[name]);
-      said.textContent = `${written(this.values[name])} ${knob.unit || ""}`.trim();
-      slider.setAttribute("aria-valuetext", said.textContent);
-    }
+    putOnSliders(this.sliders, this.values);
   }
 
   /** Asks Python for the film of the present values. */
@@ -207,27 +171,6 @@ export class Stage {
     if (!this.questions) return;
     this.asked = performance.now();
     this.questions.ask(Object.assign({}, this.values));
-  }
-
-  #overlays() {
-    const names = new Set(this.film.panes.flatMap((p) => [...p.arrows, ...p.segments].map((a) => a.name)));
-    const toggle = (name, on, act) => {
-      const box = made("input", { type: "checkbox", ".checked": on, onchange: () => { act(box.checked); this.paintSoon(); } });
-      return made("label", {}, box, this.#key_of(name), name);
-    };
-    const boxes = [...names].map((name) => toggle(name, !this.hidden.has(name), (on) => {
-      if (on) this.hidden.delete(name); else this.hidden.add(name);
-    }));
-    if (this.film.panes.some((p) => p.trails.length)) boxes.push(toggle("trails", this.trails, (on) => { this.trails = on; }));
-    this.parts.overlays.replaceChildren(...boxes);
-    this.parts.overlays.hidden = !boxes.length;
-  }
-
-  /** The colour in which an overlay is drawn, where all of it has one. */
-  #key_of(name) {
-    const item = this.film.panes.flatMap((p) => [...p.arrows, ...p.segments]).find((a) => a.name === name);
-    const colors = item && (item.colors ? [...new Set(item.colors)] : [item.color]);
-    return colors && colors.length === 1 ? made("i", { class: "key", "data-color": colors[0] }) : null;
   }
 
   #pictures() {
@@ -277,14 +220,9 @@ export class Stage {
       picture.caption.textContent = pane.title;
       picture.canvas.setAttribute("aria-label", `${pane.title ? `${pane.title}. ` : ""}${film.description}`);
     }
-    const { panes, rows } = film.numbers;
-    parts.numbers.hidden = !rows.length;
-    parts.numbers.classList.toggle("several", panes.length > 1);
-    const several = panes.length > 1;
-    const head = several ? [made("tr", {}, made("th", {}), ...panes.map((p) => made("th", { scope: "col" }, p)))] : [];
-    parts.numbers.replaceChildren(made("table", { "aria-label": "key numbers" }, made("tbody", {}, ...head,
-      ...rows.map(([name, unit, ...values]) => made("tr", {}, made("th", { scope: "row" }, name),
-        ...values.map((v) => made("td", several && values.length === 1 ? { colspan: panes.length } : {}, `${v} ${unit}`.trim())))))));
+    parts.numbers.hidden = !film.numbers.rows.length;
+    parts.numbers.classList.toggle("several", film.numbers.panes.length > 1);
+    parts.numbers.replaceChildren(numbersTable(film.numbers));
   }
 
   // ---- painting
@@ -385,21 +323,7 @@ export class Stage {
     this.hands.paint(picture, size, all);
   }
 
-  // ---- keys
 
-  #key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const tag = event.target.tagName;
-    const sliding = tag === "INPUT" && event.target.type === "range" && event.target !== this.scrub;
-    if ((event.key.startsWith("Arrow") && (sliding || tag === "SELECT"))
-      || (event.key === " " && event.target !== this.root && tag !== "CANVAS" && event.target !== this.scrub)) return;
-    const acts = { " ": () => this.clock.toggle(), ArrowLeft: () => this.clock.step(-1), ArrowRight: () => this.clock.step(1),
-      r: () => this.clock.reset(), f: () => this.fullScreen(), c: () => this.nextChart(), a: () => this.showAnswer() };
-    const act = acts[event.key] || (/^[1-9]$/.test(event.key) && (() => this.choose(Number(event.key) - 1)));
-    if (!act) return;
-    event.preventDefault();
-    act();
-  }
 }
 
 /** A widget's view: the exhibit from Python, films as answers to questions. */

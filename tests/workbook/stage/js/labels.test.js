@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { covers, crosses, inkOn, placedLabels, within } from "../../../../course/workbook/stage/js/labels.js";
+import { covers, crosses, inSight, inkOn, placedLabels, within } from "../../../../course/workbook/stage/js/labels.js";
 import { random } from "./random.js";
 
 const BOUNDS = [400, 300];
 const apart = (a, b) => a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
-const label = (places, more) => Object.assign({ text: "x", key: "x", width: 40, height: 15, places }, more);
+const label = (places, more) => Object.assign({ text: "x", key: "x", width: 40, height: 15, places, anchor: places[0] }, more);
 const placed = (labels, more) => placedLabels(labels, Object.assign({ lines: [], bodies: [], bounds: BOUNDS }, more));
 
 test("labels never cover each other nor what is taken, and none is left out where there is room", () => {
@@ -87,4 +87,9 @@ test("whether a box lies on a line, covers a body, lies within it", () => {
 test("a name on a body is light on dark colours and dark on light ones", () => {
   assert.equal(inkOn("#0072b2"), "#ffffff");
   for (const light of ["#7cc7f2", "#f0b429", "#f0f0f0", "#56b4e9"]) assert.equal(inkOn(light), "#111418");
+});
+
+test("what is out of the picture has no label in it", () => {
+  const anchors = [[10, 10], [-1, 10], [10, 301], [400, 300]];
+  assert.deepEqual(inSight(anchors.map((anchor) => ({ anchor })), BOUNDS).map((l) => l.anchor), [anchors[0], anchors[3]]);
 });

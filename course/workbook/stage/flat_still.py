@@ -119,7 +119,7 @@ def _name(words: str, place: Array, parts: list[Shape], color: str) -> Label:
     over = 11.0 + reach
     beside = np.array([[aside, 0], [-aside, 0], [0, -over], [0, over]])
     places = place + np.concatenate([near, beside])
-    return Label(words, marks.INK, places, inside, color)
+    return Label(words, marks.INK, places, place, inside, color)
 
 
 def _measured(
