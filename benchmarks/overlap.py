@@ -1,4 +1,4 @@
-"""Pairs of shapes: a batch of ours against a loop over python-fcl and coal, as their own users call them.
+"""Pairs of shapes at rest: a batch of ours against a loop over python-fcl and coal, as their own users call them.
 
 Every pair is asked once, with its pose given as arrays: on both sides the time holds what
 it takes to hand these over (ours: a shape made of the arrays, with all its checks; theirs: a
@@ -18,11 +18,10 @@ from scipy.spatial.transform import Rotation
 
 from benchmarks.measure import Row, ratio, seconds
 from course.arrays import Array
-from course.overlap import contacts, gap, overlaps, time_of_impact
+from course.overlap import contacts, gap, overlaps
 from course.shapes import OBB, Capsule, ConvexHull, Sphere
 
 PAIRS = 10_000
-HORIZON = 1.0
 TOLERANCE = 1e-12
 SIZES = (8, 16, 32)
 
@@ -36,7 +35,7 @@ def rows() -> list[Row]:
     made = [*_box_verdicts(boxes), *_box_manifolds(boxes), *_round(rng)]
     for size in SIZES:
         made += _hulls(rng, size)
-    return [*made, *_times(rng, boxes)]
+    return made
 
 
 def _boxes(rng: np.random.Generator) -> tuple[Array, Array, Array]:
@@ -130,22 +129,6 @@ def _hulls(rng: np.random.Generator, size: int) -> list[Row]:
     ]
 
 
-def _times(rng: np.random.Generator, boxes: list[Any]) -> list[Row]:
-    """Boxes 4 m apart at up to 6 m/s toward each other, not turning."""
-    apart = np.array([4.0, 0, 0])
-    (c, turn, half), (d, other, half_b) = boxes
-    speed = rng.uniform(-1, 1, (PAIRS, 3)) + [6.0, 0, 0]
-
-    def ours() -> object:
-        a, b = OBB(c, turn, half), OBB(d + apart, other, half_b)
-        return time_of_impact(a, b, speed, np.zeros(3), horizon=HORIZON)
-
-    given = ((c, turn, half), (d + apart, other, half_b), speed)
-    return _against(
-        "boxes, time of impact", ours, {"fcl": (partial(_fcl_times, *given), 5.0)}
-    )
-
-
 def _fcl_boxes(boxes: list[Any], most: int = 0) -> Callable[[], object]:
     import fcl
 
@@ -162,28 +145,6 @@ def _fcl_boxes(boxes: list[Any], most: int = 0) -> Callable[[], object]:
             a.setTransform(fcl.Transform(turn[i], c[i]))
             b.setTransform(fcl.Transform(other[i], d[i]))
             fcl.collide(a, b, request, fcl.CollisionResult())
-
-    return loop
-
-
-def _fcl_times(first: Any, second: Any, speed: Array) -> Callable[[], object]:
-    import fcl
-
-    (c, turn, half), (d, other, half_b) = first, second
-    pairs = [
-        (fcl.CollisionObject(fcl.Box(*(2 * h))), fcl.CollisionObject(fcl.Box(*(2 * k))))
-        for h, k in zip(half, half_b, strict=True)
-    ]
-    request = fcl.ContinuousCollisionRequest()
-
-    def loop() -> None:
-        for i, (a, b) in enumerate(pairs):
-            a.setTransform(fcl.Transform(turn[i], c[i]))
-            b.setTransform(fcl.Transform(other[i], d[i]))
-            end = fcl.Transform(turn[i], c[i] + HORIZON * speed[i])
-            still = fcl.Transform(other[i], d[i])
-            result = fcl.ContinuousCollisionResult()
-            fcl.continuousCollide(a, end, b, still, request, result)
 
     return loop
 

@@ -175,13 +175,22 @@ def rotations(name: str, value: ArrayLike) -> Array:
     """Rotation matrices, shape (..., 3, 3): R'R = 1 and det R = +1."""
     expected = "rotation matrices of shape (..., 3, 3)"
     array = matrices(name, value)
-    error = np.abs(np.swapaxes(array, -1, -2) @ array - np.eye(3)).max(axis=(-2, -1))
+    # By components: of small matrices that is ten times quicker than @ and det.
+    x, y, z = np.moveaxis(array, (-1, -2), (0, 1)).copy()  # columns, each (3, ...)
+    error = np.abs([*(_dot(c, c) - 1 for c in (x, y, z)), _dot(x, y), _dot(y, z), _dot(z, x)])  # fmt: skip
+    error = error.max(axis=0)
     _require(
         name, error <= UNIT_TOLERANCE, expected, error, "columns off orthonormal by"
     )
-    handedness = np.linalg.det(array)
+    cross = (x[i] * y[j] - x[j] * y[i] for i, j in ((1, 2), (2, 0), (0, 1)))
+    handedness = _dot(tuple(cross), z)
     _require(name, handedness > 0, expected, handedness, "determinant")
     return array
+
+
+def _dot(u: Sequence[Array], v: Sequence[Array]) -> Array:
+    """u.v of vectors given as their three components."""
+    return np.asarray(u[0] * v[0] + u[1] * v[1] + u[2] * v[2])
 
 
 def inertias(name: str, value: ArrayLike) -> Array:

@@ -28,6 +28,9 @@ from course.shapes import (
     polytopes,
 )
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 CUBE = AABB(-np.ones(3), np.ones(3))
 Z = np.array([0, 0, 1.0])
 

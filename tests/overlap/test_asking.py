@@ -14,6 +14,9 @@ from course.overlap.asking import nearest_points
 from course.overlap.pairs import KINDS
 from course.shapes import AABB, OBB, Capsule, Compound, ConvexHull, HalfSpace, Sphere
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 ALL = [*KINDS, "compound"]
 EVERY = list(itertools.product(ALL, ALL))
 every_pair = pytest.mark.parametrize("kind_a, kind_b", EVERY)

@@ -20,6 +20,9 @@ from course.shapes import (
     Sphere,
 )
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)  # fmt: skip
 #: Shapes that reach from -1 to 1 along x.
 UNIT = {

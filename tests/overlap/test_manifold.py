@@ -12,6 +12,9 @@ from course import rotations
 from course.shapes import OBB, Capsule, Sphere
 from course.shapes.rounded_polytopes import polytopes
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 CUBE = [0.5, 0.5, 0.5]
 
 

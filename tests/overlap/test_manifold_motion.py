@@ -12,6 +12,9 @@ from course.dynamics import Bodies
 from course.shapes import Capsule, Sphere
 from course.shapes.rounded_polytopes import polytopes
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 HALF = [0.5, 0.6, 0.4]
 
 
