@@ -10,8 +10,10 @@ SOLUTIONS = Path(__file__).resolve().parents[1] / "solutions"
 
 @cache
 def prose(lesson):
-    """All text cells of a lesson, in one string of single spaces."""
-    (path,) = SOLUTIONS.glob(f"{lesson}-*.ipynb")
+    """All text cells of a lesson, "05" or "05-more", in one string of single spaces."""
+    found = SOLUTIONS.glob(f"{lesson[:2]}-*.ipynb")
+    deeper = lesson.endswith("-more")
+    (path,) = (p for p in found if p.stem.endswith("-more") == deeper)
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     texts = ("".join(c["source"]) for c in cells if c["cell_type"] == "markdown")
     return " ".join(" ".join(texts).split())

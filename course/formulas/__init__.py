@@ -2,11 +2,15 @@
 
 One module a lesson, named as the lesson is. An exercise's reference is the function of
 its name, with its own signature: what it is judged by, what its hint shows at the end
-and what its solution cell holds are these lines; the library is measured by them. Only
-``separation_acceleration`` is asked by no exercise.
+and what its solution cell holds are these lines; the library is measured by them. Asked
+by no exercise are ``project`` and ``box_axes``, which lesson 05 shows, and
+``separation_acceleration``.
 
 lesson_00_start_here (Start here)
     speed_along
+lesson_05_separating_axis (Separating axis)
+    project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
+    oriented_boxes_overlap, least_translation, hulls_overlap
 lesson_09_energy_and_motion (Energy and motion)
     sigma, linear_kinetic_energy, angular_kinetic_energy, world_inertia,
     angular_acceleration, symplectic_euler_step, rotate, rk4_step
@@ -36,6 +40,17 @@ function that ends in "as an expression" takes and gives SymPy expressions.
 
 from course.formulas.lesson_00_start_here import (
     speed_along,
+)
+from course.formulas.lesson_05_separating_axis import (
+    box_axes,
+    edge_normals,
+    half_shadow,
+    hulls_overlap,
+    least_translation,
+    oriented_boxes_overlap,
+    polygons_overlap,
+    project,
+    shadow_gap,
 )
 from course.formulas.lesson_09_energy_and_motion import (
     angular_acceleration,
@@ -103,24 +118,32 @@ __all__ = [
     "apply_impulse",
     "bounce_times",
     "bouncing_ball_step",
+    "box_axes",
     "complementarity_residual",
     "contact_bias",
     "contact_matrix",
     "contact_matrix_entry",
     "edge_normal_rate",
+    "edge_normals",
     "effective_mass",
     "free_point_acceleration",
+    "half_shadow",
+    "hulls_overlap",
     "impulse_at_point",
     "impulse_central",
     "kinetic_energy_lost",
     "ladder_entry",
+    "least_translation",
     "linear_kinetic_energy",
     "momentum_after",
     "normal_rate",
+    "oriented_boxes_overlap",
     "p_hat",
     "pivot",
     "point_response",
     "point_velocity",
+    "polygons_overlap",
+    "project",
     "projected_gauss_seidel",
     "rest_time",
     "rk4_step",
@@ -130,6 +153,7 @@ __all__ = [
     "separation_acceleration",
     "separation_rate",
     "separation_speed",
+    "shadow_gap",
     "sigma",
     "simultaneous_impulses",
     "slope_1",

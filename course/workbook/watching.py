@@ -38,9 +38,14 @@ _impulse = Watched("central_impacts", "impulse", 1.8, several=True)
 _handle = Watched("stepped_handles", "handle_steps", 3.0, several=True)
 _rod = Watched("rod_impacts", "rod", 0.6, several=True)
 _mark = Watched("carried_marks", "carried_mark", 1.5, several=True)
+_slide = Watched("sliding_polygons", "sliding", 2.0, several=True)
 _plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
 #: The film of an exercise, by the exercise's name.
 WATCHED = {
+    "shadow_gap": _slide,
+    "edge_normals": _slide,
+    "polygons_overlap": _slide,
+    "oriented_boxes_overlap": Watched("sinking_boxes", "sinking", 1.2),
     "rotate": _mark,
     "world_inertia": _handle,
     "angular_acceleration": _handle,

@@ -402,14 +402,26 @@ def _markdown(path) -> list[str]:
 
 def test_every_lesson_begins_and_ends_with_the_same_links_and_each_leads_somewhere():
     names = [path.name for path in SOLUTIONS]
-    for at, name in enumerate(names):
+    for name in names:
         cells = nbformat.read(ROOT / "lessons" / name, as_version=4).cells
         assert is_link(cells[0]) and is_link(cells[-1])
         assert sum(is_link(cell) for cell in cells) == 2
         assert cells[0].source == cells[-1].source
         led = re.findall(r"\]\(([^)]+)\)", cells[0].source)
-        assert led == [*names[at - 1 : at], "Lessons.md", *names[at + 1 : at + 2]]
+        assert led == led_to(names, name)
         assert all((ROOT / "lessons" / file).is_file() for file in led)
+
+
+def led_to(names, name):
+    """The core before (of a deeper one its own), the page of all, what is deeper, the core after."""
+    ending = f"{DEEPER}.ipynb"
+    cores = [each for each in names if not each.endswith(ending)]
+    core = name.replace(ending, ".ipynb")
+    at = cores.index(core)
+    before = [core] if name != core else cores[at - 1 : at]
+    deeper = [core.replace(".ipynb", ending)] if name == core else []
+    deeper = [each for each in deeper if each in names]
+    return [*before, "Lessons.md", *deeper, *cores[at + 1 : at + 2]]
 
 
 def test_links_of_an_earlier_build_are_replaced():

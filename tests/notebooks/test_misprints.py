@@ -49,7 +49,8 @@ def fault_of_place(line: str, root: Path = ROOT) -> str:
         found = list(root.glob(f"solutions/{lesson.group(1)}-*.ipynb"))
         return f"{found[0].name} is built by now" if found else ""
     number, part, words = built.groups()
-    files = list(root.glob(f"solutions/{number}-*.ipynb"))
+    found = root.glob(f"solutions/{number}-*.ipynb")
+    files = [path for path in found if not path.stem.endswith("-more")]
     if not files:
         return f"there is no lesson {number}"
     cells, inside = nbformat.read(files[0], as_version=4).cells, False

@@ -38,11 +38,13 @@ many_balls = player("many_balls")
 plank = player("plank")
 pushed_table = player("pushed_table")
 rod = player("rod")
+shadows = player("shadows")
+sinking = player("sinking")
 sweeps = player("sweeps")
 two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
     "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls",
-    "plank", "player", "pushed_table", "rod", "sweeps", "table", "two_blocks", "wall",
+    "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "two_blocks", "wall",
 ]  # fmt: skip

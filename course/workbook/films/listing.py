@@ -50,6 +50,23 @@ LISTED = (
         still=0.1,
     ),
     Listed(
+        "shadows",
+        "polygon_shadows",
+        "Two polygons and their shadows on all axes",
+        (10, 6),
+        5,
+        "1: which axes have a gap? Then 2 and 3: only one does. Drag A in until none does.",
+    ),
+    Listed(
+        "sinking",
+        "sinking_boxes",
+        "A cube sinks onto a cube: six axes and fifteen",
+        (4, 10),
+        4,
+        "Vote first. 1 and play: the orange curve is below 0 while the green one is not. 3: parallel edges.",
+        still=1.2,
+    ),
+    Listed(
         "handle",
         "tumbling",
         "A handle that spins in space, and turns over",

@@ -54,6 +54,7 @@ from course.workbook.plots.rods import (
     rod_on_pegs,
     spin_by_pegs,
 )
+from course.workbook.plots.separating import difference_body, notch
 from course.workbook.plots.solver_comparison import leg_forces, solver_growth
 from course.workbook.plots.sweeps import stability_sweep
 from course.workbook.plots.terms_of_b import bias_terms
@@ -72,6 +73,7 @@ __all__ = [
     "contact_velocities",
     "course_map",
     "describe",
+    "difference_body",
     "difference_errors",
     "dome",
     "dome_bias",
@@ -91,6 +93,7 @@ __all__ = [
     "mass_over_face",
     "matrix_costs",
     "matrix_pattern",
+    "notch",
     "old_point",
     "passing_a_corner",
     "plank_and_forces",

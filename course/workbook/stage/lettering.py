@@ -81,10 +81,10 @@ def lettered(
                 + FARTHER * np.hypot(*((around - label.anchor) / HEIGHT).T),
             ]
         )
-        costs = [
-            cost + _cost(place, half, label, taken, lines, bodies)
-            for place, cost in zip(places, liked, strict=True)
-        ]
+        costs = np.full(len(places), np.inf)
+        for k, (place, cost) in enumerate(zip(places, liked, strict=True)):
+            if cost < costs.min():  # what stands there can only add to it
+                costs[k] = cost + _cost(place, half, label, taken, lines, bodies)
         best = int(np.argmin(costs))
         if costs[best] >= OVER_LABEL:
             continue

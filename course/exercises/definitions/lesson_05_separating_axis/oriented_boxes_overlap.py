@@ -1,0 +1,209 @@
+"""The exercise ``oriented_boxes_overlap``: inputs, comparison and planted mistakes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from course import formulas
+from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definitions.lesson_05_separating_axis.shared import (
+    BOX_KINDS,
+    Pairs,
+    box_pairs,
+    turns,
+    values_of_box,
+)
+from course.exercises.slips import slip
+
+_ARGUMENTS = (*values_of_box("a"), *values_of_box("b"))
+_HALF_A = "np.sum(np.abs(axes @ rotation_a) * half_extents_a[..., None, :], axis=-1)"
+_HALF_B = "np.sum(np.abs(axes @ rotation_b) * half_extents_b[..., None, :], axis=-1)"
+
+
+def _pair(*values: object) -> Pairs:
+    return {
+        v.name: np.asarray(x, float) for v, x in zip(_ARGUMENTS, values, strict=True)
+    }
+
+
+#: Kinds of pairs that take turns in a batch.
+_KINDS = (*BOX_KINDS, "near", "deep", "overlap", "deep")
+
+
+def _parallel(rng: np.random.Generator, gap: float) -> Pairs:
+    """Two boxes of the same turn, one beside the other, this far apart."""
+    rotation = turns(rng, 1)[0]
+    e_a, e_b = rng.uniform(0.3, 1.0, (2, 3)).round(3)
+    way = np.array([e_a[0] + e_b[0] + gap, 0.2, -0.1])
+    center = rng.normal(size=3)
+    return _pair(center, rotation, e_a, center + rotation @ way, rotation, e_b)
+
+
+def _cases(rng: np.random.Generator) -> Sequence[Case]:
+    c = np.sqrt(0.5)
+    upright, about_x = np.eye(3), np.array([[1, 0, 0], [0, c, -c], [0, c, c]])
+    about_y = np.array([[c, 0, c], [0, 1, 0], [-c, 0, c]])
+    ones, axes_in_turn = np.ones(3), np.eye(3)[[1, 2, 0]]
+    return [
+        Case("a cube below a cube, turned about x and about y", _pair(
+            np.zeros(3), about_x, ones, [0.0, 0.0, 3.0], about_y, ones)),
+        Case("the same, nearer", _pair(np.zeros(3), about_x, ones, [0.0, 0.0, 2.5], about_y, ones)),
+        Case("apart, and only faces of A show it", box_pairs(rng, "seen by A only")),
+        Case("apart, and only faces of B show it", box_pairs(rng, "seen by B only")),
+        Case("apart, and only two edges show it", box_pairs(rng, "seen by edges only")),
+        Case("they overlap", box_pairs(rng, "overlap")),
+        Case("parallel and touching", _pair(
+            np.zeros(3), upright, [1.0, 2.0, 0.5], [1.5, 0.5, 0.25], axes_in_turn, [1.0, 0.5, 2.0]), "edge"),
+        Case("parallel and overlapping", _parallel(rng, -0.2), "edge"),
+        Case("parallel and apart", _parallel(rng, 0.2), "edge"),
+        Case("three pairs", box_pairs(rng, _KINDS, (3,)), "batch"),
+        Case("35 pairs", box_pairs(rng, _KINDS, (35,)), "batch"),
+        Case("a 2 by 14 batch", box_pairs(rng, _KINDS, (2, 14)), "batch"),
+    ]  # fmt: skip
+
+
+def _without(name: str, *edits: str, message: str) -> Mistake:
+    return Mistake(name, slip(formulas.oriented_boxes_overlap, *edits), message)
+
+
+ORIENTED_BOXES_OVERLAP = Exercise(
+    name="oriented_boxes_overlap",
+    rows=(4, 10),
+    points=3,
+    minutes=9,
+    task="Return whether two oriented boxes overlap, by the 15 axes of box_axes; touching counts.",
+    arguments=_ARGUMENTS,
+    results=(Value("overlap", "(...)", "", "True where they overlap", dtype="bool"),),
+    reference=formulas.oriented_boxes_overlap,
+    cases=_cases,
+    mistakes=(
+        _without(
+            "six axes",
+            "box_axes(rotation_a, rotation_b)",
+            "box_axes(rotation_a, rotation_b)[..., :6, :]",
+            message="You try the six face normals only. Pairs whose edges pass each other like crossed swords "
+            "are apart, and "
+            "you say that they overlap: the nine products of edges belong to it.",
+        ),
+        _without(
+            "edges only",
+            "box_axes(rotation_a, rotation_b)",
+            "box_axes(rotation_a, rotation_b)[..., 6:, :]",
+            message="You try the nine products of edges only. The six face normals belong to the axes too.",
+        ),
+        _without(
+            "half of A left out",
+            "<= half_a + half_b",
+            "<= half_b",
+            message="A's half shadow is missing: you ask whether A's *centre* is in reach of B. Both half "
+            "shadows add up.",
+        ),
+        _without(
+            "half of B left out",
+            "<= half_a + half_b",
+            "<= half_a",
+            message="B's half shadow is missing: you ask whether B's *centre* is in reach of A. Both half "
+            "shadows add up.",
+        ),
+        _without(
+            "rows of A",
+            "axes @ rotation_a",
+            "axes @ np.swapaxes(rotation_a, -1, -2)",
+            message="For A you multiply by the rows of its rotation. Its axes are the columns: the cosines n.r_i are "
+            "axes @ rotation_a.",
+        ),
+        _without(
+            "rows of B",
+            "axes @ rotation_b",
+            "axes @ np.swapaxes(rotation_b, -1, -2)",
+            message="For B you multiply by the rows of its rotation. Its axes are the columns: the cosines n.r_i are "
+            "axes @ rotation_b.",
+        ),
+        _without(
+            "rows of both",
+            "axes @ rotation_a",
+            "axes @ np.swapaxes(rotation_a, -1, -2)",
+            "axes @ rotation_b",
+            "axes @ np.swapaxes(rotation_b, -1, -2)",
+            message="You multiply by the rows of the rotations. A box's axes are the columns: the cosines "
+            "n.r_i of all axes "
+            "are axes @ rotation.",
+        ),
+        _without(
+            "signs of the cosines",
+            "np.abs(axes @ rotation_a)",
+            "(axes @ rotation_a)",
+            "np.abs(axes @ rotation_b)",
+            "(axes @ rotation_b)",
+            message="The cosines keep their signs, so the terms of a half shadow cancel. Take the size of each.",
+        ),
+        _without(
+            "sign of the distance",
+            "np.abs(between)",
+            "between",
+            message="You compare n.(x_B - x_A) without its size: on an axis that points from B to A it is "
+            "below 0, and the "
+            "boxes seem to overlap however far they are.",
+        ),
+        _without(
+            "centre of B from the origin",
+            "(center_b - center_a)",
+            "center_b",
+            message="You take B's centre from the origin. What counts is its place from A's centre, x_B - x_A.",
+        ),
+        _without(
+            "ellipsoids",
+            _HALF_A,
+            "np.sqrt(np.sum(((axes @ rotation_a) * half_extents_a[..., None, :]) ** 2, axis=-1))",
+            _HALF_B,
+            "np.sqrt(np.sum(((axes @ rotation_b) * half_extents_b[..., None, :]) ** 2, axis=-1))",
+            message="The root of the sum of squares is the half shadow of an ellipsoid inside the box. A "
+            "box's corner reaches "
+            "farther: the sizes of the three terms add up.",
+        ),
+        _without(
+            "sides halved",
+            "<= half_a + half_b",
+            "<= (half_a + half_b) / 2",
+            message="Your half shadows are half as long as they should be: half_extents are already half the sides.",
+        ),
+        _without(
+            "one axis is enough",
+            "np.all",
+            "np.any",
+            message="You say that they overlap as soon as their shadows do on *one* axis. They must on all 15.",
+        ),
+        _without(
+            "the other way round",
+            "np.all(np.abs(between) <= half_a + half_b, axis=-1)",
+            "np.any(np.abs(between) > half_a + half_b, axis=-1)",
+            message="Your answer is reversed: it is True for pairs that are apart.",
+        ),
+        _without(
+            "touching left out",
+            "<= half_a",
+            "< half_a",
+            message="With < nothing that touches overlaps, and parallel boxes never do: the product of "
+            "parallel edges is the "
+            "zero vector, on which all lengths are 0, and 0 < 0 is false. Shapes are closed: <=.",
+        ),
+        _without(
+            "one verdict for the batch",
+            "half_b, axis=-1)",
+            "half_b)",
+            message="Right for one pair. For a batch you give a single verdict for all: np.all(..., axis=-1).",
+        ),
+    ),  # fmt: skip
+    hints=(
+        "On each axis: how far are the centres apart along it, and how far do the two half shadows reach together?",
+        "axes = box_axes(...) has shape (..., 15, 3). The cosines of all axes with A's axes are axes @ rotation_a, and "
+        "your half shadow is the sum of their sizes times half_extents_a[..., None, :]. The same for B.",
+        "axes = box_axes(rotation_a, rotation_b)\n"
+        "between = np.sum(axes * (____)[..., None, :], axis=-1)\n"
+        "half_a = np.sum(np.abs(axes @ rotation_a) * ____, axis=-1)\n"
+        "half_b = ____\n"
+        "return np.all(np.abs(between) <= ____, axis=-1)",
+    ),
+)

@@ -1,0 +1,49 @@
+"""Other people's libraries, asked the same questions where they are installed: python-fcl and coal."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.util import find_spec
+
+import numpy as np
+
+from course.arrays import Array, BoolArray
+
+
+def installed_engines() -> dict[str, Callable[..., BoolArray]]:
+    """The libraries that are here, by name; each is asked one pair at a time."""
+    known = {"python-fcl": ("fcl", by_fcl), "coal": ("coal", by_coal)}
+    return {name: asked for name, (module, asked) in known.items() if find_spec(module)}
+
+
+def by_fcl(*boxes: Array) -> BoolArray:
+    """Verdicts (p,) of python-fcl's ``collide``; arguments of ``oriented_boxes_overlap``."""
+    import fcl
+
+    request, objects = fcl.CollisionRequest(), []
+    for center, rotation, e in (boxes[:3], boxes[3:]):
+        objects.append([
+            fcl.CollisionObject(fcl.Box(*(2 * s)), fcl.Transform(r, c))
+            for c, r, s in zip(center, rotation, e, strict=True)
+        ])  # fmt: skip
+    return np.array(
+        [
+            fcl.collide(a, b, request, fcl.CollisionResult()) > 0
+            for a, b in zip(*objects, strict=True)
+        ]
+    )
+
+
+def by_coal(*boxes: Array) -> BoolArray:
+    """Verdicts (p,) of coal's ``collide``; arguments of ``oriented_boxes_overlap``."""
+    import coal
+
+    request, found = coal.CollisionRequest(), []
+    for c_a, r_a, e_a, c_b, r_b, e_b in zip(*boxes, strict=True):
+        result = coal.CollisionResult()
+        coal.collide(
+            coal.Box(*(2 * e_a)), coal.Transform3s(r_a, c_a),
+            coal.Box(*(2 * e_b)), coal.Transform3s(r_b, c_b), request, result,
+        )  # fmt: skip
+        found.append(result.isCollision())
+    return np.array(found)

@@ -1,0 +1,98 @@
+"""Pictures of lesson 05: two polygons and all their differences, and a square in a notch."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from course.arrays import ArrayLike
+from course.study import DifferenceBody
+from course.workbook.plots.figure import (
+    PALETTE,
+    axes,
+    describe,
+    legend_beside,
+    line,
+    side_by_side,
+    style,
+)
+
+COLORS = {"A": "blue", "B": "orange"}
+LOOKS = {"A": "-", "B": "--"}
+
+
+def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
+    """Two polygons, and beside them the polygon of all differences a - b, with 0 marked."""
+    _, (left, right) = side_by_side(2, size=(10.4, 4.2))
+    with style():
+        for name, polygon in (("A", found.a), ("B", found.b)):
+            _outline(left, polygon, name)
+        for k, owner in enumerate(found.owner):
+            ends = found.corners[[k, (k + 1) % len(found.corners)]]
+            first = found.owner.index(owner) == k
+            label = f"edge of {owner}" + (", turned round" if owner == "B" else "")
+            line(
+                right,
+                ends,
+                COLORS[owner],
+                ls=LOOKS[owner],
+                lw=2.4,
+                label=label if first else None,
+            )
+        right.plot(0, 0, "k+", ms=14, mew=2, ls="none", label="0")
+        left.set(title="A and B", xlabel="x [m]", ylabel="y [m]", aspect="equal")
+        right.set(
+            title="all differences a - b",
+            xlabel="x [m]",
+            ylabel="y [m]",
+            aspect="equal",
+        )
+        for ax in (left, right):
+            ax.margins(0.12)
+        legend_beside(right)
+    where = (
+        "outside, so A and B are apart"
+        if found.distance > 0
+        else "inside, so A and B overlap"
+    )
+    count = len(found.owner)
+    describe(
+        right,
+        f"Left: polygon A with {len(found.a)} corners and polygon B with {len(found.b)}. Right: the polygon of all "
+        f"differences a - b. It has {count} edges, {found.owner.count('A')} of them edges of A and "
+        f"{found.owner.count('B')} edges of B; the point 0 is {where}.",
+    )
+    return left, right
+
+
+def _outline(ax: Axes, polygon: ArrayLike, name: str) -> None:
+    corners = np.asarray(polygon)
+    ax.fill(*corners.T, facecolor=PALETTE[COLORS[name]], alpha=0.25)
+    line(
+        ax, np.concatenate([corners, corners[:1]]), COLORS[name], ls=LOOKS[name], lw=2.4
+    )
+    x, y = corners.mean(axis=0)
+    ax.text(x, y, name, ha="center", va="center", weight="bold")
+
+
+def notch(outline: ArrayLike, square: ArrayLike, *, ax: Axes | None = None) -> Axes:
+    """An L, the parts of which it can be made, and a square in its notch."""
+    with style():
+        ax = axes(ax, size=(4.4, 4.0))
+        _outline(ax, outline, "A")
+        _outline(ax, square, "B")
+        line(ax, [[0, 1], [1, 1]], "0.4", ls=":", label="cut in two convex parts")
+        ax.set(
+            title="A square in the notch of an L",
+            xlabel="x [m]",
+            ylabel="y [m]",
+            aspect="equal",
+        )
+        ax.margins(0.12)
+        ax.legend()
+    describe(
+        ax,
+        "An L, 3 m long and 3 m high with arms 1 m wide, and a square with sides of 1 m in its notch, "
+        "touching neither arm; a dotted line cuts the L in two rectangles.",
+    )
+    return ax

@@ -1,0 +1,71 @@
+"""What lesson 05 says in numbers, computed; each number is read from its sentence."""
+
+import numpy as np
+import pytest
+from lesson_text import rounds_to, said
+
+from course.study import (
+    box_verdict_costs,
+    by_axes,
+    called_apart,
+    crossed_gaps,
+    random_box_pairs,
+    true_overlap,
+    wrong_share,
+)
+
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def pairs():
+    return random_box_pairs(2000, seed=5)
+
+
+@pytest.fixture(scope="module")
+def truth(pairs):
+    return true_overlap(pairs)
+
+
+def test_how_wrong_few_axes_are(pairs, truth):
+    one, six = said(
+        "05", "falls from # percent with one axis to # percent with six, and to 0"
+    )
+    assert rounds_to(100 * wrong_share(by_axes(pairs, 1)[0], truth), one)
+    assert rounds_to(100 * wrong_share(by_axes(pairs, 6)[0], truth), six)
+    assert wrong_share(by_axes(pairs, 15)[0], truth) == 0.0
+    assert wrong_share(by_axes(pairs, 14)[0], truth) > 0.0, "not before"
+
+
+def test_how_many_axes_a_pair_takes(pairs):
+    all_of_them, six = said("05", "the mean is # axes a pair, with six #.")
+    assert rounds_to(by_axes(pairs, 15)[1] / 2000, all_of_them)
+    assert rounds_to(by_axes(pairs, 6)[1] / 2000, six)
+
+
+def test_upright_boxes_are_much_worse_than_three_face_normals(pairs, truth):
+    measured = box_verdict_costs(pairs, truth, peers=False)
+    rows = {(r["method"], r["knob"]): r for r in measured.table()}
+    upright, three = rows["upright boxes", 3.0], rows["first k axes", 3.0]
+    assert upright["count"] >= three["count"] and upright["error"] > 2 * three["error"]
+
+
+def test_where_the_two_cubes_stop():
+    six, true = said("05", "it is $z$: # m by six axes, # m in truth.")
+    assert rounds_to(1 + 2 * np.sqrt(2), six) and rounds_to(2 * np.sqrt(2), true)
+    faces, edges = crossed_gaps(3.0)
+    (overlap,) = said("05", "and $B$ reaches 1.71 m. The shadows overlap by # m.")
+    assert rounds_to(-faces, overlap) and 0.17 == pytest.approx(edges, abs=0.005)
+
+
+def test_the_short_form_fails_in_the_order_that_is_said():
+    """The shares hang on the last bit of a product: to a third, on any machine."""
+    sixteen, fifteen = said(
+        "05",
+        "the short form calls # percent of overlapping pairs apart, "
+        "at $10^{-15}$ # percent",
+    )
+    shares = 100 * called_apart([1e-16, 1e-15, 1e-12], count=8000)
+    assert shares[:2] == pytest.approx([float(sixteen), float(fifteen)], rel=0.35)
+    assert shares[2] == 0.0
