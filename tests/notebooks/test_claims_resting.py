@@ -61,6 +61,7 @@ from course.study import (
     rod_on_spring,
     slide_off,
 )
+from course.workbook.work_folder import in_order
 
 #: Seconds together: left out of the minute's run.
 pytestmark = pytest.mark.slow
@@ -71,7 +72,7 @@ SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 @cache
 def code(lesson, exercise):
     """The source of an exercise's cell."""
-    (path,) = SOLUTIONS.glob(f"{lesson}-*.ipynb")
+    path = in_order(SOLUTIONS.glob(f"{lesson}-*.ipynb"))[0]
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     (cell,) = (
         c for c in cells if c["metadata"].get("course", {}).get("exercise") == exercise
@@ -807,7 +808,7 @@ def test_only_motion_leaves_no_answer():
 
 @pytest.mark.parametrize("lesson", ["12", "13", "14", "15", "16"])
 def test_evidence_is_printed_as_a_number(lesson):
-    (path,) = SOLUTIONS.glob(f"{lesson}-*.ipynb")
+    path = in_order(SOLUTIONS.glob(f"{lesson}-*.ipynb"))[0]
     for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
         for output in cell.get("outputs", ()):
             printed = output.get("text") or output.get("data", {}).get("text/plain", ())

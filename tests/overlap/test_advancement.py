@@ -4,6 +4,7 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 import pytest
+from campaigns import drawn_of
 from overlap.drawn_shapes import DRAW
 from overlap.moving_shapes import (
     STILL,
@@ -207,8 +208,9 @@ def test_random_pairs_that_turn_meet_where_the_gap_closes(kind_a, kind_b):
 @pytest.mark.long
 @pytest.mark.parametrize("kind_a, kind_b", TURNING)
 def test_many_random_pairs_that_turn_meet_where_the_gap_closes(kind_a, kind_b):
-    time = check_turning_pairs(kind_a, kind_b, 12, 60)
-    assert 15 < np.sum((time > 0) & (time < np.inf))
+    count = drawn_of(60, 12)
+    time = check_turning_pairs(kind_a, kind_b, 12, count)
+    assert count / 4 < np.sum((time > 0) & (time < np.inf))
 
 
 def test_a_spin_of_almost_nothing_is_straight_motion():

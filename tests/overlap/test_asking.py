@@ -5,6 +5,7 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
+from campaigns import drawn_of
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from overlap.drawn_shapes import DRAW, depth_inside, true_gap, turns
@@ -401,6 +402,10 @@ def test_shapes_on_a_lattice(a, b):
 
 @pytest.mark.long
 @given(a=lattice(), b=lattice())
-@settings(max_examples=5000, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(
+    max_examples=drawn_of(5000, 300),
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+)
 def test_many_shapes_on_a_lattice(a, b):
     check_pair(a, b)

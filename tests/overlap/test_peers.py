@@ -1,4 +1,4 @@
-"""100,000 drawn pairs of each two kinds against python-fcl and coal.
+"""Drawn pairs of each two kinds against python-fcl and coal; of the whole campaign 100,000.
 
 Neither peer is the truth. Where one differs from the library, and on a sample of all pairs,
 the slow ways of ``overlap.drawn_shapes`` decide: all separating axes where the cores
@@ -10,6 +10,7 @@ import itertools
 
 import numpy as np
 import pytest
+from campaigns import drawn_of
 from overlap.drawn_shapes import DRAW, true_gap
 
 from course.overlap import gap, overlaps
@@ -17,7 +18,9 @@ from course.shapes import OBB, Capsule, ConvexHull, HalfSpace, Sphere
 
 pytestmark = [pytest.mark.peers, pytest.mark.long]
 
-COUNT = 100_000
+COUNT = drawn_of(100_000, 4_000)
+#: Pairs of which a peer may be off: one in 10,000, and of few a couple.
+MOST_OFF = 2 + 1e-4 * COUNT
 #: How many pairs of each two kinds are looked at in the slow way, of all and of those that differ.
 SAMPLE = 150
 #: What the library has to reach, in sizes of order 1.
@@ -131,7 +134,7 @@ def test_against_coal(kind_a, kind_b):
     assert 0.1 < np.mean(mine <= 0) < 0.99
     np.testing.assert_array_equal(overlaps(a, b), mine <= 0)
     off = judged(a, b, mine, coal_gaps(a, b), close=1e-7)
-    assert off.size <= 1e-4 * COUNT
+    assert off.size <= MOST_OFF
 
 
 @pytest.mark.parametrize(
@@ -145,9 +148,9 @@ def test_against_python_fcl(kind_a, kind_b):
     a, b = drawn(kind_a, kind_b)
     mine, theirs = gap(a, b), fcl_gaps(a, b)
     off = judged(a, b, mine, theirs, close=1e-6)
-    assert np.mean((theirs > 0) != (mine > 0)) <= 1e-4
+    assert np.sum((theirs > 0) != (mine > 0)) <= MOST_OFF
     if kind_a == kind_b == "obb":
-        assert off.size <= 1e-4 * COUNT
+        assert off.size <= MOST_OFF
     assert np.mean(np.abs(theirs - mine) > 1e-3) <= 1e-3
 
 

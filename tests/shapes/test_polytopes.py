@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from campaigns import drawn_of
 from shapes.drawn_shapes import CONVEX, drawn, rotations
 
 from course.shapes import (
@@ -249,7 +250,9 @@ def slack_of(points):
 
 
 @pytest.mark.parametrize(
-    "count", [25, pytest.param(3000, marks=pytest.mark.long)], ids=["few", "many"]
+    "count",
+    [25, pytest.param(drawn_of(3000, 300), marks=pytest.mark.long)],
+    ids=["few", "many"],
 )
 def test_hulls_of_hard_points(count):
     """All points below all faces, all supports at a corner, the layout whole."""
@@ -268,7 +271,9 @@ def test_hulls_of_hard_points(count):
 
 
 @pytest.mark.parametrize(
-    "count", [10, pytest.param(1500, marks=pytest.mark.long)], ids=["few", "many"]
+    "count",
+    [10, pytest.param(drawn_of(1500, 150), marks=pytest.mark.long)],
+    ids=["few", "many"],
 )
 def test_k_dops_around_hard_points(count):
     """All corners within all slabs, each slab touched, the layout whole."""
