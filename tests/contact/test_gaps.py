@@ -26,6 +26,9 @@ from course.contact import (
 from course.dynamics import Bodies
 from course.overlap import Contacts
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 SEEDS = (1, pytest.param(2, marks=pytest.mark.slow))
 
 

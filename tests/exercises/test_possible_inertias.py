@@ -9,6 +9,9 @@ import pytest
 
 from course.exercises.definition import Exercise, all_lessons
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 EXERCISES = [e for lesson in all_lessons() for e in lesson.exercises]
 SEEDS = (None, *range(40))
 #: Those that take inertias today; a new one is found by its units or names, and one that is lost is missed here.

@@ -17,6 +17,9 @@ from course.workbook import check, hint, predict, progress, use
 from course.workbook.checking import whats_next
 from course.workbook.judging import judge_here
 
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
 NAME = "impulse_central"
 
 
