@@ -183,7 +183,8 @@ def _stands_alone(place: _Place) -> bool:
     fixed = isinstance(place.node, ast.Constant) and (
         isinstance(place.node.value, str) or place.node.value == 0
     )
-    if fixed or isinstance(place.node, (ast.UnaryOp, ast.Tuple, ast.List, ast.Slice)):
+    several = (ast.UnaryOp, ast.Tuple, ast.List, ast.Slice, ast.Starred)
+    if fixed or isinstance(place.node, several):
         return False
     if isinstance(place.parent, ast.Call) and _called(place.parent) in UNSIGNED:
         return False

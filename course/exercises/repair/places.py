@@ -177,8 +177,10 @@ def name_of_call(node: ast.AST) -> str:
 
 
 def is_quantity(place: Place) -> bool:
-    """Whether a quantity stands here: no index, size, keyword or text."""
+    """Whether a quantity stands here: no index, size, keyword, text, and not several (*both)."""
     parent, role = place.parent, place.role
+    if isinstance(place.node, ast.Starred):
+        return False
     if isinstance(parent, ast.Call):
         return role == "args" and name_of_call(parent) not in SIZES
     if isinstance(parent, (ast.Assign, ast.AugAssign, ast.Return)):
