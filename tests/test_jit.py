@@ -75,7 +75,7 @@ def numbers():
     [
         ({"COURSE_COMPILED": "0"}, ""),
         ({"NUMBA_DISABLE_JIT": "1"}, ""),
-        ({"NUMBA_BOUNDSCHECK": "1"}, ""),
+        pytest.param({"NUMBA_BOUNDSCHECK": "1"}, "", marks=pytest.mark.long),
         ({}, "sys.modules['numba'] = None"),
     ],
     ids=["off", "off for all of Numba", "bounds checked", "no Numba"],

@@ -64,7 +64,7 @@ def test_only_the_listed_mutants_pass(exercise: Exercise):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("half", [0, 1])
+@pytest.mark.parametrize("half", [0, pytest.param(1, marks=pytest.mark.long)])
 def test_a_sample_of_the_mutants_fails(half):
     rng = np.random.default_rng(half)
     for exercise in EXERCISES[half::2]:

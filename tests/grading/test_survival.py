@@ -119,6 +119,7 @@ def test_rows_outlive_a_kill(folder, tmp_path, temporary):
     assert len(rows_in(out)) == 6
 
 
+@pytest.mark.long
 def test_killed_again_and_again_a_batch_comes_to_its_end(tmp_path, temporary):
     """At whatever moment: in the start, in a row, in the end."""
     for index in range(12):

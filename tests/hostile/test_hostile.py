@@ -38,12 +38,12 @@ def test_the_corpus_is_large_and_its_names_differ():
     assert sum(one.expect == "full" for one in OPEN["honest"]) >= 34
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_sample_of_what_needs_no_box():
     require_none(faults_in(sample(OPEN), PATIENT))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_sample_of_what_a_box_stops(box):
     require_none(faults_in(sample(BOXED)))
 
