@@ -102,8 +102,12 @@ def distance_by_least_squares(a, b):
     if not matrix.shape[1]:
         return np.linalg.norm(o_a - o_b)
     high = np.maximum(high, low + 1e-15)
-    found = lsq_linear(matrix, o_b - o_a, (low, high), method="bvls", tol=1e-15)
-    return np.linalg.norm(matrix @ found.x - (o_b - o_a))
+    # Of an edge and a point "bvls" has ended at the wrong end; an interior way does not.
+    ways = [
+        lsq_linear(matrix, o_b - o_a, (low, high), method=method, tol=1e-15)
+        for method in ("bvls", "trf")
+    ]
+    return min(np.linalg.norm(matrix @ way.x - (o_b - o_a)) for way in ways)
 
 
 def depth_inside(shape, point):
