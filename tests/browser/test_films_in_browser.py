@@ -56,18 +56,8 @@ def opened_film(opened, exhibit, path, *, large):
     opened.wait_for_function("window.stage && window.stage.root.paints > 0")
 
 
-#: Known not to hold yet: eight gaps stand among eight pairs of shadows, a few on an arrow.
-CROWDED = {"shadows"}
-FILMS = [
-    pytest.param(f, marks=pytest.mark.xfail(reason="too many gaps for their places"))
-    if f.name in CROWDED
-    else f
-    for f in LISTED
-]
-
-
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("listed", FILMS, ids=lambda f: f.name)
+@pytest.mark.parametrize("listed", LISTED, ids=lambda f: f.name)
 def test_no_text_covers_another_at_either_end_of_any_knob(listed, size, tmp_path):
     large, width, height = SIZES[size]
     exhibit = listed.exhibit()

@@ -38,7 +38,8 @@ from course.workbook.stage import (
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
 WINDOW = (-3.7, -3.7, 3.7, 3.7)
 BESIDE = 1.6  # how far from the middle the axis with its shadows is drawn [m]
-ROW, TOP, NAMES_AT, NUMBERS_AT = 0.85, 3.0, -3.4, 2.7  # of the rows [m]
+ROW, TOP, NAMES_AT, NUMBERS_AT = 0.85, 3.0, -3.4, 3.0  # of the rows [m]
+EDGE = (-2.4, 2.2)  # where the rows' shadows are cut off [m]
 SMALL = 0.75  # how much smaller the shadows of the rows are
 TIMES, PACE = (
     np.linspace(0.0, 6.0, 61),
@@ -158,28 +159,26 @@ def _rows(found: PolygonShadows) -> Pane:
     apart = found.gap > 0
 
     def line(ends: Array, lift: float, rows: IntArray) -> tuple[Array, Array]:
-        at = np.clip(SMALL * ends[rows] - 0.1, -2.4, 2.2)
+        at = np.clip(SMALL * ends[rows] - 0.1, *EDGE)
         return tuple(
             np.stack([at[:, k], height[rows] + lift, 0 * height[rows]], axis=-1)
             for k in (0, 1)
         )  # type: ignore[return-value]
 
     every, between = np.arange(len(names)), common(found.shadow_a, found.shadow_b)
-    numbers = np.stack(
-        [np.full(len(names), NUMBERS_AT), height - 0.06, 0 * height], axis=-1
-    )
-    marks = []
-    for rows, color in ((apart, "green"), (~apart, "vermillion")):
-        ends = line(between, -0.14, np.flatnonzero(rows))
-        value = np.round(found.gap[rows], 2) + 0.0
-        marks.append(Segments("gap", *ends, color=color))
-        marks.append(Segments("gap", numbers[rows], numbers[rows], value, color=color))
+    marks = [
+        Segments("gap", *line(between, -0.14, np.flatnonzero(rows)), color=color)
+        for rows, color in ((apart, "green"), (~apart, "vermillion"))
+    ]
+    # The length of a row's gap is written at its end: beside the gap it lies on shadows.
+    ends = place + [NUMBERS_AT - NAMES_AT, 0.0, 0.0]
+    gaps = [f"{value:+.2f}".replace("-", "−") for value in np.round(found.gap, 2) + 0.0]
     # No corners are drawn here, so nothing leads from them to an axis.
     nothing = np.zeros((0, 3))
     return Pane(
-        [labelled(standing(ball(0.001)), name) for name in names],
-        place,
-        title="all eight axes",
+        [labelled(standing(ball(0.001)), text) for text in (*names, *gaps)],
+        np.concatenate([place, ends]),
+        title="all eight axes, gaps in m",
         arrows=[
             Arrows("normals of the edges", _in_space(found.axes), at=place + [0.6, 0.0, 0.0], scale=0.25,
                    color="black"),

@@ -7,7 +7,7 @@ import pytest
 
 from course import formulas
 from course.study import PENTAGON, TRIANGLE, turned
-from course.workbook.films.polygon_shadows import WINDOW, shadows
+from course.workbook.films.polygon_shadows import EDGE, SMALL, WINDOW, shadows
 from course.workbook.films.sinking_boxes import sinking
 from course.workbook.films.sliding_polygons import sliding
 from course.workbook.stage.encoding import encoded
@@ -49,13 +49,20 @@ def test_the_verdict_shown_is_that_of_the_formula_and_the_rows_are_its_gaps(seed
     assert film.ending.startswith("No axis") == bool(
         formulas.polygons_overlap(a, PENTAGON)
     )
-    valued = [s for s in segments(film.panes[1], "gap") if s.value is not None]
-    rows = [float(v) for s in valued for v in np.asarray(s.value)[0]]
+    labels = [solid.label for solid in film.panes[1].solids]
+    rows = [float(label.replace("−", "-")) for label in labels[len(labels) // 2 :]]
     axes = np.concatenate([formulas.edge_normals(p) for p in (a, PENTAGON)])
     gap = formulas.shadow_gap(
         *formulas.project(a, axes), *formulas.project(PENTAGON, axes)
     )
-    assert sorted(rows) == pytest.approx(sorted(gap), abs=0.0051)
+    assert rows == pytest.approx(gap, abs=0.0051)
+    parting, meeting = segments(film.panes[1], "gap")
+    assert (parting.color, meeting.color) == ("green", "vermillion")
+    ends = np.array([parting.start[0], parting.end[0]])[..., 0]
+    whole = np.all((ends > EDGE[0]) & (ends < EDGE[1]), axis=0)
+    length = np.abs(ends[1] - ends[0])
+    assert length[whole] == pytest.approx(SMALL * gap[gap > 0][whole])
+    assert np.shape(meeting.start)[-2] == np.sum(gap <= 0)
     assert film.numbers[0].values == (np.sum(gap > 0),)
 
 
