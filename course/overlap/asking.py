@@ -24,9 +24,9 @@ from course.arrays import (
     whole_number,
     written,
 )
-from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
-from course.overlap.convex import numbers
+from course.overlap.convex.closest import Closest
+from course.overlap.convex.convex_pairs import numbers
 from course.overlap.fewer_points import fewer, no_points
 from course.overlap.pairs import KINDS, PairTest, served
 from course.shapes import Compound, Shape

@@ -21,9 +21,9 @@ from course.arrays import (
     vectors,
     written,
 )
-from course.overlap import swept, swept_polytopes
-from course.overlap.advancement import Motion, turning_time
 from course.overlap.asking import LARGEST, _checked, _convex_parts
+from course.overlap.moving import swept, swept_polytopes
+from course.overlap.moving.advancement import Motion, turning_time
 from course.overlap.pairs import KINDS
 from course.shapes import AABB, Shape
 

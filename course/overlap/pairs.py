@@ -13,9 +13,11 @@ from itertools import combinations_with_replacement
 from typing import Any
 
 from course.arrays import Array, BoolArray
-from course.overlap import boxes, capsules, convex, curved_contacts, planes, spheres
-from course.overlap.closest import Closest
+from course.overlap import boxes, planes
 from course.overlap.contact_arrays import Contacts
+from course.overlap.convex import convex_pairs
+from course.overlap.convex.closest import Closest
+from course.overlap.curved import capsules, curved_contacts, spheres
 from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.shapes import Shape
 
@@ -54,8 +56,8 @@ class PairTest:
 CONVEX = PairTest(
     "distance by GJK, depth by EPA or separating axes",
     "corners of what lies against what",
-    convex.closest_convex,
-    convex.contacts_convex,
+    convex_pairs.closest_convex,
+    convex_pairs.contacts_convex,
 )
 ROUND = {"sphere": "one", "capsule": "one, or the two ends of a common stretch"}
 FLAT_ON_PLANE = PairTest(
@@ -77,24 +79,24 @@ TABLE: dict[tuple[str, str], PairTest] = {
     ),
     ("sphere", "aabb"): PairTest(
         "distance of the centre and its clamp to the box, or its inset", "one",
-        boxes.closest_sphere_upright_box, convex.contacts_convex,
+        boxes.closest_sphere_upright_box, convex_pairs.contacts_convex,
     ),
     ("sphere", "obb"): PairTest(
         "the same in the box's axes", "one",
-        boxes.closest_sphere_box, convex.contacts_convex,
+        boxes.closest_sphere_box, convex_pairs.contacts_convex,
     ),
     ("capsule", "capsule"): PairTest(
         "distance of two segments", ROUND["capsule"],
-        capsules.closest_capsules, convex.contacts_convex,
+        capsules.closest_capsules, convex_pairs.contacts_convex,
         gap=capsules.two_capsules_gap,
     ),
     ("aabb", "aabb"): PairTest(
         "gaps along the three axes", CONVEX.contacts_by,
-        boxes.closest_upright_boxes, convex.contacts_convex,
+        boxes.closest_upright_boxes, convex_pairs.contacts_convex,
         boxes.upright_boxes_overlap,
     ),
     ("obb", "obb"): replace(
-        CONVEX, overlaps=oriented_boxes_overlap, all_contacts=convex.contacts_of_boxes
+        CONVEX, overlaps=oriented_boxes_overlap, all_contacts=convex_pairs.contacts_of_boxes
     ),
     ("sphere", "half_space"): PairTest(
         "height of the centre", "one",

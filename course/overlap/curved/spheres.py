@@ -17,8 +17,8 @@ from course.arrays import (
     scalars,
     vectors,
 )
-from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
+from course.overlap.convex.closest import Closest
 from course.overlap.directions import UP, directed
 from course.shapes import Sphere
 

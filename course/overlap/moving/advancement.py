@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from course.arrays import Array, BoolArray, IntArray
-from course.overlap.closest import as_solids
-from course.overlap.convex import numbers
-from course.overlap.separating_axis import as_kernels_take_it
-from course.overlap.swept import OPPOSITE, TOUCHING, length
-from course.overlap.swept_polytopes import Measures, pair_measures
+from course.overlap.convex.closest import as_solids
+from course.overlap.convex.convex_pairs import numbers
+from course.overlap.convex.separating_axis import as_kernels_take_it
+from course.overlap.moving.swept import OPPOSITE, TOUCHING, length
+from course.overlap.moving.swept_polytopes import Measures, pair_measures
 from course.shapes import HalfSpace, Polytopes, Shape, Sphere, polytopes
 
 #: The tolerance where none is given, in extents of the smaller solid.
@@ -122,8 +122,8 @@ def _times(
     tolerance: Array | None,
     plane: bool,
 ) -> Array:
-    from course.overlap.advancement_loops import motion_times
-    from course.overlap.moving_bodies import places_for
+    from course.overlap.moving.advancement_loops import motion_times
+    from course.overlap.moving.moving_bodies import places_for
 
     measures = pair_measures(a, b, i, j)
     depth, radius = _depth(a, b, i, j, measures, horizon, tolerance, plane)

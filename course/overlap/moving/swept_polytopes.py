@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.overlap import swept
-from course.overlap.closest import as_solids
-from course.overlap.convex import numbers
-from course.overlap.separating_axis import as_kernels_take_it
+from course.overlap.convex.closest import as_solids
+from course.overlap.convex.convex_pairs import numbers
+from course.overlap.convex.separating_axis import as_kernels_take_it
+from course.overlap.moving import swept
 from course.shapes import AABB, OBB, Polytopes, Shape, polytopes
 
 
@@ -26,7 +26,7 @@ def swept_boxes(a: AABB | OBB, b: OBB, velocity: Array, horizon: Array) -> Array
         velocity: of A as seen from B, (..., 3) [m/s].
         horizon: (...) [s].
     """
-    from course.overlap.swept_loops import box_times
+    from course.overlap.moving.swept_loops import box_times
 
     first = a if isinstance(a, OBB) else a.moved(np.eye(3), np.zeros(3))
     batch = batch_of(a, b, velocity, horizon)
@@ -70,7 +70,7 @@ def swept_convex(a: Shape, b: Shape, velocity: Array, horizon: Array) -> Array:
 def _polytope_times(
     a: Polytopes, b: Polytopes, i: Any, j: Any, v: Any, end: Any, band: Any, slow: Any
 ) -> Array:
-    from course.overlap.swept_loops import polytope_times
+    from course.overlap.moving.swept_loops import polytope_times
 
     time = np.empty(i.size)
     polytope_times(as_solids(a), as_solids(b), i, j, v, end, band, slow, time)
@@ -80,8 +80,8 @@ def _polytope_times(
 def _ray_times(
     a: Polytopes, b: Polytopes, i: Any, j: Any, v: Any, end: Any, band: Any, slow: Any
 ) -> Array:
-    from course.overlap.advancement_loops import motion_times
-    from course.overlap.moving_bodies import places_for
+    from course.overlap.moving.advancement_loops import motion_times
+    from course.overlap.moving.moving_bodies import places_for
 
     none = np.zeros_like(v)
     starts = a.vertices[a.vertex_start[i]], b.vertices[b.vertex_start[j]]

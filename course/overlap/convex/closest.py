@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, ArrayLike, IntArray, failure, indices
-from course.overlap.separating_axis import as_kernels_take_it
+from course.overlap.convex.separating_axis import as_kernels_take_it
 from course.shapes.rounded_polytopes import Polytopes
 
 
@@ -84,7 +84,7 @@ def closest_points(a: Polytopes, b: Polytopes, i: ArrayLike, j: ArrayLike) -> Cl
     Raises:
         ValueError: a number of no solid, or i and j of different shapes.
     """
-    from course.overlap.closest_loops import closest_pairs
+    from course.overlap.convex.closest_loops import closest_pairs
 
     first, second = _pairs(a, b, i, j)
     gap, apart = np.empty(first.size), np.empty((3, first.size, 3))
@@ -112,7 +112,7 @@ def least_translation(
     Raises:
         ValueError: a number of no solid, or i and j of different shapes.
     """
-    from course.overlap.closest_loops import least_translations
+    from course.overlap.convex.closest_loops import least_translations
 
     first, second = _pairs(a, b, i, j)
     separation, normal = np.empty(first.size), np.empty((first.size, 3))
@@ -133,7 +133,7 @@ def _pairs(
 
 def as_solids(polytopes: Polytopes) -> Any:
     """The arrays of polytopes as kernels take them, a ``Solids``."""
-    from course.overlap.separating_axis_loops import Solids
+    from course.overlap.convex.separating_axis_loops import Solids
 
     arrays: Any = (getattr(polytopes, name) for name in Solids._fields)
     return Solids(*map(as_kernels_take_it, arrays))

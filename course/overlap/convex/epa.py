@@ -24,7 +24,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.gjk import FACES, SLIVER, ZERO, support
+from course.overlap.convex.gjk import FACES, SLIVER, ZERO, support
 
 #: Room for vertices and faces of the polytope, which has about twice as many faces.
 MOST_VERTICES, MOST_FACES = 64, 128

@@ -21,8 +21,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.moving_bodies import rows_of
-from course.overlap.separating_axis_loops import (
+from course.overlap.convex.separating_axis_loops import (
     PARALLEL,
     Solids,
     arcs_cross,
@@ -30,6 +29,7 @@ from course.overlap.separating_axis_loops import (
     relative_pose,
     separation_along,
 )
+from course.overlap.moving.moving_bodies import rows_of
 from course.overlap.triples import Triple, cross, dot, length, minus, row, scaled
 
 #: Solids that touch slide if they approach by less than this times their speed

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from course.arrays import Array, ArrayLike, broadcast, non_negative, vectors
-from course.overlap.closest import Closest
+from course.overlap.convex.closest import Closest
+from course.overlap.convex.separating_axis import as_kernels_take_it
 from course.overlap.directions import TINY, UP, directed
-from course.overlap.separating_axis import as_kernels_take_it
 from course.shapes import Capsule, Sphere
 
 #: A distance below this times the length has no digits left that give a direction.
@@ -86,7 +86,7 @@ def capsule_gap(
     """Signed gap of two capsules: the distance of their segments less both radii.
 
     Parallel segments, segments that cross and segments that are only points are no
-    special cases: see ``course.overlap.segments``.
+    special cases: see ``course.overlap.curved.segments``.
 
     Args:
         start_a, end_a, start_b, end_b: of the segments, (..., 3) [m].
@@ -133,7 +133,7 @@ def across(way: Array) -> Array:
 
 def closest_capsules(a: Capsule, b: Capsule) -> Closest:
     """The nearest points of two capsules, by the compiled loop over their segments."""
-    from course.overlap import segments
+    from course.overlap.curved import segments
 
     batch, given = _flat(a, b)
     gap, found = np.empty(len(given[0])), np.empty((3, *given[0].shape))
@@ -145,7 +145,7 @@ def closest_capsules(a: Capsule, b: Capsule) -> Closest:
 
 def two_capsules_gap(a: Capsule, b: Capsule) -> Array:
     """Their gap alone, (...) [m]."""
-    from course.overlap import segments
+    from course.overlap.curved import segments
 
     batch, given = _flat(a, b)
     gap = np.empty(len(given[0]))

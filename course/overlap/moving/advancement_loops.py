@@ -29,8 +29,8 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.moving_bodies import Body, Places, body_of, gap_at
-from course.overlap.separating_axis_loops import Solids
+from course.overlap.convex.separating_axis_loops import Solids
+from course.overlap.moving.moving_bodies import Body, Places, body_of, gap_at
 from course.overlap.triples import Triple, along, cross, dot, length, minus, row
 
 #: Looks after which a pair in straight motion meets; to a grazing impact Newton halves

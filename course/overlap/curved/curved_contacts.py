@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, BoolArray, IntArray
-from course.overlap.capsules import parameter
-from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
-from course.overlap.curvature import of_capsule, of_sphere
+from course.overlap.convex.closest import Closest
+from course.overlap.curved.capsules import parameter
+from course.overlap.curved.curvature import of_capsule, of_sphere
 from course.shapes import Capsule, Sphere
 
 #: Parts of a capsule's segment below this are none.

@@ -18,10 +18,10 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.epa import epa_depth, epa_room
-from course.overlap.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk_distance
-from course.overlap.nearest_features import nearest_of_all
-from course.overlap.separating_axis_loops import (
+from course.overlap.convex.epa import epa_depth, epa_room
+from course.overlap.convex.gjk import APART, INSIDE, ONE, THREE, ZERO, gjk_distance
+from course.overlap.convex.nearest_features import nearest_of_all
+from course.overlap.convex.separating_axis_loops import (
     Solids,
     greatest_separation,
     separation_along,
@@ -500,7 +500,7 @@ def least_translations(
 
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
-    from course.overlap.closest import closest_points, least_translation
+    from course.overlap.convex.closest import closest_points, least_translation
     from course.shapes import AABB, polytopes
 
     box = polytopes(AABB(np.zeros((1, 3)), np.ones((1, 3))))

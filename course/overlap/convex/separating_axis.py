@@ -96,7 +96,7 @@ def box_pairs_told(
     Returns:
         (p,).
     """
-    from course.overlap.separating_axis_loops import box_verdicts
+    from course.overlap.convex.separating_axis_loops import box_verdicts
 
     verdict = np.empty(len(center_a), dtype=np.intp)
     given = (center_a, axes_a, half_a, center_b, axes_b, half_b)

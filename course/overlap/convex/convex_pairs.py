@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.overlap.closest import Closest, as_solids, closest_points
 from course.overlap.contact_arrays import Contacts
+from course.overlap.convex.closest import Closest, as_solids, closest_points
+from course.overlap.convex.separating_axis import as_kernels_take_it
 from course.overlap.manifold.box_points import box_contact_points
 from course.overlap.manifold.points import Manifolds, contact_points
-from course.overlap.separating_axis import as_kernels_take_it
 from course.shapes import OBB, Shape, cores, polytopes
 
 
@@ -19,7 +19,7 @@ def closest_convex(a: Shape, b: Shape) -> Closest:
     First those that GJK and EPA are sure of by their points alone; faces and edges are
     found for the others only.
     """
-    from course.overlap.closest_loops import pairs_by_points
+    from course.overlap.convex.closest_loops import pairs_by_points
 
     batch = np.broadcast_shapes(a.batch, b.batch)
     if 0 in batch:

@@ -12,9 +12,9 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.closest_loops import closest_pairs
-from course.overlap.separating_axis import as_kernels_take_it
-from course.overlap.separating_axis_loops import Solids
+from course.overlap.convex.closest_loops import closest_pairs
+from course.overlap.convex.separating_axis import as_kernels_take_it
+from course.overlap.convex.separating_axis_loops import Solids
 from course.overlap.triples import Triple, along, cross, dot, length, minus, row, scaled
 from course.shapes import Polytopes
 

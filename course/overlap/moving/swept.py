@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array
-from course.overlap.separating_axis import box_axes
+from course.overlap.convex.separating_axis import box_axes
 from course.shapes import AABB, OBB, Capsule, HalfSpace, Shape, Sphere
 
 EPS = float(np.finfo(float).eps)

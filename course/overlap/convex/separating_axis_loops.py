@@ -400,7 +400,7 @@ def box_verdicts(
 
 
 def warm() -> None:
-    """Call the kernels once (``course.jit``); ``course.overlap.closest`` warms those of polytopes."""
-    from course.overlap.separating_axis import box_pairs_told
+    """Call the kernels once (``course.jit``); ``course.overlap.convex.closest`` warms those of polytopes."""
+    from course.overlap.convex.separating_axis import box_pairs_told
 
     box_pairs_told(*[np.zeros((1, 3)), np.eye(3)[None], np.ones((1, 3))] * 2)

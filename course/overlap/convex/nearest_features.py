@@ -16,8 +16,8 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.gjk import ONE, TWO, ZERO, on_triangle
-from course.overlap.separating_axis_loops import Solids
+from course.overlap.convex.gjk import ONE, TWO, ZERO, on_triangle
+from course.overlap.convex.separating_axis_loops import Solids
 
 #: Whether the vertices are B's; no words written out, see ``ZERO``.
 PLAIN, SWAPPED = np.array([False, True])
@@ -142,4 +142,4 @@ def nearest_of_all(
 
 
 def warm() -> None:
-    """Called by others only (``course.jit``); ``course.overlap.closest_loops`` compiles it."""
+    """Called by others only (``course.jit``); ``course.overlap.convex.closest_loops`` compiles it."""
