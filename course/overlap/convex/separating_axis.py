@@ -7,7 +7,7 @@ interference detection", SIGGRAPH 1996; C. Ericson, *Real-Time Collision Detecti
 section 4.4.1). Where they overlap, the axis along which they do so least gives the least
 translation that parts them.
 
-Here as one expression over a batch; ``separating_axis_loops`` stops at the first axis
+Here as one expression over a batch; ``box_axes_loops`` stops at the first axis
 along which a pair is apart.
 """
 
@@ -96,7 +96,7 @@ def box_pairs_told(
     Returns:
         (p,).
     """
-    from course.overlap.convex.separating_axis_loops import box_verdicts
+    from course.overlap.convex.box_axes_loops import box_verdicts
 
     verdict = np.empty(len(center_a), dtype=np.intp)
     given = (center_a, axes_a, half_a, center_b, axes_b, half_b)

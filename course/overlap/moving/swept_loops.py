@@ -21,12 +21,12 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
+from course.overlap.convex.box_axes_loops import relative_pose
 from course.overlap.convex.separating_axis_loops import (
     PARALLEL,
     Solids,
     arcs_cross,
     edge_arcs,
-    relative_pose,
     separation_along,
 )
 from course.overlap.moving.moving_bodies import rows_of
