@@ -153,27 +153,12 @@ PREDICTIONS = (
         choices={"rare": "fewer than 1 in 200", "ninth": "about 1 in 9", "fifth": "more than 1 in 5"},
     ),
     Prediction(
-        "tilt",
-        "Two boxes that overlap are turned almost alike; the directions of their edges differ by a small tilt. From "
-        "which tilt downward will the short form call more than one pair in a hundred apart?",
-        _tilt,
-        "The nine numbers are off by about 1e-16. Only where the tilt, the length of the product, is within ten times "
-        "of that does the error matter to so many.",
-        choices={
-            "milli": "from 1e-3 rad on: small angles are risky",
-            "tiny": "from 1e-8 rad on, the root of the rounding",
-            "rounding": "not before about 1e-15 rad, near the rounding itself",
-        },
-        wrong={"tiny": "The root of the rounding appears where a small *square* is compared, as in 1 - cos. "
-            "Here the tilt stands alone."},
-    ),
-    Prediction(
         "notch",
         "The square leaves the notch along the diagonal; its lower left corner is at (x, x). Up to which x does "
         "polygons_overlap, given the outline of the L, say that they overlap?",
         _notch,
-        "The L's edges have two directions of normals only, x and y, and along both its shadow reaches to 3. The slanted "
-        "side of its hull, which would part them from 2 m on, is no edge of the outline.",
+        "The L's edges have two directions of normals only, x and y, and along both its shadow "
+        "reaches to 3. The slanted side of its hull, which would part them from 2 m on, is no edge of the outline.",
         unit="m",
         tolerance=0.02,
         wrong={1: "Up to there they do overlap. The function does not know about the "
@@ -217,6 +202,23 @@ DEEPER_PREDICTIONS = (
         tolerance=0.02,
         wrong={
             34844: "That is the number of axes. Each asks for the places of 128 corners."
+        },
+    ),
+    Prediction(
+        "tilt",
+        "Two boxes that overlap are turned almost alike; the directions of their edges differ by a small tilt. From "
+        "which tilt downward will the short form call more than one pair in a hundred apart?",
+        _tilt,
+        "The nine numbers are off by about 1e-16. Only where the tilt, the length of the product, is within ten times "
+        "of that does the error matter to so many.",
+        choices={
+            "milli": "from 1e-3 rad on: small angles are risky",
+            "tiny": "from 1e-8 rad on, the root of the rounding",
+            "rounding": "not before about 1e-15 rad, near the rounding itself",
+        },
+        wrong={
+            "tiny": "The root of the rounding appears where a small *square* is compared, as in 1 - cos. "
+            "Here the tilt stands alone."
         },
     ),
 )
