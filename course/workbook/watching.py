@@ -118,11 +118,12 @@ def watch(answer: Any, *, on: str | None = None) -> Any:
     name = answer if isinstance(answer, str) else name_of(answer, None)
     find_exercise(name)
     if isinstance(answer, str) and name not in MISPRINTED:
-        raise failure(
-            "answer",
-            f"your function, or where a slide misprints it one of {', '.join(MISPRINTED)}",
-            repr(name),
+        wanted = (
+            f"the function itself, without quotation marks: watch({name})"
+            if name in WATCHED
+            else f"your function, or where a slide misprints it one of {', '.join(MISPRINTED)}"
         )
+        raise failure("answer", wanted, repr(name))
     if name not in WATCHED:
         raise failure(
             "answer", f"a function that moves bodies: {', '.join(WATCHED)}", name
