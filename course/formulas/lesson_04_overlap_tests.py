@@ -92,6 +92,7 @@ def capsule_gap(start_a, end_a, radius_a, start_b, end_b, radius_b):
     ends (..., 3) [m], radii (...) [m]; returns (...) [m], below 0 they overlap.
     Source: Ericson, "Real-Time Collision Detection", sections 4.5.1 and 5.1.9.
     """
+    ends_a, ends_b = (start_a, end_a), (start_b, end_b)
     u, v, w = end_a - start_a, end_b - start_b, start_b - start_a
     n = np.cross(u, v)
     square = np.sum(n * n, axis=-1, keepdims=True)
@@ -99,12 +100,8 @@ def capsule_gap(start_a, end_a, radius_a, start_b, end_b, radius_b):
     s = np.sum(np.cross(w, v) * n, axis=-1, keepdims=True) / square
     t = np.sum(np.cross(w, u) * n, axis=-1, keepdims=True) / square
     between = [np.clip(s, 0.0, 1.0) * u - w - np.clip(t, 0.0, 1.0) * v]
-    between += [
-        x - closest_point_on_segment(x, start_b, end_b) for x in (start_a, end_a)
-    ]
-    between += [
-        x - closest_point_on_segment(x, start_a, end_a) for x in (start_b, end_b)
-    ]
+    between += [p - closest_point_on_segment(p, *ends_b) for p in ends_a]
+    between += [p - closest_point_on_segment(p, *ends_a) for p in ends_b]
     distance = np.min([np.linalg.norm(x, axis=-1) for x in between], axis=0)
     return distance - radius_a - radius_b
 
