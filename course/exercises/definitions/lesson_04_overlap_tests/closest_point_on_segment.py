@@ -52,6 +52,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("before the start, drawn", _drawn(rng, turn=2)),
         Case("on the segment", _given(a + 0.25 * (b - a), a, b), "edge"),
         Case("on its line, beyond it", _given(a + 1.5 * (b - a), a, b), "edge"),
+        Case("far before its start", _given([-9.0, -5, 3], a, b), "edge"),
         Case("at its start", _given(a, a, b), "edge"),
         Case("the segment is only a point", _given(place(rng), a, a), "edge"),
         Case("three of them", _drawn(rng, (3,)), "batch"),
@@ -78,7 +79,7 @@ CLOSEST_POINT_ON_SEGMENT = Exercise(
     rows=(3,),
     points=3,
     minutes=9,
-    task="Return the point of a segment that is nearest to a point; the start itself where the segment is only a point.",
+    task="Return the point of a segment that is nearest to a point; the start where the segment is only a point.",
     arguments=(
         point("point", "from where it is looked for"),
         point("start", "one end of the segment"),

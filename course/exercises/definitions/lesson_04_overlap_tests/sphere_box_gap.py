@@ -62,6 +62,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("its centre inside", _given([3.0, 3.5, 4], 0.25, lower, upper)),
         *(Case(f"drawn, {k + 1}", _drawn(rng, (), k)) for k in range(4)),
         Case("its centre on a face", _given([5.0, 2, 3], 0.5, lower, upper), "edge"),
+        Case("close beyond an edge", _given([5.3, 4.4, 3], 0.125, lower, upper), "edge"),
         Case("it touches a corner", _given([7.0, 5, 9], 3.0, lower, upper), "edge"),
         Case("a point inside", _given([2.0, 2, 1.5], 0.0, lower, upper), "edge"),
         Case("three of them", _drawn(rng, (3,)), "batch"),
