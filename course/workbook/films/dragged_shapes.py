@@ -24,7 +24,7 @@ TIMES = np.linspace(0.0, 6.0, 91)
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
 WINDOW = (-4.4, -3.0, 4.6, 3.0)
 NAMES = ("to the ball", "to the rod", "to the box")
-LABELS = ("ball", "rod", "box")
+LABELS, COLORS = ("ball", "rod", "box"), ("blue", "orange", "green")
 KNOBS = (
     Knob("shape", "A: 1 ball, 2 rod, 3 box", 1.0, 1.0, 3.0, 1.0),
     Knob("x", "A at x", -0.6, -3.2, 3.2, 0.05, "m"),
@@ -49,7 +49,7 @@ def touching() -> Exhibit:
     return Exhibit(
         _film,
         KNOBS,
-        [Hand({"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0)}, body=0)],
+        [Hand({"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0)}, body=3)],
         PRESETS,
         question=QUESTION,
         answer=ANSWER,
@@ -61,7 +61,6 @@ def _film(shape: float, x: float, y: float, far: float) -> Film:
     found = [dragged_shape(which, x, y, far, TIMES, size) for size in (8, 4)]
     curves = dict(zip(NAMES, found[0].gap.T, strict=True))
     fewer = dict(zip(NAMES, found[1].gap.T, strict=True))
-    colors = ["blue", "orange", "green"]
     least = tuple(round(float(f.gap.min()), 3) + 0.0 for f in found)
     steps = tuple(round(1e3 * spacing(np.float32(far), s), 3) + 0.0 for s in (8, 4))
     return Film(
@@ -73,8 +72,8 @@ def _film(shape: float, x: float, y: float, far: float) -> Film:
         "beside them, below 0 where they overlap. Places are stored as seen from an origin that is far away.",
         ending=_ending(found),
         charts=[
-            Curves("gap, places in 8 bytes", "m", curves, limits=(-1.5, 4.5), colors=colors),
-            Curves("gap, places in 4 bytes", "m", fewer, limits=(-1.5, 4.5), colors=colors),
+            Curves("gap, places in 8 bytes", "m", curves, limits=(-1.5, 4.5), colors=COLORS),
+            Curves("gap, places in 4 bytes", "m", fewer, limits=(-1.5, 4.5), colors=COLORS),
         ],
         numbers=[
             Number("least gap in a turn", least, "m"),
@@ -84,22 +83,24 @@ def _film(shape: float, x: float, y: float, far: float) -> Film:
 
 
 def _pane(title: str, which: int, found: DraggedShape) -> Pane:
-    solids = [solid_of(DRAGGED[which], "sky", "A")]
-    solids += [
+    # A is drawn last, in front of the others.
+    solids = [
         solid_of(shape, color, name)
-        for shape, color, name in zip(AMONG, ("blue", "orange", "green"), LABELS, strict=True)
-    ]  # fmt: skip
-    start, end = (
-        np.stack([getattr(f, name) for f in found.found], axis=1)
-        for name in ("point_a", "point_b")
-    )
-    gap = np.round(found.gap, 2) + 0.0
+        for shape, color, name in zip(AMONG, COLORS, LABELS, strict=True)
+    ] + [solid_of(DRAGGED[which], "sky", "A")]
+    lines = [
+        Segments(
+            name,
+            f.point_a[:, None],
+            f.point_b[:, None],
+            np.round(f.gap, 2)[:, None] + 0.0,
+            color=color,
+        )
+        for name, color, f in zip(NAMES, COLORS, found.found, strict=True)
+    ]
+    order = [1, 2, 3, 0]
     return Pane(
-        solids,
-        found.place,
-        found.turn,
-        title=title,
-        segments=[Segments("gap", start, end, gap, color="purple")],
+        solids, found.place[order], found.turn[:, order], title=title, segments=lines
     )
 
 

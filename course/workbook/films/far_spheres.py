@@ -26,7 +26,7 @@ from course.workbook.stage import (
 
 TIMES = np.linspace(0.0, 6.0, 361)
 #: What is seen, whatever the knobs say: left, bottom, right, top, from A's centre [m].
-WINDOW = (-7.0, -13.0, 35.0, 13.0)
+WINDOW = (-7.0, -13.0, 37.0, 13.0)
 KNOBS = (
     Knob("far", "from the origin", 1e8, 1e4, 1e9, unit="m", logarithmic=True),
     Knob("lane", "B at y", 0.0, -8.0, 8.0, 0.5, "m"),
@@ -71,7 +71,7 @@ def far_spheres(function: Any = None, *, opening: bool = False) -> Exhibit:
     return Exhibit(
         film,
         KNOBS,
-        [Hand({"lane": (0.0, 1.0, 0.0)}, body=1)],
+        [Hand({"lane": (0.0, 1.0, 0.0)}, body=2)],
         PRESETS,
         question="" if opening else QUESTION,
         answer="" if opening else ANSWER,
@@ -94,7 +94,7 @@ def _film(
         Flat("xy", WINDOW),
         title="B comes nearer until the verdict is: they overlap",
         caption="A has a radius of 5 m, B of 4 m. B stops at the first moment at which it is said to overlap A. Both "
-        "are drawn where their stored places are; the grey dot is where B's centre is in truth.",
+        "are drawn where their stored places are; the grey ball is where B is in truth.",
         ending=_ending(motions, made, attempt),
         charts=[] if opening else [
             Curves("true gap", "m", gaps, limits=(-10.0, 22.0), colors=colors),
@@ -109,12 +109,14 @@ def _film(
 
 def _pane(title: str, m: FarMeeting) -> Pane:
     place = np.zeros((len(m.times), 3, 3))
-    place[:, 1, :2], place[:, 2, :2] = m.drawn, m.true
+    place[:, 1, :2], place[:, 2, :2] = m.true, m.drawn
     solids = [
         labelled(ball(r, color=c), name)
         for r, c, name in zip(FAR_RADII, ("blue", "orange"), "AB", strict=True)
     ]
-    return Pane([*solids, ball(0.5, color="grey")], place, title=title)
+    # Behind B, and a little smaller: it shows only where B is drawn at another place.
+    truth = ball(0.97 * FAR_RADII[1], color="grey")
+    return Pane([solids[0], truth, solids[1]], place, title=title)
 
 
 def _ending(motions: list[Any], made: list[FarMeeting], attempt: Attempt) -> str:
