@@ -126,7 +126,11 @@ PREDICTIONS = (
         "From lesson 01: the gap of two colliders is -0.02 m. What does that say?",
         _sign_of_gap,
         "Above 0 apart, 0 touching, below 0 penetrating: here by 2 cm.",
-        choices={"apart": "they are 2 cm apart", "overlap": "they are 2 cm deep in each other", "approach": "they approach each other"},
+        choices={
+            "apart": "they are 2 cm apart",
+            "overlap": "they are 2 cm deep in each other",
+            "approach": "they approach each other",
+        },
         wrong={"approach": "Whether they approach is the sign of the gap's *rate*."},
     ),
     Prediction(
@@ -136,7 +140,11 @@ PREDICTIONS = (
         _box_of_rod,
         "From 0 - 0.5 to 3 + 0.5: the segment's own 3 m, and the radius at both ends.",
         unit="m",
-        wrong={3: "The radius sticks out at both ends.", 5: "That is the length of the segment.", 3.5: "The radius sticks out at both ends."},
+        wrong={
+            3: "The radius sticks out at both ends.",
+            3.5: "The radius sticks out at both ends.",
+            5: "That is the length of the segment.",
+        },
     ),
     Prediction(
         "stored_error",
@@ -190,7 +198,10 @@ PREDICTIONS = (
         "and 2^18 s are 72.8 hours.",
         unit="h",
         tolerance=0.02,
-        wrong={36.4: "From there on the step is 1/64 s, still smaller than 1/60 s.", 145.6: "That is one power of 2 too many."},
+        wrong={
+            36.4: "From there on the step is 1/64 s, still smaller than 1/60 s.",
+            145.6: "That is one power of 2 too many.",
+        },
     ),
 )  # fmt: skip
 DEEPER_PREDICTIONS = (
@@ -199,10 +210,10 @@ DEEPER_PREDICTIONS = (
         "Two thin rods, with ends drawn anywhere in a cube. How often is an *end* of one of them among the two nearest "
         "points?",
         _end_among,
-        "Mostly. The feet of the line across both lie inside both rods in less than a third of the cases.",
+        "In 58 of 100 cases. In the other 42 the feet of the line across both lie inside both rods.",
         choices={
-            "few": "seldom: mostly they are nearest somewhere between their ends",
-            "most": "mostly, but not always",
+            "few": "seldom: they are nearest somewhere between their ends",
+            "most": "in somewhat more than half of the cases",
             "all": "practically always",
         },
         later="Derive",
