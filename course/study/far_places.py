@@ -81,10 +81,15 @@ def stored(pairs: SpherePairs, size: int) -> SpherePairs:
 
 
 def seen_from_a(pairs: SpherePairs) -> SpherePairs:
-    """The same, every place as it is seen from A's centre."""
+    """The same question of fewer numbers: B's centre as it is seen from A's, and the sum of the radii."""
     nothing = np.zeros_like(pairs.center_a)
-    seen = pairs.center_b - pairs.center_a
-    return replace(pairs, center_a=nothing, center_b=seen)
+    return replace(
+        pairs,
+        center_a=nothing,
+        radius_a=pairs.radius_a + pairs.radius_b,
+        center_b=pairs.center_b - pairs.center_a,
+        radius_b=nothing[:, 0],
+    )
 
 
 def wrong_verdicts(verdict: SpheresVerdict, pairs: SpherePairs) -> float:

@@ -51,7 +51,7 @@ LISTED = (
     ),
     Listed(
         "far_spheres",
-        "far_spheres",
+        "spheres_far_out",
         "Two spheres meet far from the origin, in 8 bytes and in 4",
         (9,),
         5,
