@@ -94,6 +94,11 @@ from course.study.meeting_shapes import (
     far_meeting,
 )
 from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
+from course.study.rods_side_by_side import (
+    LOST_BELOW,
+    feet_apart,
+    rods_side_by_side,
+)
 from course.study.shadow_cases import (
     PENTAGON,
     TRIANGLE,
@@ -166,6 +171,7 @@ __all__ = [
     "DECIDED",
     "FIVE_POINTS",
     "FORWARD",
+    "LOST_BELOW",
     "PENTAGON",
     "PUBLISHED_BOUNCING",
     "SECOND",
@@ -230,6 +236,7 @@ __all__ = [
     "event_driven_error",
     "exact_matrix",
     "far_meeting",
+    "feet_apart",
     "find_threshold",
     "gap_rate",
     "gjk_distance",
@@ -260,6 +267,7 @@ __all__ = [
     "relative_verdict",
     "rod_landing",
     "rod_on_spring",
+    "rods_side_by_side",
     "roll",
     "rounding_says",
     "safe_until",

@@ -8,9 +8,9 @@ import numpy as np
 
 from course import formulas
 from course.arrays import Array, BoolArray
+from course.study.engines import installed_sphere_engines
 from course.study.far_places import DTYPES, SpherePairs, seen_from_a, stored
 from course.study.precision import Method, Problem, WorkPrecision, work_precision
-from course.study.engines import installed_sphere_engines
 
 #: Numbers that a test reads of each pair: two centres and radii; one way and the sum of the radii.
 AS_STORED, FROM_A = 8, 4
