@@ -3,11 +3,14 @@
 One module a lesson, named as the lesson is. An exercise's reference is the function of
 its name, with its own signature: what it is judged by, what its hint shows at the end
 and what its solution cell holds are these lines; the library is measured by them. Asked
-by no exercise are ``project`` and ``box_axes``, which lesson 05 shows, and
-``separation_acceleration``.
+by no exercise are ``point_in_sphere``, which lesson 04 shows, ``project`` and
+``box_axes``, which lesson 05 shows, and ``separation_acceleration``.
 
 lesson_00_start_here (Start here)
     speed_along
+lesson_04_overlap_tests (Overlap tests)
+    point_in_sphere, spheres_overlap, boxes_overlap, foot_share,
+    closest_point_on_segment, sphere_capsule_gap, capsule_gap, sphere_box_gap
 lesson_05_separating_axis (Separating axis)
     project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
     oriented_boxes_overlap, least_translation, hulls_overlap
@@ -40,6 +43,16 @@ function that ends in "as an expression" takes and gives SymPy expressions.
 
 from course.formulas.lesson_00_start_here import (
     speed_along,
+)
+from course.formulas.lesson_04_overlap_tests import (
+    boxes_overlap,
+    capsule_gap,
+    closest_point_on_segment,
+    foot_share,
+    point_in_sphere,
+    sphere_box_gap,
+    sphere_capsule_gap,
+    spheres_overlap,
 )
 from course.formulas.lesson_05_separating_axis import (
     box_axes,
@@ -119,6 +132,9 @@ __all__ = [
     "bounce_times",
     "bouncing_ball_step",
     "box_axes",
+    "boxes_overlap",
+    "capsule_gap",
+    "closest_point_on_segment",
     "complementarity_residual",
     "contact_bias",
     "contact_matrix",
@@ -126,6 +142,7 @@ __all__ = [
     "edge_normal_rate",
     "edge_normals",
     "effective_mass",
+    "foot_share",
     "free_point_acceleration",
     "half_shadow",
     "hulls_overlap",
@@ -140,6 +157,7 @@ __all__ = [
     "oriented_boxes_overlap",
     "p_hat",
     "pivot",
+    "point_in_sphere",
     "point_response",
     "point_velocity",
     "polygons_overlap",
@@ -159,6 +177,9 @@ __all__ = [
     "slope_1",
     "solve_contact_qp",
     "speed_along",
+    "sphere_box_gap",
+    "sphere_capsule_gap",
+    "spheres_overlap",
     "symplectic_euler_step",
     "top_acceleration",
     "top_rate",

@@ -40,6 +40,17 @@ from course.study.contact_matrices import (
     plain_arrays,
 )
 from course.study.domes import slide_off
+from course.study.far_places import (
+    SpherePairs,
+    safe_until,
+    seen_from_a,
+    spacing,
+    sphere_pairs,
+    steps_say,
+    stored,
+    wrong_far_out,
+    wrong_verdicts,
+)
 from course.study.force_cases import (
     PlankForces,
     PushedTable,
@@ -79,7 +90,15 @@ from course.study.impact_laws import (
     impulses_by_steps,
     impulses_in_turn,
 )
+from course.study.meeting_shapes import (
+    far_meeting,
+)
 from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
+from course.study.rods_side_by_side import (
+    LOST_BELOW,
+    feet_apart,
+    rods_side_by_side,
+)
 from course.study.shadow_cases import (
     PENTAGON,
     TRIANGLE,
@@ -89,6 +108,11 @@ from course.study.shadow_cases import (
     polygon_shadows,
     sinking_boxes,
     turned,
+)
+from course.study.sphere_verdict_costs import (
+    sphere_verdict_bytes,
+    sphere_verdict_seconds,
+    with_root,
 )
 from course.study.spinning_impacts import (
     BoxLandings,
@@ -125,6 +149,13 @@ from course.study.tilted_boxes import (
     rounding_says,
     tilted_pairs,
 )
+from course.study.touching_spheres import (
+    DECIDED,
+    called_touching,
+    nearly_touching,
+    tenths,
+    with_margin,
+)
 from course.study.tumbling import (
     counting_wrench,
     even_spin_error,
@@ -137,8 +168,10 @@ from course.study.tumbling import (
 
 __all__ = [
     "CENTRAL",
+    "DECIDED",
     "FIVE_POINTS",
     "FORWARD",
+    "LOST_BELOW",
     "PENTAGON",
     "PUBLISHED_BOUNCING",
     "SECOND",
@@ -169,6 +202,7 @@ __all__ = [
     "PushedTable",
     "RodLanding",
     "SolverGrowth",
+    "SpherePairs",
     "SpringCradle",
     "StabilityMap",
     "Stencil",
@@ -185,6 +219,7 @@ __all__ = [
     "by_balls",
     "by_upright_boxes",
     "called_apart",
+    "called_touching",
     "central_impact",
     "compare_cradles",
     "corner_passing",
@@ -200,6 +235,8 @@ __all__ = [
     "even_spin_error",
     "event_driven_error",
     "exact_matrix",
+    "far_meeting",
+    "feet_apart",
     "find_threshold",
     "gap_rate",
     "gjk_distance",
@@ -215,6 +252,7 @@ __all__ = [
     "measured_accelerations",
     "measured_order",
     "method_of",
+    "nearly_touching",
     "normal_response",
     "old_point",
     "oscillator_growth",
@@ -229,12 +267,22 @@ __all__ = [
     "relative_verdict",
     "rod_landing",
     "rod_on_spring",
+    "rods_side_by_side",
     "roll",
     "rounding_says",
+    "safe_until",
+    "seen_from_a",
     "sinking_boxes",
     "slide_off",
     "solver_growth",
+    "spacing",
+    "sphere_pairs",
+    "sphere_verdict_bytes",
+    "sphere_verdict_seconds",
     "stability_map",
+    "steps_say",
+    "stored",
+    "tenths",
     "tilt_growth",
     "tilted_pairs",
     "true_overlap",
@@ -244,6 +292,10 @@ __all__ = [
     "turned",
     "two_forces",
     "wall_reflection",
+    "with_margin",
+    "with_root",
     "work_precision",
+    "wrong_far_out",
     "wrong_share",
+    "wrong_verdicts",
 ]

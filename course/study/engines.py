@@ -47,3 +47,43 @@ def by_coal(*boxes: Array) -> BoolArray:
         )  # fmt: skip
         found.append(result.isCollision())
     return np.array(found)
+
+
+def installed_sphere_engines() -> dict[str, Callable[..., BoolArray]]:
+    """The libraries that are here, by name; each is asked one pair at a time."""
+    known = {
+        "python-fcl": ("fcl", spheres_by_fcl),
+        "coal": ("coal", spheres_by_coal),
+    }
+    return {name: asked for name, (module, asked) in known.items() if find_spec(module)}
+
+
+def spheres_by_fcl(
+    center_a: Array, radius_a: Array, center_b: Array, radius_b: Array
+) -> BoolArray:
+    """Verdicts (p,) of python-fcl's ``collide``; arguments of ``spheres_overlap``."""
+    import fcl
+
+    request, turn, said = fcl.CollisionRequest(), np.eye(3), []
+    for x_a, r_a, x_b, r_b in zip(center_a, radius_a, center_b, radius_b, strict=True):
+        a = fcl.CollisionObject(fcl.Sphere(r_a), fcl.Transform(turn, x_a))
+        b = fcl.CollisionObject(fcl.Sphere(r_b), fcl.Transform(turn, x_b))
+        said.append(fcl.collide(a, b, request, fcl.CollisionResult()) > 0)
+    return np.array(said)
+
+
+def spheres_by_coal(
+    center_a: Array, radius_a: Array, center_b: Array, radius_b: Array
+) -> BoolArray:
+    """Verdicts (p,) of coal's ``collide``; arguments of ``spheres_overlap``."""
+    import coal
+
+    request, turn, said = coal.CollisionRequest(), np.eye(3), []
+    for x_a, r_a, x_b, r_b in zip(center_a, radius_a, center_b, radius_b, strict=True):
+        result = coal.CollisionResult()
+        coal.collide(
+            coal.Sphere(r_a), coal.Transform3s(turn, x_a),
+            coal.Sphere(r_b), coal.Transform3s(turn, x_b), request, result,
+        )  # fmt: skip
+        said.append(result.isCollision())
+    return np.array(said)

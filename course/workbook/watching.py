@@ -39,9 +39,16 @@ _handle = Watched("stepped_handles", "handle_steps", 3.0, several=True)
 _rod = Watched("rod_impacts", "rod", 0.6, several=True)
 _mark = Watched("carried_marks", "carried_mark", 1.5, several=True)
 _slide = Watched("sliding_polygons", "sliding", 2.0, several=True)
+_meeting = Watched("meeting_shapes", "meeting_film", 4.0, several=True)
 _plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
 #: The film of an exercise, by the exercise's name.
 WATCHED = {
+    "spheres_overlap": _meeting,
+    "boxes_overlap": _meeting,
+    "closest_point_on_segment": _meeting,
+    "sphere_capsule_gap": _meeting,
+    "capsule_gap": _meeting,
+    "sphere_box_gap": _meeting,
     "shadow_gap": _slide,
     "edge_normals": _slide,
     "polygons_overlap": _slide,

@@ -17,6 +17,12 @@ pytestmark = pytest.mark.slow
 
 #: A planted mistake of each that is seen at once.
 SEEN = {
+    "spheres_overlap": "sum of squares",
+    "boxes_overlap": "one axis is enough",
+    "closest_point_on_segment": "not limited",
+    "sphere_capsule_gap": "endless",
+    "capsule_gap": "feet only",
+    "sphere_box_gap": "radius left out",
     "shadow_gap": "minimum",
     "edge_normals": "edges",
     "polygons_overlap": "x and y",

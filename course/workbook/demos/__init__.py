@@ -29,6 +29,7 @@ def player(name: str) -> Callable[..., Any]:
 billiard_break = player("billiard_break")
 cradle = player("cradle")
 dome = player("dome")
+far_spheres = player("far_spheres")
 gap_rate = player("gap_rate")
 handle = player("handle")
 impulse = player("impulse")
@@ -41,10 +42,12 @@ rod = player("rod")
 shadows = player("shadows")
 sinking = player("sinking")
 sweeps = player("sweeps")
+touching = player("touching")
 two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
-    "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls",
-    "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "two_blocks", "wall",
+    "billiard_break", "cradle", "dome", "far_spheres", "gap_rate", "handle", "impulse", "ladder", "landing_boxes",
+    "many_balls", "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "touching",
+    "two_blocks", "wall",
 ]  # fmt: skip

@@ -50,6 +50,23 @@ LISTED = (
         still=0.1,
     ),
     Listed(
+        "far_spheres",
+        "spheres_far_out",
+        "Two spheres meet far from the origin, in 8 bytes and in 4",
+        (9,),
+        5,
+        "3: where does the right one stop? Then 2: steps of 1 m. Ask what would mend it before you answer.",
+        still=6.0,
+    ),
+    Listed(
+        "touching",
+        "dragged_shapes",
+        "Drag a ball, a rod or a box among others: the gaps, here and far out",
+        (3, 4, 9),
+        5,
+        "1: drag A until a gap is 0. 3, and drag slowly: the right picture jumps. 4: in steps of a metre.",
+    ),
+    Listed(
         "shadows",
         "polygon_shadows",
         "Two polygons and their shadows on all axes",

@@ -48,6 +48,7 @@ from course.workbook.plots.figure import (
 from course.workbook.plots.ladders import ladder_forces, ladder_picture
 from course.workbook.plots.maps import course_map, falling_boxes
 from course.workbook.plots.motion import energies, energy_contours, seen_from_body
+from course.workbook.plots.overlap_tests import foot_of_point, number_steps
 from course.workbook.plots.rods import (
     rod_impact,
     rod_impulses,
@@ -83,6 +84,7 @@ __all__ = [
     "errors_by_looks",
     "falling_boxes",
     "figure_html",
+    "foot_of_point",
     "force_plane",
     "heights",
     "impact",
@@ -94,6 +96,7 @@ __all__ = [
     "matrix_costs",
     "matrix_pattern",
     "notch",
+    "number_steps",
     "old_point",
     "passing_a_corner",
     "plank_and_forces",
