@@ -11,6 +11,9 @@ lesson_00_start_here (Start here)
 lesson_05_separating_axis (Separating axis)
     project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
     oriented_boxes_overlap, least_translation, hulls_overlap
+lesson_06_moving_objects (Moving objects)
+    meeting_time, swept_spheres_time, swept_boxes_time, miss_probability,
+    conservative_advancement
 lesson_09_energy_and_motion (Energy and motion)
     sigma, linear_kinetic_energy, angular_kinetic_energy, world_inertia,
     angular_acceleration, symplectic_euler_step, rotate, rk4_step
@@ -51,6 +54,13 @@ from course.formulas.lesson_05_separating_axis import (
     polygons_overlap,
     project,
     shadow_gap,
+)
+from course.formulas.lesson_06_moving_objects import (
+    conservative_advancement,
+    meeting_time,
+    miss_probability,
+    swept_boxes_time,
+    swept_spheres_time,
 )
 from course.formulas.lesson_09_energy_and_motion import (
     angular_acceleration,
@@ -120,6 +130,7 @@ __all__ = [
     "bouncing_ball_step",
     "box_axes",
     "complementarity_residual",
+    "conservative_advancement",
     "contact_bias",
     "contact_matrix",
     "contact_matrix_entry",
@@ -135,6 +146,8 @@ __all__ = [
     "ladder_entry",
     "least_translation",
     "linear_kinetic_energy",
+    "meeting_time",
+    "miss_probability",
     "momentum_after",
     "normal_rate",
     "oriented_boxes_overlap",
@@ -159,6 +172,8 @@ __all__ = [
     "slope_1",
     "solve_contact_qp",
     "speed_along",
+    "swept_boxes_time",
+    "swept_spheres_time",
     "symplectic_euler_step",
     "top_acceleration",
     "top_rate",
