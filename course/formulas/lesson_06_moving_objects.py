@@ -58,10 +58,11 @@ def swept_boxes_time(
     """
     v = velocity_a - velocity_b
     before, after = lower_b - upper_a, upper_b - lower_a
-    still, safe = v == 0, np.where(v == 0, 1.0, v)
-    between = (before <= 0) & (after >= 0)
-    one = np.where(still, np.where(between, -np.inf, np.inf), before / safe)
-    other = np.where(still, np.inf, after / safe)
+    still, between = v == 0, (before <= 0) & (after >= 0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        one, other = before / v, after / v
+    one = np.where(still, np.where(between, -np.inf, np.inf), one)
+    other = np.where(still, np.inf, other)
     first = np.max(np.minimum(one, other), axis=-1)
     last = np.min(np.maximum(one, other), axis=-1)
     slides = np.any(still & ((before == 0) | (after == 0)), axis=-1) & (first <= 0)

@@ -27,6 +27,7 @@ def player(name: str) -> Callable[..., Any]:
 
 
 billiard_break = player("billiard_break")
+bullet = player("bullet")
 cradle = player("cradle")
 dome = player("dome")
 gap_rate = player("gap_rate")
@@ -41,10 +42,12 @@ rod = player("rod")
 shadows = player("shadows")
 sinking = player("sinking")
 sweeps = player("sweeps")
+throws = player("throws")
 two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
-    "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls",
-    "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "two_blocks", "wall",
+    "billiard_break", "bullet",
+    "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls",
+    "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "throws", "two_blocks", "wall",
 ]  # fmt: skip

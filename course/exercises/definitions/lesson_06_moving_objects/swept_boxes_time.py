@@ -96,6 +96,10 @@ def _drawn(
     return {name: x.reshape((*shape, *x.shape[1:])) for name, x in pair.items()}
 
 
+def _stacked(*pairs: dict[str, Any]) -> dict[str, Any]:
+    return {name: np.stack([pair[name] for pair in pairs]) for name in pairs[0]}
+
+
 def _in_turn(count: int) -> list[str]:
     kinds = (*KINDS, "corner")
     return [kinds[k % len(kinds)] for k in range(count)]
@@ -117,6 +121,9 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("apart on an axis on which nothing moves", _cubes([-8.0, 4, 0], [2.0, 0, 0]), "edge"),
         Case("the same on the other side", _cubes([8.0, 0, -4], [-2.0, 1, 0]), "edge"),
         Case("they graze", _cubes([-7.0, 3, 0], [2.0, 0, 0]), "edge"),
+        Case("they graze on the other side", _cubes([-7.0, -3, 0], [2.0, 0, 0]), "edge"),
+        Case("they graze soon", _cubes([-3.5, 3, 0], [2.0, 0, 0]), "edge"),
+        Case("they pass at 25 cm", _cubes([-7.0, -3.25, 0], [2.0, 0, 0]), "edge"),
         Case("they graze in one moment", _cubes([-7.0, 7, 0], [2.0, -1, 0], [0.0, 1, 0]), "edge"),
         Case("they graze at a corner", _cubes([-7.0, -1, 0], [2.0, 2, 0]), "edge"),
         Case("touching, and approaching", _cubes([-3.0, 1, 0], [2.0, 0, 0]), "edge"),
@@ -124,8 +131,11 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("touching, and sliding", _cubes([-3.0, 1, 0], [0.0, 2, 0]), "edge"),
         Case("touching at the upper side, and sliding", _cubes([1.0, 3, 0], [1.0, 0, 2]), "edge"),
         Case("touching at an edge, approaching along x, parting along y", _cubes([-3.0, 3, 0], [2.0, 1, 0]), "edge"),
+        Case("touching at an edge, approaching along x, sliding along y", _cubes([-3.0, 3, 0], [2.0, 0, 0]), "edge"),
         Case("apart, and carried along together", _cubes([-5.0, 0, 0], [2.0, 1, 0], [2.0, 1, 0]), "edge"),
         Case("just at the horizon", _cubes([-21.0, 0, 0], [2.0, 0, 0]), "edge"),
+        Case("one slides, one overlaps, one grazes", _stacked(
+            _cubes([-3.0, 1, 0], [0.0, 2, 0]), _cubes([1.0, 0, 0], zero), _cubes([-7.0, 3, 0], [2.0, 0, 0])), "batch"),
         Case("three pairs", _drawn(rng, ("meet", "pass", "overlap"), (3,)), "batch"),
         Case("30 pairs", _drawn(rng, _in_turn(30), (30,)), "batch"),
         Case("a 2 by 5 batch", _drawn(rng, _in_turn(10), (2, 5)), "batch"),
@@ -274,8 +284,10 @@ SWEPT_BOXES_TIME = Exercise(
         "On an axis the shadows overlap while v t lies between l_B - u_A and u_B - l_A. Divide both by v: the smaller "
         "is the entry, the larger the end. Where v = 0 it is from -inf to inf, or never. Then compare: the last entry "
         "must not be after the first end, and the end not in the past.",
-        "one = np.where(still, np.where(____, -np.inf, np.inf), before / safe)\n"
-        "other = np.where(still, np.inf, ____)\n"
+        "with np.errstate(divide='ignore', invalid='ignore'):\n"
+        "    one, other = before / v, ____\n"
+        "one = np.where(still, np.where(____, -np.inf, np.inf), one)\n"
+        "other = np.where(still, np.inf, other)\n"
         "first = np.max(np.minimum(one, other), axis=-1)\n"
         "last = ____\n"
         "slides = np.any(still & ((before == 0) | (after == 0)), axis=-1) & (____ <= 0)\n"

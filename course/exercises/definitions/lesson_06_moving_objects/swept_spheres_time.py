@@ -68,6 +68,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("touching, and sliding", _pair(zero, 1.0, up, [3.0, 0, 0], 2.0, zero, 9.0), "edge"),
         Case("touching, and carried along together", _pair(zero, 1.0, up, [3.0, 0, 0], 2.0, up, 9.0), "edge"),
         Case("apart, and carried along together", _pair(zero, 1.0, up, [7.0, 0, 0], 2.0, up, 9.0), "edge"),
+        Case("they meet soon", _pair(zero, 0.5, [4.0, 0, 0], [2.0, 0, 0], 0.5, zero, 0.5)),
         Case("just at the horizon", _pair(zero, 0.5, [2.0, 0, 0], [9.0, 0, 0], 0.5, zero, 4.0), "edge"),
         Case("three pairs", _drawn(rng, ("meet", "pass", "overlap"), (3,)), "batch"),
         Case("20 pairs", _drawn(rng, in_turn(20), (20,)), "batch"),
