@@ -52,9 +52,13 @@ class Rod:
 
 
 def ball_ahead(omega: float, degrees: float, distance: float) -> Rod:
-    """A ball at an angle ahead of the rod and a distance from its pivot [m]."""
-    angle = np.radians(degrees)
-    return Rod(omega, distance * np.array([np.cos(angle), np.sin(angle), 0.0]))
+    """A ball at an angle ahead of the rod and a distance from its pivot [m].
+
+    The rod is followed for 4 s, and no farther than once round.
+    """
+    angle, round_once = np.radians(degrees), 2 * np.pi / max(abs(omega), 1e-9)
+    center = distance * np.array([np.cos(angle), np.sin(angle), 0.0])
+    return Rod(omega, center, horizon=min(4.0, round_once))
 
 
 def rod_time(rod: Rod) -> float:

@@ -119,7 +119,7 @@ def _film(panes: list[Pane], times: Array, turns: list[Turn], ending: str) -> Fi
 
 def _ending(turn: Turn) -> str:
     if np.isinf(turn.stop):
-        return "They do not meet within four seconds"
+        return "The rod does not meet the ball"
     return f"The rod meets the ball after {turn.stop:.3f} s"
 
 

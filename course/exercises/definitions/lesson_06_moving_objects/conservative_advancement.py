@@ -55,6 +55,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("a rod of 2 m, a ball a quarter turn ahead", _case(zero, 2 * x, 2 * z, [0, 1.0, 0], 0.1, 3.0, 1e-9)),
         Case("a ball near the tip", _case(x, 2 * x, 1.5 * z, [0.9, 1.9, 0], 0.05, 3.0, 1e-9)),
         Case("drawn", _drawn(rng, 1e-9)),
+        Case("a ball near the origin, far from the pivot", _case(2 * x, -2 * x, -z, [0.1, 0.6, 0], 0.05, 3.0, 1e-9)),
         Case("a slow one", _case(x, 0.8 * x, 0.5 * z, [1.3, 0.5, 0], 0.05, 9.0, 1e-9)),
         Case("drawn again", _drawn(rng, 1e-9)),
         Case("and again", _drawn(rng, 1e-9)),

@@ -124,6 +124,8 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("they graze on the other side", _cubes([-7.0, -3, 0], [2.0, 0, 0]), "edge"),
         Case("they graze soon", _cubes([-3.5, 3, 0], [2.0, 0, 0]), "edge"),
         Case("they pass at 25 cm", _cubes([-7.0, -3.25, 0], [2.0, 0, 0]), "edge"),
+        Case("they graze, carried along together across", _cubes([-7.0, 3, 0], [2.0, 1, 0], [0.0, 1, 0]), "edge"),
+        Case("A rests, and B comes", _cubes([-7.0, 1, 0], zero, [-2.0, 0, 0])),
         Case("they graze in one moment", _cubes([-7.0, 7, 0], [2.0, -1, 0], [0.0, 1, 0]), "edge"),
         Case("they graze at a corner", _cubes([-7.0, -1, 0], [2.0, 2, 0]), "edge"),
         Case("touching, and approaching", _cubes([-3.0, 1, 0], [2.0, 0, 0]), "edge"),
