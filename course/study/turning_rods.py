@@ -94,8 +94,8 @@ def tip_swept_straight(rod: Rod, step: float) -> float:
     time = formulas.swept_spheres_time(
         tips[:-1], 0.0, velocity, rod.center, rod.radius, np.zeros(3), step
     )
-    hit = np.flatnonzero(np.isfinite(time))
-    return float(hit[0] * step + time[hit[0]]) if hit.size else np.inf
+    time = step * np.arange(count) + time
+    return float(np.min(np.where(time <= rod.horizon, time, np.inf)))
 
 
 def stopped_rod(rod: Rod, function: Callable[..., Any], tolerance: float) -> float:

@@ -46,7 +46,7 @@ WATCHED = {
     "edge_normals": _slide,
     "polygons_overlap": _slide,
     "oriented_boxes_overlap": Watched("sinking_boxes", "sinking", 1.2),
-    "swept_spheres_time": Watched("throws", "throws", 1.2),
+    "swept_spheres_time": Watched("ball_throws", "throws", 1.2),
     "swept_boxes_time": Watched("bullet_and_wall", "swept_bullet", 0.02),
     "conservative_advancement": Watched("rods_and_balls", "rod_to_ball", 0.6),
     "rotate": _mark,

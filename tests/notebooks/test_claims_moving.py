@@ -40,15 +40,21 @@ def missed(looks):
 
 
 def test_how_many_bullets_pass():
-    looks, percent, tenfold = said("06", "at # looks # in 100 pass, and ten times as many looks still let # pass")  # fmt: skip
+    looks, percent, tenfold = said(
+        "06", "at # looks # in 100 pass, and ten times as many looks still let # pass"
+    )
     assert rounds_to(100 * missed(float(looks)), percent)
     assert rounds_to(100 * missed(10 * float(looks)), tenfold)
-    half, none = said("06", "below one half only from some # looks on, and is 0 from # on")  # fmt: skip
+    half, none = said(
+        "06", "below one half only from some # looks on, and is 0 from # on"
+    )
     below_half = float(half.replace(",", ""))
     assert missed(below_half - 100) > 0.5 > missed(below_half + 100)
     enough = float(none.replace(",", ""))
     assert missed(enough - 1) > 0 == missed(enough)
-    way, touched = said("06", "the bullet goes # m, and it touches the wall on # cm of them")  # fmt: skip
+    way, touched = said(
+        "06", "the bullet goes # m, and it touches the wall on # cm of them"
+    )
     assert rounds_to(900 / 60, way) and rounds_to(10 + 0.4, touched)
 
 
@@ -61,7 +67,10 @@ def test_what_swept_boxes_say(shots, hits):
 
 
 def test_what_looks_miss(shots, hits):
-    text = "one look a step misses # percent of the hits, 16 looks # percent, 128 looks # percent and 256 looks #."  # fmt: skip
+    text = (
+        "one look a step misses # percent of the hits, 16 looks # percent, "
+        "128 looks # percent and 256 looks #."
+    )
     for looks, written in zip((1, 16, 128, 256), said("06", text), strict=True):
         assert rounds_to(100 * missed_share(by_looks(shots, looks)[0], hits), written)
     sweep, most = said("06", "with one test a pair: # against #.")
@@ -131,7 +140,9 @@ def test_how_many_steps_a_digit_costs():
     time, d = rod_time(head_on), 1e-6
     closing = -np.diff(head_on.gap(np.array([time - d, time])))[0] / d
     assert rounds_to(-1 / np.log10(1 - closing / 2.0), digit)
-    tenth, millionth = said("06-more", "# steps for a tenth of a millimetre, # for a millionth")  # fmt: skip
+    tenth, millionth = said(
+        "06-more", "# steps for a tenth of a millimetre, # for a millionth"
+    )
     grazing = ball_ahead(2.0, 90.0, 1.0999)
     found = [advancement_steps(grazing, t)[1] for t in (1e-4, 1e-6)]
     assert found == pytest.approx([int(tenth), int(millionth)], abs=1)

@@ -77,7 +77,7 @@ LISTED = (
     ),
     Listed(
         "throws",
-        "throws",
+        "ball_throws",
         "Two balls to throw, what they sweep, and when they meet",
         (12,),
         4,

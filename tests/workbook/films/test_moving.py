@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from course import formulas
+from course.workbook.films.ball_throws import throws
 from course.workbook.films.bullet_and_wall import MOST, bullet, swept_bullet
 from course.workbook.films.rods_and_balls import rod_to_ball
-from course.workbook.films.throws import throws
 from course.workbook.stage.encoding import encoded
 
 

@@ -85,8 +85,11 @@ def throws(against: Any = None) -> Exhibit:
             arrows="velocity",
         ),
     ]
-    asked = {} if against is not None else {"question": QUESTION, "answer": ANSWER}
-    return Exhibit(film, KNOBS, hands, PRESETS, **asked)
+    alone = against is None
+    return Exhibit(
+        film, KNOBS, hands, PRESETS,
+        question=QUESTION if alone else "", answer=ANSWER if alone else "",
+    )  # fmt: skip
 
 
 def _film(panes: list[Pane], throws: list[Throw], ending: str) -> Film:
