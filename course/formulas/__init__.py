@@ -41,9 +41,7 @@ docs/misprints.md. ``(...)`` is a batch of any shape. A
 function that ends in "as an expression" takes and gives SymPy expressions.
 """
 
-from course.formulas.lesson_00_start_here import (
-    speed_along,
-)
+from course.formulas.lesson_00_start_here import speed_along
 from course.formulas.lesson_04_overlap_tests import (
     boxes_overlap,
     capsule_gap,
@@ -64,6 +62,13 @@ from course.formulas.lesson_05_separating_axis import (
     polygons_overlap,
     project,
     shadow_gap,
+)
+from course.formulas.lesson_06_moving_objects import (
+    conservative_advancement,
+    meeting_time,
+    miss_probability,
+    swept_boxes_time,
+    swept_spheres_time,
 )
 from course.formulas.lesson_09_energy_and_motion import (
     angular_acceleration,
@@ -136,6 +141,7 @@ __all__ = [
     "capsule_gap",
     "closest_point_on_segment",
     "complementarity_residual",
+    "conservative_advancement",
     "contact_bias",
     "contact_matrix",
     "contact_matrix_entry",
@@ -152,6 +158,8 @@ __all__ = [
     "ladder_entry",
     "least_translation",
     "linear_kinetic_energy",
+    "meeting_time",
+    "miss_probability",
     "momentum_after",
     "normal_rate",
     "oriented_boxes_overlap",
@@ -180,6 +188,8 @@ __all__ = [
     "sphere_box_gap",
     "sphere_capsule_gap",
     "spheres_overlap",
+    "swept_boxes_time",
+    "swept_spheres_time",
     "symplectic_euler_step",
     "top_acceleration",
     "top_rate",

@@ -87,3 +87,38 @@ def spheres_by_coal(
         )  # fmt: skip
         said.append(result.isCollision())
     return np.array(said)
+
+
+# Moving balls: arguments of ``swept_spheres_time``, one pair at a time.
+
+
+def swept_engines() -> dict[str, Callable[..., BoolArray]]:
+    """Ways of python-fcl to ask whether balls meet, where it is here."""
+    if not find_spec("fcl"):
+        return {}
+    return {
+        "python-fcl, 100 looks": lambda *balls: _moved_by_fcl(*balls, naive=True),
+        "python-fcl, advancement": lambda *balls: _moved_by_fcl(*balls, naive=False),
+    }
+
+
+def _moved_by_fcl(*balls: Array | float, naive: bool) -> BoolArray:
+    """Verdicts (n,) of ``continuousCollide`` for balls that do not turn."""
+    import fcl
+
+    solver = fcl.CCDSolverType
+    request = fcl.ContinuousCollisionRequest(
+        num_max_iterations=100,
+        ccd_motion_type=fcl.CCDMotionType.CCDM_TRANS,
+        ccd_solver_type=solver.CCDC_NAIVE if naive else solver.CCDC_CONSERVATIVE_ADVANCEMENT,
+    )  # fmt: skip
+    step, unturned, said = balls[6], np.eye(3), []
+    for x, r, v, y, s, w in zip(*(np.asarray(b) for b in balls[:6]), strict=True):
+        result = fcl.ContinuousCollisionResult()
+        fcl.continuousCollide(
+            fcl.CollisionObject(fcl.Sphere(r), fcl.Transform(unturned, x)), fcl.Transform(unturned, x + step * v),
+            fcl.CollisionObject(fcl.Sphere(s), fcl.Transform(unturned, y)), fcl.Transform(unturned, y + step * w),
+            request, result,
+        )  # fmt: skip
+        said.append(result.is_collide)
+    return np.array(said)

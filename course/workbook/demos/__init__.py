@@ -27,6 +27,7 @@ def player(name: str) -> Callable[..., Any]:
 
 
 billiard_break = player("billiard_break")
+bullet = player("bullet")
 cradle = player("cradle")
 dome = player("dome")
 far_spheres = player("far_spheres")
@@ -42,12 +43,33 @@ rod = player("rod")
 shadows = player("shadows")
 sinking = player("sinking")
 sweeps = player("sweeps")
+throws = player("throws")
 touching = player("touching")
 two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
-    "billiard_break", "cradle", "dome", "far_spheres", "gap_rate", "handle", "impulse", "ladder", "landing_boxes",
-    "many_balls", "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "touching",
-    "two_blocks", "wall",
-]  # fmt: skip
+    "billiard_break",
+    "bullet",
+    "cradle",
+    "dome",
+    "far_spheres",
+    "gap_rate",
+    "handle",
+    "impulse",
+    "ladder",
+    "landing_boxes",
+    "many_balls",
+    "plank",
+    "player",
+    "pushed_table",
+    "rod",
+    "shadows",
+    "sinking",
+    "sweeps",
+    "table",
+    "throws",
+    "touching",
+    "two_blocks",
+    "wall",
+]

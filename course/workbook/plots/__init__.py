@@ -48,6 +48,7 @@ from course.workbook.plots.figure import (
 from course.workbook.plots.ladders import ladder_forces, ladder_picture
 from course.workbook.plots.maps import course_map, falling_boxes
 from course.workbook.plots.motion import energies, energy_contours, seen_from_body
+from course.workbook.plots.moving import point_and_sphere
 from course.workbook.plots.overlap_tests import foot_of_point, number_steps
 from course.workbook.plots.rods import (
     rod_impact,
@@ -100,6 +101,7 @@ __all__ = [
     "old_point",
     "passing_a_corner",
     "plank_and_forces",
+    "point_and_sphere",
     "pushed_table",
     "reflection",
     "rod_impact",
