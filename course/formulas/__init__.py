@@ -3,11 +3,14 @@
 One module a lesson, named as the lesson is. An exercise's reference is the function of
 its name, with its own signature: what it is judged by, what its hint shows at the end
 and what its solution cell holds are these lines; the library is measured by them. Asked
-by no exercise are ``project`` and ``box_axes``, which lesson 05 shows, and
-``separation_acceleration``.
+by no exercise are ``bounding_box``, which lesson 02 shows, ``project`` and ``box_axes``,
+which lesson 05 shows, and ``separation_acceleration``.
 
 lesson_00_start_here (Start here)
     speed_along
+lesson_02_collision_primitives (Collision primitives)
+    bounding_box, box_growth, support, rotated_box_extents, k_dop,
+    compound_support, bounding_sphere, principal_box
 lesson_05_separating_axis (Separating axis)
     project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
     oriented_boxes_overlap, least_translation, hulls_overlap
@@ -40,6 +43,16 @@ function that ends in "as an expression" takes and gives SymPy expressions.
 
 from course.formulas.lesson_00_start_here import (
     speed_along,
+)
+from course.formulas.lesson_02_collision_primitives import (
+    bounding_box,
+    bounding_sphere,
+    box_growth,
+    compound_support,
+    k_dop,
+    principal_box,
+    rotated_box_extents,
+    support,
 )
 from course.formulas.lesson_05_separating_axis import (
     box_axes,
@@ -118,8 +131,12 @@ __all__ = [
     "apply_impulse",
     "bounce_times",
     "bouncing_ball_step",
+    "bounding_box",
+    "bounding_sphere",
     "box_axes",
+    "box_growth",
     "complementarity_residual",
+    "compound_support",
     "contact_bias",
     "contact_matrix",
     "contact_matrix_entry",
@@ -131,6 +148,7 @@ __all__ = [
     "hulls_overlap",
     "impulse_at_point",
     "impulse_central",
+    "k_dop",
     "kinetic_energy_lost",
     "ladder_entry",
     "least_translation",
@@ -143,12 +161,14 @@ __all__ = [
     "point_response",
     "point_velocity",
     "polygons_overlap",
+    "principal_box",
     "project",
     "projected_gauss_seidel",
     "rest_time",
     "rk4_step",
     "rod_impulse",
     "rotate",
+    "rotated_box_extents",
     "separation",
     "separation_acceleration",
     "separation_rate",
@@ -159,6 +179,7 @@ __all__ = [
     "slope_1",
     "solve_contact_qp",
     "speed_along",
+    "support",
     "symplectic_euler_step",
     "top_acceleration",
     "top_rate",
