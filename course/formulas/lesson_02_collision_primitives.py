@@ -68,7 +68,7 @@ def k_dop(points, directions):
     (..., k/2) [m].
     Source: Klosowski et al., IEEE TVCG 4, 1998.
     """
-    along = points @ np.swapaxes(directions, -1, -2)
+    along = points @ directions.T
     return np.min(along, axis=-2), np.max(along, axis=-2)
 
 

@@ -15,7 +15,7 @@ from course.exercises.definitions.lesson_02_collision_primitives.shared import (
 from course.exercises.definitions.vectors import unit_vector
 from course.exercises.slips import slip
 
-_ALONG = "points @ np.swapaxes(directions, -1, -2)"
+_ALONG = "points @ directions.T"
 _RETURNED = "np.min(along, axis=-2), np.max(along, axis=-2)"
 
 
@@ -91,7 +91,7 @@ K_DOP = Exercise(
             "You measure from the middle of the points. The places are measured from the origin, or nobody knows "
             "where the k-DOP stands.",
             _ALONG,
-            "(points - np.mean(points, axis=-2, keepdims=True)) @ np.swapaxes(directions, -1, -2)",
+            "(points - np.mean(points, axis=-2, keepdims=True)) @ directions.T",
         ),
         _slip(
             "sizes",
@@ -119,8 +119,8 @@ K_DOP = Exercise(
         "One direction first: the places of all points along it, as in `support`; but here you want the two ends and "
         "not the point.",
         "points @ M multiplies each set of points (n, 3) by a matrix (3, k) and gives (n, k): the place of each point "
-        "along each direction, if the directions are M's columns. Then the least and the largest over the points.",
-        "along = points @ np.swapaxes(____, -1, -2)\n"
+        "along each direction, if the directions are M's columns: directions.T. Then the least and the largest over the points.",
+        "along = points @ ____\n"
         "return np.min(along, axis=____), np.max(along, axis=____)",
     ),
 )
