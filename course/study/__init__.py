@@ -32,6 +32,13 @@ from course.study.box_verdicts import (
     wrong_share,
 )
 from course.study.boxed_bodies import BoxedBody, boxed_body
+from course.study.collider_outlines import (
+    Outlined,
+    collider_kinds,
+    compound_ratio,
+    flat_dumbbell,
+    seen_parts,
+)
 from course.study.contact_matrices import (
     MatrixGrowth,
     exact_matrix,
@@ -47,6 +54,7 @@ from course.study.fit_costs import (
     fit_costs,
     fitted_volumes,
     ritter_excess,
+    scene_meshes,
     turned_dumbbell,
 )
 from course.study.force_cases import (
@@ -175,6 +183,7 @@ __all__ = [
     "Method",
     "OldPoint",
     "OrderOutcomes",
+    "Outlined",
     "PENTAGON",
     "PUBLISHED_BOUNCING",
     "PairStates",
@@ -208,7 +217,9 @@ __all__ = [
     "by_upright_boxes",
     "called_apart",
     "central_impact",
+    "collider_kinds",
     "compare_cradles",
+    "compound_ratio",
     "corner_passing",
     "counting_wrench",
     "cradle",
@@ -227,6 +238,7 @@ __all__ = [
     "find_threshold",
     "fit_costs",
     "fitted_volumes",
+    "flat_dumbbell",
     "gap_rate",
     "gjk_distance",
     "growth_per_step",
@@ -260,6 +272,8 @@ __all__ = [
     "rod_volumes",
     "roll",
     "rounding_says",
+    "scene_meshes",
+    "seen_parts",
     "sinking_boxes",
     "slide_off",
     "solver_growth",

@@ -39,9 +39,14 @@ _handle = Watched("stepped_handles", "handle_steps", 3.0, several=True)
 _rod = Watched("rod_impacts", "rod", 0.6, several=True)
 _mark = Watched("carried_marks", "carried_mark", 1.5, several=True)
 _slide = Watched("sliding_polygons", "sliding", 2.0, several=True)
+_boxed = Watched("boxed_bodies", "boxed", 1.5, several=True)
 _plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
 #: The film of an exercise, by the exercise's name.
 WATCHED = {
+    "support": _boxed,
+    "rotated_box_extents": _boxed,
+    "k_dop": _boxed,
+    "compound_support": _boxed,
     "shadow_gap": _slide,
     "edge_normals": _slide,
     "polygons_overlap": _slide,

@@ -17,6 +17,10 @@ pytestmark = pytest.mark.slow
 
 #: A planted mistake of each that is seen at once.
 SEEN = {
+    "support": "against",
+    "rotated_box_extents": "one corner",
+    "k_dop": "as wide both ways",
+    "compound_support": "direction not turned",
     "shadow_gap": "minimum",
     "edge_normals": "edges",
     "polygons_overlap": "x and y",

@@ -30,6 +30,7 @@ billiard_break = player("billiard_break")
 cradle = player("cradle")
 dome = player("dome")
 gap_rate = player("gap_rate")
+growing_dop = player("growing_dop")
 handle = player("handle")
 impulse = player("impulse")
 ladder = player("ladder")
@@ -41,10 +42,12 @@ rod = player("rod")
 shadows = player("shadows")
 sinking = player("sinking")
 sweeps = player("sweeps")
+turning_rod = player("turning_rod")
 two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
-    "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls",
-    "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "two_blocks", "wall",
+    "billiard_break", "cradle", "dome", "gap_rate", "growing_dop", "handle", "impulse", "ladder",
+    "landing_boxes", "many_balls", "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps",
+    "table", "turning_rod", "two_blocks", "wall",
 ]  # fmt: skip

@@ -119,7 +119,8 @@ K_DOP = Exercise(
         "One direction first: the places of all points along it, as in `support`; but here you want the two ends and "
         "not the point.",
         "points @ M multiplies each set of points (n, 3) by a matrix (3, k) and gives (n, k): the place of each point "
-        "along each direction, if the directions are M's columns: directions.T. Then the least and the largest over the points.",
+        "along each direction, if the directions are M's columns: directions.T. Then the least and the largest over "
+        "the points.",
         "along = points @ ____\n"
         "return np.min(along, axis=____), np.max(along, axis=____)",
     ),
