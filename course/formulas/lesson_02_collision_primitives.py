@@ -38,9 +38,9 @@ def box_growth(e_1, e_2, theta):
 def support(points, direction):
     """The farthest of some points along a direction, the first of them where several are.
 
-    s(d) = argmax over points x of x.d    (syllabus rows 3 and 6)
+    s(n) = argmax over points x of x.n    (syllabus rows 3 and 6)
 
-    points (..., n, 3) [m], direction (..., 3), of any length but 0; returns (..., 3) [m].
+    points (..., m, 3) [m], direction n (..., 3), of any length but 0; returns (..., 3) [m].
     Source: Ericson, "Real-Time Collision Detection", section 3.3.
     """
     along = np.sum(points * direction[..., None, :], axis=-1)
@@ -75,10 +75,10 @@ def k_dop(points, directions):
 def compound_support(points, rotation, translation, direction):
     """The farthest point of a compound along a direction: of its m parts' own, the farthest.
 
-    s(d) = the farthest of R_i s_i(R_i' d) + t_i    (syllabus row 7)
+    s(n) = the farthest of R_i s_i(R_i' n) + t_i    (syllabus row 7)
 
-    points of each part in its own axes (..., m, n, 3) [m], where the parts stand,
-    rotation R (..., m, 3, 3), translation t (..., m, 3) [m], direction d (..., 3);
+    points of each part in its own axes (..., m, k, 3) [m], where the parts stand,
+    rotation R (..., m, 3, 3), translation t (..., m, 3) [m], direction n (..., 3);
     returns (..., 3) [m].
     Source: Ericson, "Real-Time Collision Detection", section 3.3.
     """

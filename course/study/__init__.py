@@ -49,12 +49,14 @@ from course.study.contact_matrices import (
 )
 from course.study.domes import slide_off
 from course.study.fit_costs import (
+    PLATE,
     crowd_says,
     crowded_boxes,
     fit_costs,
     fitted_volumes,
     ritter_excess,
     scene_meshes,
+    sphere_costs,
     turned_dumbbell,
 )
 from course.study.force_cases import (
@@ -185,6 +187,7 @@ __all__ = [
     "OrderOutcomes",
     "Outlined",
     "PENTAGON",
+    "PLATE",
     "PUBLISHED_BOUNCING",
     "PairStates",
     "PlankForces",
@@ -276,6 +279,7 @@ __all__ = [
     "seen_parts",
     "sinking_boxes",
     "slide_off",
+    "sphere_costs",
     "solver_growth",
     "stability_map",
     "tilt_growth",

@@ -83,7 +83,8 @@ def collider_kinds() -> list[Outlined]:
     three = Compound((bounding_sphere(parts[0]), bar, bounding_sphere(parts[2])))
     pieces = tuple(outline(part) for part in three.parts)
     found.append(Outlined("compound", pieces, float(three.volume()) / own, 4 + 7 + 4))
-    floor = HalfSpace(np.array([0.0, 1.0, 0.0]), float(points[:, 1].min()))
+    level = points[:, 1].min()
+    floor = HalfSpace(np.array([0.0, 1.0, 0.0]), np.asarray(level))
     edge = np.array([[-1.0, floor.offset], [1.0, floor.offset]])
     found.append(Outlined("half space", (edge,), np.inf, 4))
     return found

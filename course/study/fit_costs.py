@@ -193,6 +193,53 @@ def ritter_excess(count: int, *, points: int, seed: int) -> Array:
     return np.asarray(quick / bounding_sphere(clouds).radius - 1)
 
 
+def sphere_steps(points: Array, steps: int) -> tuple[Array, float]:
+    """A sphere whose centre goes toward the farthest point, less far each time: centre, radius.
+
+    c' = c + (x - c)/(i + 1), x the farthest of the points from c.
+    Source: Badoiu, Clarkson, "Smaller core-sets for balls", SODA 2003.
+    """
+    center = points[0]
+    for i in range(1, steps + 1):
+        away = np.linalg.norm(points - center, axis=-1)
+        center = center + (points[away.argmax()] - center) / (i + 1)
+    return center, float(np.linalg.norm(points - center, axis=-1).max())
+
+
+def sphere_costs(
+    clouds: int = 20, *, points: int = 200, seed: int = 2
+) -> WorkPrecision:
+    """How much a sphere's radius exceeds the smallest, less 1, on average over clouds, against looks."""
+    drawn = np.random.default_rng(seed).normal(size=(clouds, points, 3))
+    least = bounding_sphere(drawn).radius
+    n = points
+
+    def about(centers: Array) -> Array:
+        return np.linalg.norm(drawn - centers[:, None], axis=-1).max(axis=-1)
+
+    def middles() -> Array:
+        return about(0.5 * (drawn.min(axis=1) + drawn.max(axis=1)))
+
+    def stepped(k: float) -> tuple[list[float], int]:
+        return [sphere_steps(cloud, int(k))[1] for cloud in drawn], n * (int(k) + 1)
+
+    looks = int(np.mean([sphere_looks(cloud) for cloud in drawn]))
+    problem = Problem(
+        f"{clouds} clouds of {points} points",
+        lambda radius: max(0.0, float(np.mean(np.asarray(radius) / least - 1))),
+        "radius over the smallest, less 1",
+        "the smallest sphere",
+    )
+    methods = [
+        Method("about the mean", lambda _: (about(drawn.mean(axis=1)), 2 * n), (1,)),
+        Method("about the box's middle", lambda _: (middles(), 4 * n), (1,)),
+        Method("Ritter's", lambda _: (bounding_sphere(drawn, method="ritter").radius, 4 * n), (1,)),
+        Method("k steps", stepped, (1, 3, 10, 30, 100, 300, 1000), "steps"),
+        Method("smallest", lambda _: (bounding_sphere(drawn).radius, looks), (1,)),
+    ]  # fmt: skip
+    return work_precision(problem, methods, count_unit="looks at a point, a cloud")
+
+
 #: Half the sides of a plate [m].
 PLATE = np.array([0.6, 0.4, 0.02])
 

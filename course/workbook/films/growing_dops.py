@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from course import rotations
-from course.arrays import Array
+from course.arrays import Array, IntArray
 from course.shapes import AABB, KDOP, Mesh, bounding_box, k_dop, polytopes
 from course.shapes.mesh_makers import dumbbell_mesh
 from course.workbook.stage import (
@@ -83,7 +83,7 @@ def _film(turn: float, tilt: float) -> Film:
     )  # fmt: skip
 
 
-def _pane(seen: Mesh, around: list[AABB | KDOP], which: Array) -> Pane:
+def _pane(seen: Mesh, around: list[AABB | KDOP], which: IntArray) -> Pane:
     edges = [edges_of(shape) for shape in around]
     most = max(len(e) for e in edges)
     # Those with fewer edges repeat their first corner: a line without length.

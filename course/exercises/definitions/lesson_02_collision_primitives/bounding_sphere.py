@@ -50,7 +50,7 @@ def _grown(points: Array) -> int:
 
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
-    by_hand = np.array([[0.0, 0, 0], [6, 0, 0], [3, 5, 0], [3, -1, 0]])
+    by_hand = np.array([[0.0, 0, 0], [6, 0, 0], [3, 5, 0], [3, -0.5, 0]])
     return [
         Case("four points by hand", {"points": by_hand}),
         Case("twelve points", _cloud(rng, 12, 2)),

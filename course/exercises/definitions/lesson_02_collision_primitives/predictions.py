@@ -72,7 +72,7 @@ def _ritter() -> str:
     from course.study import ritter_excess
 
     mean = float(np.mean(ritter_excess(60, points=100, seed=2)))
-    return "none" if mean < 0.01 else "twentieth" if mean < 0.12 else "third"
+    return "none" if mean < 0.01 else "some" if 0.03 < mean < 0.12 else "third"
 
 
 def _crowded() -> str:
@@ -177,13 +177,14 @@ DEEPER_PREDICTIONS = (
         "Ritter's sphere looks at each point twice. By how much is its radius larger than the smallest, on average "
         "over clouds of 100 random points?",
         _ritter,
-        "About a twentieth: the widest of three pairs is close to the widest of all, and each growth is the least that "
-        "takes the point in.",
+        "About 7 percent: the widest of three pairs is nearly the widest of all, and each growth is the least that "
+        "takes the point in. But it never shrinks again.",
         choices={
             "none": "less than 1 percent: it is nearly exact",
-            "twentieth": "a few percent",
+            "some": "between 3 and 12 percent",
             "third": "about a third",
         },
+        later="Speed against accuracy",
     ),
     Prediction(
         "crowded",
