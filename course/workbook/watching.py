@@ -41,6 +41,7 @@ _mark = Watched("carried_marks", "carried_mark", 1.5, several=True)
 _slide = Watched("sliding_polygons", "sliding", 2.0, several=True)
 _meeting = Watched("meeting_shapes", "meeting_film", 4.0, several=True)
 _plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
+_boxed = Watched("boxed_bodies", "boxed", 1.5, several=True)
 #: The film of an exercise, by the exercise's name.
 WATCHED = {
     "spheres_overlap": _meeting,
@@ -49,6 +50,10 @@ WATCHED = {
     "sphere_capsule_gap": _meeting,
     "capsule_gap": _meeting,
     "sphere_box_gap": _meeting,
+    "support": _boxed,
+    "rotated_box_extents": _boxed,
+    "k_dop": _boxed,
+    "compound_support": _boxed,
     "shadow_gap": _slide,
     "edge_normals": _slide,
     "polygons_overlap": _slide,

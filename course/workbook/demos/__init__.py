@@ -32,6 +32,7 @@ cradle = player("cradle")
 dome = player("dome")
 far_spheres = player("far_spheres")
 gap_rate = player("gap_rate")
+growing_dop = player("growing_dop")
 handle = player("handle")
 impulse = player("impulse")
 ladder = player("ladder")
@@ -45,6 +46,7 @@ sinking = player("sinking")
 sweeps = player("sweeps")
 throws = player("throws")
 touching = player("touching")
+turning_rod = player("turning_rod")
 two_blocks = player("two_blocks")
 wall = player("wall")
 
@@ -55,6 +57,7 @@ __all__ = [
     "dome",
     "far_spheres",
     "gap_rate",
+    "growing_dop",
     "handle",
     "impulse",
     "ladder",
@@ -70,6 +73,7 @@ __all__ = [
     "table",
     "throws",
     "touching",
+    "turning_rod",
     "two_blocks",
     "wall",
 ]

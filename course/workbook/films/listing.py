@@ -41,6 +41,24 @@ class Listed:
 
 LISTED = (
     Listed(
+        "turning_rod",
+        "turning_rods",
+        "A rod turned by hand in the box along the axes",
+        (4,),
+        4,
+        "Vote first. 1, then take hold of the rod: at 5 degrees it is ten times already. 2: 51. 4: a cube doubles.",
+        still=3.0,
+    ),
+    Listed(
+        "growing_dop",
+        "growing_dops",
+        "A dumbbell in 6, 14, 18 and 26 sides",
+        (4, 5),
+        4,
+        "1 and play: hardly a gain. 3: vote first, 14 or 18 sides? Then turn it, and look at the steps.",
+        still=6.5,
+    ),
+    Listed(
         "impulse",
         "central_impacts",
         "One impact: masses, velocities, restitution",

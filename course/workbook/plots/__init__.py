@@ -24,6 +24,7 @@ from course.workbook.plots.box_landings import (
     mass_over_face,
     spins_by_order,
 )
+from course.workbook.plots.colliders import collider_kinds, turned_box
 from course.workbook.plots.contact_matrix import (
     matrix_costs,
     matrix_pattern,
@@ -72,6 +73,7 @@ __all__ = [
     "blocks_and_wall",
     "bouncing_errors",
     "box_outcomes",
+    "collider_kinds",
     "contact_velocities",
     "course_map",
     "describe",
@@ -115,6 +117,7 @@ __all__ = [
     "spins_by_order",
     "stability_sweep",
     "style",
+    "turned_box",
     "turning_pair",
     "velocity_circle",
     "work_precision",
