@@ -8,6 +8,8 @@ by no exercise are ``project`` and ``box_axes``, which lesson 05 shows, and
 
 lesson_00_start_here (Start here)
     speed_along
+lesson_01_contact_and_colliders (Contact and colliders)
+    hidden_drop, contact_state, place, tightness
 lesson_05_separating_axis (Separating axis)
     project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
     oriented_boxes_overlap, least_translation, hulls_overlap
@@ -40,6 +42,12 @@ function that ends in "as an expression" takes and gives SymPy expressions.
 
 from course.formulas.lesson_00_start_here import (
     speed_along,
+)
+from course.formulas.lesson_01_contact_and_colliders import (
+    contact_state,
+    hidden_drop,
+    place,
+    tightness,
 )
 from course.formulas.lesson_05_separating_axis import (
     box_axes,
@@ -123,11 +131,13 @@ __all__ = [
     "contact_bias",
     "contact_matrix",
     "contact_matrix_entry",
+    "contact_state",
     "edge_normal_rate",
     "edge_normals",
     "effective_mass",
     "free_point_acceleration",
     "half_shadow",
+    "hidden_drop",
     "hulls_overlap",
     "impulse_at_point",
     "impulse_central",
@@ -140,6 +150,7 @@ __all__ = [
     "oriented_boxes_overlap",
     "p_hat",
     "pivot",
+    "place",
     "point_response",
     "point_velocity",
     "polygons_overlap",
@@ -160,6 +171,7 @@ __all__ = [
     "solve_contact_qp",
     "speed_along",
     "symplectic_euler_step",
+    "tightness",
     "top_acceleration",
     "top_rate",
     "wall_bounce",

@@ -79,6 +79,19 @@ from course.study.impact_laws import (
     impulses_by_steps,
     impulses_in_turn,
 )
+from course.study.mug_colliders import (
+    COLLIDERS,
+    comparisons,
+    filled,
+    floor_errors,
+    inside,
+    marble_distance,
+    marble_height,
+    mug,
+    mug_collider,
+    mug_costs,
+    probes,
+)
 from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
 from course.study.shadow_cases import (
     PENTAGON,
@@ -118,6 +131,14 @@ from course.study.stencils import (
     DifferenceErrors,
     Stencil,
     difference_errors,
+)
+from course.study.stepped_boxes import (
+    STATES,
+    highest_hidden_drop,
+    rule_of_the_sign,
+    share_without_rest,
+    step_tolerance,
+    stepped_box,
 )
 from course.study.tilted_boxes import (
     called_apart,
@@ -246,4 +267,21 @@ __all__ = [
     "wall_reflection",
     "work_precision",
     "wrong_share",
+    "COLLIDERS",
+    "comparisons",
+    "filled",
+    "floor_errors",
+    "inside",
+    "marble_distance",
+    "marble_height",
+    "mug",
+    "mug_collider",
+    "mug_costs",
+    "probes",
+    "STATES",
+    "highest_hidden_drop",
+    "rule_of_the_sign",
+    "share_without_rest",
+    "step_tolerance",
+    "stepped_box",
 ]
