@@ -46,10 +46,10 @@ def contact_state(gap, gap_rate, slip_speed, tolerance):
 def place(points, rotation, translation):
     """Points of a body where the body is: turned about its origin, then shifted.
 
-    x' = R x + t    (syllabus row 2)
+    p = R q + x_A    (syllabus row 2)
 
-    points x (..., m, 3) in body axes [m], rotation R (..., 3, 3), whose columns are the
-    body's axes, translation t (..., 3) [m]; returns (..., m, 3) [m].
+    points q (..., m, 3) in body axes [m], rotation R (..., 3, 3), whose columns are the
+    body's axes, translation x_A (..., 3) [m]; returns p (..., m, 3) [m].
     Source: Goldstein, Poole, Safko, "Classical Mechanics", chapter 4.
     """
     turned = points @ np.swapaxes(rotation, -1, -2)

@@ -42,6 +42,8 @@ _slide = Watched("sliding_polygons", "sliding", 2.0, several=True)
 _plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
 #: The film of an exercise, by the exercise's name.
 WATCHED = {
+    "contact_state": Watched("stepped_boxes", "resting", 0.8),
+    "place": Watched("placed_colliders", "placed", 0.6),
     "shadow_gap": _slide,
     "edge_normals": _slide,
     "polygons_overlap": _slide,

@@ -17,6 +17,8 @@ pytestmark = pytest.mark.slow
 
 #: A planted mistake of each that is seen at once.
 SEEN = {
+    "contact_state": "no tolerance of speed",
+    "place": "turned back",
     "shadow_gap": "minimum",
     "edge_normals": "edges",
     "polygons_overlap": "x and y",

@@ -27,6 +27,7 @@ def player(name: str) -> Callable[..., Any]:
 
 
 billiard_break = player("billiard_break")
+colliders = player("colliders")
 cradle = player("cradle")
 dome = player("dome")
 gap_rate = player("gap_rate")
@@ -37,6 +38,7 @@ landing_boxes = player("landing_boxes")
 many_balls = player("many_balls")
 plank = player("plank")
 pushed_table = player("pushed_table")
+resting = player("resting")
 rod = player("rod")
 shadows = player("shadows")
 sinking = player("sinking")
@@ -45,6 +47,7 @@ two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
-    "billiard_break", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes", "many_balls",
-    "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps", "table", "two_blocks", "wall",
+    "billiard_break", "colliders", "cradle", "dome", "gap_rate", "handle", "impulse", "ladder", "landing_boxes",
+    "many_balls", "plank", "player", "pushed_table", "resting", "rod", "shadows", "sinking", "sweeps", "table",
+    "two_blocks", "wall",
 ]  # fmt: skip

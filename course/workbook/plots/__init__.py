@@ -24,6 +24,7 @@ from course.workbook.plots.box_landings import (
     mass_over_face,
     spins_by_order,
 )
+from course.workbook.plots.colliders import tightness_against_cost
 from course.workbook.plots.contact_matrix import (
     matrix_costs,
     matrix_pattern,
@@ -110,6 +111,7 @@ __all__ = [
     "spins_by_order",
     "stability_sweep",
     "style",
+    "tightness_against_cost",
     "turning_pair",
     "velocity_circle",
     "work_precision",

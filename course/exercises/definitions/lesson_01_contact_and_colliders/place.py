@@ -81,7 +81,7 @@ PLACE = Exercise(
             "turned back",
             _TURNED,
             "points @ rotation",
-            message="You turn the other way. The points are rows: R x for each of them is points @ (R transposed).",
+            message="You turn the other way. The points are rows: R q for each of them is points @ (R transposed).",
         ),
         _slip(
             "shifted first",
@@ -119,7 +119,7 @@ PLACE = Exercise(
     ),  # fmt: skip
     hints=(
         "Turn first, then shift. The columns of the rotation are where the body's three axes point now.",
-        "For one point it is R x + t. The points are rows, and a row times a matrix is points @ (R transposed); "
+        "For one point it is R q + x_A. The points are rows, and a row times a matrix is points @ (R transposed); "
         "np.swapaxes(rotation, -1, -2) transposes each matrix of a batch.",
         "turned = points @ ____\nreturn turned + translation[..., ____, :]",
     ),
