@@ -29,7 +29,7 @@ def end_of(speed):
 
 
 def test_the_step_of_gravity():
-    (each,) = said("01", "- g h = -9.81/60 = -# m/s.")
+    (each,) = said("01", "- g h = -9.81/60 = -#$ m/s.")
     assert rounds_to(9.81 / 60, each)
     (half,) = said("01", "the rate turns round and is halved, $+#$ m/s.")
     assert rounds_to(0.5 * 9.81 / 60, half)
@@ -38,14 +38,18 @@ def test_the_step_of_gravity():
 def test_where_the_boxes_of_the_film_come_to_rest():
     (second,) = said("01", "the box of the second button rests # mm above")
     assert rounds_to(1000 * end_of(0.33).gap[-1], second)
-    third, within = said("01", "it hangs # mm above the floor, because it was called resting as soon as it came within # mm")  # fmt: skip
+    third, within = said(
+        "01",
+        "it hangs # mm above the floor, because it was called resting as soon as it "
+        "came within # mm",
+    )
     assert rounds_to(1000 * end_of(4.0).gap[-1], third)
     assert rounds_to(1000 * step_tolerance(4.0, 60.0)[0], within)
     assert end_of(0.05).share("resting", 0.5) == 0.0
 
 
 def test_twice_g_h_is_enough_for_half_the_speed_and_livelier_bodies_need_more():
-    said("01", "With half the speed left after each bounce, twice $g h$ is enough; livelier bodies need more")  # fmt: skip
+    said("01", "after each bounce, twice $g h$ is enough; livelier bodies need more")
     options = dict(steps_per_second=60, drops=np.linspace(0.01, 0.5, 400), duration=6.0)
     twice = [2 * 9.81 / 60]
     assert share_without_rest(twice, **options)[0] == 0.0

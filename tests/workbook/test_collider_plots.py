@@ -1,6 +1,7 @@
 """The picture of lesson 01."""
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pytest
 
 from course.study import mug_costs, probes
@@ -18,7 +19,7 @@ def test_a_mark_stands_at_each_collider_s_count_and_tightness():
     measured = mug_costs(probes(500, seed=1), library=False)
     ax = plots.tightness_against_cost(measured, by="count")
     marks = [(line.get_xdata()[0], line.get_ydata()[0]) for line in ax.lines]
-    assert marks == pytest.approx(list(zip(measured.count, 1 - measured.error, strict=True)))  # fmt: skip
+    assert np.allclose(marks, np.transpose([measured.count, 1 - measured.error]))
     assert "sphere" in alternative_text(ax.get_figure())
     assert [t.get_text() for t in ax.texts] == ["sphere", "box", "hull", "compound"]
 
