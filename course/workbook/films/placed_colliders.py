@@ -93,7 +93,9 @@ def _film(right: Flight, other: Any, attempt: Attempt | None) -> Film:
     motions = moved(right, other) if attempt else [right]
     names = ("right", "yours") if attempt else ("off",)
     off = {n: 1e3 * m.off for n, m in zip(names, motions, strict=False)}
-    panes = attempt.panes("p = R q + x_A", _pane, right, other) if attempt else [_pane("", right)]  # fmt: skip
+    across = {n: 1e3 * _diagonal(m) for n, m in zip(names, motions, strict=False)}
+    colors = ["blue", "vermillion"][: len(off)]
+    panes = attempt.panes("right", _pane, right, other) if attempt else [_pane("", right)]  # fmt: skip
     return Film(
         panes,
         TIMES,
@@ -102,11 +104,19 @@ def _film(right: Flight, other: Any, attempt: Attempt | None) -> Film:
         caption="The mug flies as it does in truth; the formula puts the eight corners of its collider. Do they stay "
         "around it?",
         ending=_ending(motions, attempt, other),
-        charts=[Curves("how far a corner is off", "mm", off, limits=(0.0, 400.0),
-                       colors=["blue", "vermillion"][: len(off)])],
+        charts=[
+            Curves("how far a corner is off", "mm", off, limits=(0.0, 300.0), colors=colors),
+            Curves("from a corner to the one across", "mm", across, limits=(0.0, 300.0), colors=colors),
+        ],
         numbers=[Number("farthest off", tuple(round(1e3 * float(m.off.max()), 3) + 0.0 for m in motions), "mm")],
         speed=0.3,
     )  # fmt: skip
+
+
+def _diagonal(flight: Flight) -> Array:
+    """From the first corner of the box to the last one, (t,) [m]."""
+    between = flight.corners[:, -1] - flight.corners[:, 0]
+    return np.asarray(np.linalg.norm(between, axis=-1))
 
 
 def _pane(title: str, flight: Flight) -> Pane:
