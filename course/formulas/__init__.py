@@ -42,6 +42,12 @@ function that ends in "as an expression" takes and gives SymPy expressions.
 """
 
 from course.formulas.lesson_00_start_here import speed_along
+from course.formulas.lesson_01_contact_and_colliders import (
+    contact_state,
+    hidden_drop,
+    place,
+    tightness,
+)
 from course.formulas.lesson_02_collision_primitives import (
     bounding_box,
     bounding_sphere,
@@ -159,12 +165,14 @@ __all__ = [
     "contact_bias",
     "contact_matrix",
     "contact_matrix_entry",
+    "contact_state",
     "edge_normal_rate",
     "edge_normals",
     "effective_mass",
     "foot_share",
     "free_point_acceleration",
     "half_shadow",
+    "hidden_drop",
     "hulls_overlap",
     "impulse_at_point",
     "impulse_central",
@@ -180,6 +188,7 @@ __all__ = [
     "oriented_boxes_overlap",
     "p_hat",
     "pivot",
+    "place",
     "point_in_sphere",
     "point_response",
     "point_velocity",
@@ -209,6 +218,7 @@ __all__ = [
     "swept_boxes_time",
     "swept_spheres_time",
     "symplectic_euler_step",
+    "tightness",
     "top_acceleration",
     "top_rate",
     "wall_bounce",

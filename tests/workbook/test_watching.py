@@ -27,6 +27,8 @@ SEEN = {
     "rotated_box_extents": "one corner",
     "k_dop": "as wide both ways",
     "compound_support": "direction not turned",
+    "contact_state": "no tolerance of speed",
+    "place": "turned back",
     "shadow_gap": "minimum",
     "edge_normals": "edges",
     "polygons_overlap": "x and y",

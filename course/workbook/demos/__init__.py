@@ -28,6 +28,7 @@ def player(name: str) -> Callable[..., Any]:
 
 billiard_break = player("billiard_break")
 bullet = player("bullet")
+colliders = player("colliders")
 cradle = player("cradle")
 dome = player("dome")
 far_spheres = player("far_spheres")
@@ -40,6 +41,7 @@ landing_boxes = player("landing_boxes")
 many_balls = player("many_balls")
 plank = player("plank")
 pushed_table = player("pushed_table")
+resting = player("resting")
 rod = player("rod")
 shadows = player("shadows")
 sinking = player("sinking")
@@ -53,6 +55,7 @@ wall = player("wall")
 __all__ = [
     "billiard_break",
     "bullet",
+    "colliders",
     "cradle",
     "dome",
     "far_spheres",
@@ -66,6 +69,7 @@ __all__ = [
     "plank",
     "player",
     "pushed_table",
+    "resting",
     "rod",
     "shadows",
     "sinking",

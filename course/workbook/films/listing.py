@@ -85,6 +85,23 @@ LISTED = (
         "1: drag A until a gap is 0. 3, and drag slowly: the right picture jumps. 4: in steps of a metre.",
     ),
     Listed(
+        "resting",
+        "stepped_boxes",
+        "A box falls onto a floor in steps: the word that is said in each",
+        (1,),
+        4,
+        "1: it never rests. 3: where does it stop? Then 240 steps a second: which is the least tolerance now?",
+        still=0.8,
+    ),
+    Listed(
+        "colliders",
+        "mug_colliders",
+        "A mug and its colliders, taken apart",
+        (1, 2),
+        4,
+        "1, 2, 3, 4, a guess of the tightness before each. Then together again, and play: it turns with the mug.",
+    ),
+    Listed(
         "shadows",
         "polygon_shadows",
         "Two polygons and their shadows on all axes",

@@ -61,6 +61,7 @@ from course.workbook.plots.separating import difference_body, notch
 from course.workbook.plots.solver_comparison import leg_forces, solver_growth
 from course.workbook.plots.sweeps import stability_sweep
 from course.workbook.plots.terms_of_b import bias_terms
+from course.workbook.plots.tightness import tightness_against_cost
 from course.workbook.plots.two_contacts import force_plane, plank_and_forces
 
 __all__ = [
@@ -117,6 +118,7 @@ __all__ = [
     "spins_by_order",
     "stability_sweep",
     "style",
+    "tightness_against_cost",
     "turned_box",
     "turning_pair",
     "velocity_circle",
