@@ -62,7 +62,7 @@ def _film(shape: float, x: float, y: float, far: float) -> Film:
     curves = dict(zip(NAMES, found[0].gap.T, strict=True))
     fewer = dict(zip(NAMES, found[1].gap.T, strict=True))
     least = tuple(round(float(f.gap.min()), 3) + 0.0 for f in found)
-    steps = tuple(round(1e3 * spacing(np.float32(far), s), 3) + 0.0 for s in (8, 4))
+    steps = tuple(round(1e3 * spacing(far, s), 3) + 0.0 for s in (8, 4))
     return Film(
         [_pane("places in 8 bytes each", which, found[0]), _pane("places in 4 bytes each", which, found[1])],
         TIMES,
