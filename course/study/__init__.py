@@ -93,12 +93,12 @@ from course.study.impact_laws import (
 from course.study.meeting_shapes import (
     far_meeting,
 )
-from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
-from course.study.rods_side_by_side import (
+from course.study.parallel_rods import (
     LOST_BELOW,
     feet_apart,
     rods_side_by_side,
 )
+from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
 from course.study.shadow_cases import (
     PENTAGON,
     TRIANGLE,
