@@ -143,8 +143,8 @@ from course.study.mug_colliders import (
     mug_costs,
     probes,
 )
+from course.study.parallel_rods import LOST_BELOW, feet_apart, rods_side_by_side
 from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
-from course.study.rods_side_by_side import LOST_BELOW, feet_apart, rods_side_by_side
 from course.study.shadow_cases import (
     PENTAGON,
     TRIANGLE,

@@ -10,18 +10,22 @@ from course import overlap, rotations, shapes
 from course.arrays import Array
 from course.overlap import Closest
 from course.study.far_places import DTYPES
-from course.study.meeting_shapes import at
+from course.study.meeting_shapes import Simple, at
 
 #: How the dragged shape looks: a ball, a rod, a box, about the origin.
-DRAGGED = (
-    shapes.Sphere(np.zeros(3), 0.6),
-    shapes.Capsule(np.array([-0.6, -0.3, 0.0]), np.array([0.6, 0.3, 0.0]), 0.3),
+DRAGGED: tuple[Simple, ...] = (
+    shapes.Sphere(np.zeros(3), np.array(0.6)),
+    shapes.Capsule(
+        np.array([-0.6, -0.3, 0.0]), np.array([0.6, 0.3, 0.0]), np.array(0.3)
+    ),
     shapes.AABB(np.array([-0.7, -0.4, -0.4]), np.array([0.7, 0.4, 0.4])),
 )
 #: What it is among, about the origin, and where that stands [m].
-AMONG = (
-    shapes.Sphere(np.zeros(3), 0.8),
-    shapes.Capsule(np.array([-1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]), 0.35),
+AMONG: tuple[Simple, ...] = (
+    shapes.Sphere(np.zeros(3), np.array(0.8)),
+    shapes.Capsule(
+        np.array([-1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]), np.array(0.35)
+    ),
     shapes.AABB(np.array([-0.9, -0.6, -0.6]), np.array([0.9, 0.6, 0.6])),
 )
 STAND = np.array([[-2.4, 1.25, 0.0], [0.2, 1.05, 0.0], [2.75, 1.25, 0.0]])
@@ -73,7 +77,7 @@ def dragged_shape(
     return DraggedShape(place, rotations.from_rotation_vector(turn), tuple(found))
 
 
-def turning(shape: shapes.Shape, place: Array, turn: Array) -> shapes.Shape:
+def turning(shape: Simple, place: Array, turn: Array) -> Simple:
     """A shape at a place, and a capsule turned over time by rotation vectors, (t, 3)."""
     if isinstance(shape, shapes.Capsule):
         quaternion = rotations.from_rotation_vector(turn)

@@ -14,7 +14,7 @@ from course.arrays import Array, BoolArray
 SpheresVerdict = Callable[..., Any]
 #: Gaps of drawn pairs lie between these, on either side of 0 [m].
 CLEAR, WITHIN = 0.01, 0.5
-DTYPES = {2: np.float16, 4: np.float32, 8: np.float64}
+DTYPES: dict[int, Any] = {2: np.float16, 4: np.float32, 8: np.float64}
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +76,8 @@ def stored(pairs: SpherePairs, size: int) -> SpherePairs:
     """The same, every number rounded to so many bytes."""
     kind = DTYPES[size]
     with np.errstate(over="ignore"):
-        rounded = (np.asarray(v, dtype=kind) for v in pairs.arguments)
-        return SpherePairs(*rounded, pairs.gap)
+        x_a, r_a, x_b, r_b = (np.asarray(v, dtype=kind) for v in pairs.arguments)
+    return SpherePairs(x_a, r_a, x_b, r_b, pairs.gap)
 
 
 def seen_from_a(pairs: SpherePairs) -> SpherePairs:

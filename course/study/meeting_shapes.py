@@ -14,6 +14,8 @@ from course.study.asking import asked
 from course.study.far_places import DTYPES, SpheresVerdict
 from course.study.shadow_cases import stopped_at
 
+#: The shapes of this lesson.
+Simple = shapes.Sphere | shapes.Capsule | shapes.AABB
 #: The radii of the two spheres far from the origin, A's and B's [m].
 FAR_RADII = 5.0, 4.0
 #: Where B's centre begins, seen from A's [m], and how fast it comes [m/s].
@@ -70,8 +72,10 @@ def far_meeting(
     x = np.maximum(way, stop)
     drawn = place(x).astype(kind).astype(float) - x_a.astype(float)
     true = np.stack([x, np.full_like(x, lane)], axis=-1)
-    gaps = (np.linalg.norm(p, axis=-1) - sum(FAR_RADII) for p in (true, drawn))
-    return FarMeeting(times, true, drawn[:, :2], *gaps, met)
+    gap, stored_gap = (
+        np.linalg.norm(p, axis=-1) - sum(FAR_RADII) for p in (true, drawn)
+    )
+    return FarMeeting(times, true, drawn[:, :2], gap, stored_gap, met)
 
 
 # Near the origin: the shapes of each exercise, and how its function decides.
@@ -89,8 +93,8 @@ class Encounter:
         title: what decides, in words.
     """
 
-    moving: shapes.Shape
-    still: shapes.Shape
+    moving: Simple
+    still: Simple
     says: Callable[[Callable[..., Any]], Callable[[Array], bool]]
     reference: Callable[..., Any]
     title: str
@@ -120,23 +124,28 @@ def meeting(
     return Meeting(x, met, overlap.gap(at(encounter.moving, places), encounter.still))
 
 
-def at(shape: shapes.Shape, place: Array) -> shapes.Shape:
+def at(shape: Simple, place: Array) -> Simple:
     """A shape whose middle was at the origin, at places (..., 3); boxes stay upright."""
     if isinstance(shape, shapes.AABB):
         return shapes.AABB(shape.lower + place, shape.upper + place)
     if isinstance(shape, shapes.Capsule):
         return shapes.Capsule(shape.start + place, shape.end + place, shape.radius)
-    assert isinstance(shape, shapes.Sphere)
     return shapes.Sphere(shape.center + place, shape.radius)
 
 
-BALL = shapes.Sphere(np.zeros(3), 0.6)
-STILL_BALL = shapes.Sphere(np.array([1.6, 0.0, 0.0]), 1.1)
+BALL = shapes.Sphere(np.zeros(3), np.array(0.6))
+STILL_BALL = shapes.Sphere(np.array([1.6, 0.0, 0.0]), np.array(1.1))
 BOX = shapes.AABB(np.array([-0.7, -0.4, -0.5]), np.array([0.7, 0.4, 0.5]))
 STILL_BOX = shapes.AABB(np.array([0.9, -0.9, -0.8]), np.array([2.4, 0.9, 0.8]))
-ROD = shapes.Capsule(np.array([-0.6, -0.5, -0.3]), np.array([0.6, 0.5, 0.3]), 0.3)
-STILL_ROD = shapes.Capsule(np.array([1.9, -0.7, 0.0]), np.array([1.1, 0.7, 0.0]), 0.35)
-OTHER_ROD = shapes.Capsule(np.array([1.3, -0.7, 0.0]), np.array([1.9, 0.7, 0.0]), 0.35)
+ROD = shapes.Capsule(
+    np.array([-0.6, -0.5, -0.3]), np.array([0.6, 0.5, 0.3]), np.array(0.3)
+)
+STILL_ROD = shapes.Capsule(
+    np.array([1.9, -0.7, 0.0]), np.array([1.1, 0.7, 0.0]), np.array(0.35)
+)
+OTHER_ROD = shapes.Capsule(
+    np.array([1.3, -0.7, 0.0]), np.array([1.9, 0.7, 0.0]), np.array(0.35)
+)
 
 
 def _spheres(function: Callable[..., Any]) -> Callable[[Array], bool]:

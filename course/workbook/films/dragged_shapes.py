@@ -23,19 +23,19 @@ from course.workbook.stage import (
 TIMES = np.linspace(0.0, 6.0, 91)
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
 WINDOW = (-4.4, -3.0, 4.6, 3.0)
-NAMES = ("to the ball", "to the rod", "to the box")
+
 LABELS, COLORS = ("ball", "rod", "box"), ("blue", "orange", "green")
 KNOBS = (
     Knob("shape", "A: 1 ball, 2 rod, 3 box", 1.0, 1.0, 3.0, 1.0),
     Knob("x", "A at x", -0.6, -3.2, 3.2, 0.05, "m"),
-    Knob("y", "A at y", -1.4, -2.0, 2.0, 0.05, "m"),
+    Knob("y", "A at y", -1.7, -2.0, 2.0, 0.05, "m"),
     Knob("far", "from the origin", 1.0, 1.0, 1e7, unit="m", logarithmic=True),
 )
 PRESETS = (
-    Preset("a ball, here", {"shape": 1, "x": -0.6, "y": -1.4, "far": 1}),
-    Preset("a rod, here", {"shape": 2, "x": -0.6, "y": -1.4, "far": 1}),
-    Preset("a ball, 1,000 km out", {"shape": 1, "x": -0.6, "y": -1.4, "far": 1e6}),
-    Preset("a box, 10,000 km out", {"shape": 3, "x": -0.6, "y": -1.4, "far": 1e7}),
+    Preset("a ball, here", {"shape": 1, "x": -0.6, "y": -1.7, "far": 1}),
+    Preset("a rod, here", {"shape": 2, "x": -0.6, "y": -1.7, "far": 1}),
+    Preset("a ball, 1,000 km out", {"shape": 1, "x": -0.6, "y": -1.7, "far": 1e6}),
+    Preset("a box, 10,000 km out", {"shape": 3, "x": -0.6, "y": -1.7, "far": 1e7}),
 )
 QUESTION = "10,000 km from the origin on both axes: how far can you drag A without any change in the right picture?"
 ANSWER = (
@@ -59,10 +59,10 @@ def touching() -> Exhibit:
 def _film(shape: float, x: float, y: float, far: float) -> Film:
     which = round(shape) - 1
     found = [dragged_shape(which, x, y, far, TIMES, size) for size in (8, 4)]
-    curves = dict(zip(NAMES, found[0].gap.T, strict=True))
-    fewer = dict(zip(NAMES, found[1].gap.T, strict=True))
+    curves = dict(zip(LABELS, found[0].gap.T, strict=True))
+    fewer = dict(zip(LABELS, found[1].gap.T, strict=True))
     least = tuple(round(float(f.gap.min()), 3) + 0.0 for f in found)
-    steps = tuple(round(1e3 * spacing(np.float32(far), s), 3) + 0.0 for s in (8, 4))
+    steps = tuple(round(1e3 * spacing(far, s), 3) + 0.0 for s in (8, 4))
     return Film(
         [_pane("places in 8 bytes each", which, found[0]), _pane("places in 4 bytes each", which, found[1])],
         TIMES,
@@ -96,7 +96,7 @@ def _pane(title: str, which: int, found: DraggedShape) -> Pane:
             np.round(f.gap, 2)[:, None] + 0.0,
             color=color,
         )
-        for name, color, f in zip(NAMES, COLORS, found.found, strict=True)
+        for name, color, f in zip(LABELS, COLORS, found.found, strict=True)
     ]
     order = [1, 2, 3, 0]
     return Pane(

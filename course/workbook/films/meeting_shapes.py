@@ -6,8 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from course import shapes
-from course.study.meeting_shapes import ENCOUNTERS, Encounter, Meeting, at, meeting
+from course.study.meeting_shapes import (
+    ENCOUNTERS,
+    Encounter,
+    Meeting,
+    Simple,
+    at,
+    meeting,
+)
 from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.films.shapes_as_solids import solid_of
 from course.workbook.stage import (
@@ -89,7 +95,7 @@ def _film(
     )  # fmt: skip
 
 
-def _middle(shape: shapes.Shape) -> np.ndarray:
+def _middle(shape: Simple) -> np.ndarray:
     bounds = shape.bounds()
     return np.asarray(0.5 * (bounds.lower + bounds.upper))
 

@@ -83,7 +83,7 @@ def _film(
 ) -> Film:
     made = [right if isinstance(m, Stopped) else m for m in motions]
     titles = ("places in 8 bytes each", "places in 4 bytes each")
-    steps = tuple(round(1e3 * spacing(np.float32(far), s), 3) + 0.0 for s in (8, 4))
+    steps = tuple(round(1e3 * spacing(far, s), 3) + 0.0 for s in (8, 4))
     names = ("8 bytes", "4 bytes")
     gaps = dict(zip(names, (m.gap for m in made), strict=True))
     stored = dict(zip(names, (m.stored_gap for m in made), strict=True))

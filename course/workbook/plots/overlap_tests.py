@@ -93,17 +93,17 @@ def number_steps(*, marked: float = 1e8, ax: Axes | None = None) -> Axes:
         told = []
         for size, color, dashes, last in SIZES:
             place = np.geomspace(1.0, last, 600)
-            step = [spacing(x, size) for x in place]
+            steps = [spacing(x, size) for x in place]
             label = f"{size} bytes"
             line(
                 ax,
-                np.stack([place, step], axis=-1),
+                np.stack([place, steps], axis=-1),
                 color,
                 ls=dashes,
                 lw=2,
                 label=label,
             )
-            told.append(f"{label}: {show(step[0], 3)} m at 1 m")
+            told.append(f"{label}: {show(steps[0], 3)} m at 1 m")
         step = spacing(marked)
         ax.plot(marked, step, "o", color="black")
         ax.annotate(

@@ -61,7 +61,7 @@ def test_a_function_of_ones_own_decides_on_both_sides_and_a_wrong_one_is_seen():
 def test_dragged_into_another_shape_it_meets_it_and_the_gap_is_below_0():
     film = touching().made(x=2.2, y=1.2)
     assert "box" in film.ending
-    box = next(s for s in film.panes[0].segments if s.name == "to the box")
+    box = next(s for s in film.panes[0].segments if s.name == "box")
     assert np.asarray(box.value).max() < 0
     assert film.numbers[0].values[0] < 0
 

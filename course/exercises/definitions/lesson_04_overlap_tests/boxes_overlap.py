@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from course import formulas
-from course.arrays import Array
+from course.arrays import Array, IntArray
 from course.exercises.definition import Case, Exercise, Mistake, Value
 from course.exercises.definitions.lesson_04_overlap_tests.shared import (
     CLEAR,
@@ -40,7 +40,7 @@ def _pair(*values: object) -> Given:
 
 
 def _lying(
-    rng: np.random.Generator, lower: Array, upper: Array, kind: Array
+    rng: np.random.Generator, lower: Array, upper: Array, kind: IntArray
 ) -> tuple[Array, Array]:
     """Ends of B's intervals beside A's, by kind, every end clear of A's."""
     step = CLEAR + rng.uniform(0.0, 0.8, (2, *lower.shape))

@@ -48,7 +48,7 @@ def _one(rng: np.random.Generator, kind: int) -> list[np.ndarray]:
     u = end - start
     s, t = _FEET_AT[kind % len(_FEET_AT)]
     r, big = radius(rng), radius(rng)
-    distance = r + big + (0.3 if kind % 2 else -0.15) * min(1.0, r + big)
+    distance = r + big + (0.3 if kind % 2 else -0.15) * min(1.0, float(r + big))
     across = np.cross(u, unit_vector(rng))
     across /= np.linalg.norm(across)
     along = u / np.linalg.norm(u)
