@@ -32,6 +32,17 @@ from course.study.box_verdicts import (
     wrong_share,
 )
 from course.study.boxed_bodies import BoxedBody, boxed_body
+from course.study.collider_fits import (
+    PLATE,
+    crowd_says,
+    crowded_boxes,
+    fit_costs,
+    fitted_volumes,
+    ritter_excess,
+    scene_meshes,
+    sphere_costs,
+    turned_dumbbell,
+)
 from course.study.collider_outlines import (
     Outlined,
     collider_kinds,
@@ -48,17 +59,6 @@ from course.study.contact_matrices import (
     plain_arrays,
 )
 from course.study.domes import slide_off
-from course.study.fit_costs import (
-    PLATE,
-    crowd_says,
-    crowded_boxes,
-    fit_costs,
-    fitted_volumes,
-    ritter_excess,
-    scene_meshes,
-    sphere_costs,
-    turned_dumbbell,
-)
 from course.study.force_cases import (
     PlankForces,
     PushedTable,

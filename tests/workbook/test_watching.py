@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 SEEN = {
     "support": "against",
     "rotated_box_extents": "one corner",
-    "k_dop": "as wide both ways",
+    "k_dop": "sign of the lower end",
     "compound_support": "direction not turned",
     "shadow_gap": "minimum",
     "edge_normals": "edges",

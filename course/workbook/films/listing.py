@@ -41,6 +41,15 @@ class Listed:
 
 LISTED = (
     Listed(
+        "impulse",
+        "central_impacts",
+        "One impact: masses, velocities, restitution",
+        (15, 16, 17),
+        5,
+        "1: they swap. 2: the heavy ball is a wall. Then e to 0, and look at the grey area.",
+        still=0.1,
+    ),
+    Listed(
         "turning_rod",
         "turning_rods",
         "A rod turned by hand in the box along the axes",
@@ -57,15 +66,6 @@ LISTED = (
         4,
         "1 and play: hardly a gain. 3: vote first, 14 or 18 sides? Then turn it, and look at the steps.",
         still=6.5,
-    ),
-    Listed(
-        "impulse",
-        "central_impacts",
-        "One impact: masses, velocities, restitution",
-        (15, 16, 17),
-        5,
-        "1: they swap. 2: the heavy ball is a wall. Then e to 0, and look at the grey area.",
-        still=0.1,
     ),
     Listed(
         "shadows",
