@@ -15,7 +15,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def costs():
-    rows = study.collider_fits(peers=False).table()
+    rows = study.fit_costs(peers=False).table()
     return {(r["method"], int(r["knob"])): r for r in rows}
 
 
