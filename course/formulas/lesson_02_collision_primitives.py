@@ -64,8 +64,8 @@ def k_dop(points, directions):
 
     lower_j = min over points x of x.n_j,  upper_j = max of x.n_j    (syllabus row 5)
 
-    points (..., n, 3) [m], directions n_j (k/2, 3), unit vectors; returns two
-    (..., k/2) [m].
+    points (..., n, 3) [m], directions n_j (h, 3), unit vectors, h = k/2; returns two
+    (..., h) [m].
     Source: Klosowski et al., IEEE TVCG 4, 1998.
     """
     along = points @ directions.T

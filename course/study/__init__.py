@@ -32,6 +32,17 @@ from course.study.box_verdicts import (
     wrong_share,
 )
 from course.study.boxed_bodies import BoxedBody, boxed_body
+from course.study.collider_fits import (
+    PLATE,
+    crowd_says,
+    crowded_boxes,
+    fit_costs,
+    fitted_volumes,
+    ritter_excess,
+    scene_meshes,
+    sphere_costs,
+    turned_dumbbell,
+)
 from course.study.collider_outlines import (
     Outlined,
     collider_kinds,
@@ -58,17 +69,6 @@ from course.study.far_places import (
     stored,
     wrong_far_out,
     wrong_verdicts,
-)
-from course.study.fit_costs import (
-    PLATE,
-    crowd_says,
-    crowded_boxes,
-    fit_costs,
-    fitted_volumes,
-    ritter_excess,
-    scene_meshes,
-    sphere_costs,
-    turned_dumbbell,
 )
 from course.study.force_cases import (
     PlankForces,

@@ -102,7 +102,8 @@ def test_which_kind_a_scene_needs():
     ball = ratio["a ball"]
     assert [k for k in ball if ball[k] < ball["sphere"] - 1e-9] == ["convex_hull"]
     assert ratio["a crate on the floor"]["aabb"] == pytest.approx(1.0)
-    assert 4 < ratio["a crate that tumbles"]["aabb"] < 4.5
+    (times,) = said("02", "though its AABB has only # times its volume")
+    assert ratio["a crate that tumbles"]["aabb"] == pytest.approx(float(times), rel=0.02)  # fmt: skip
     rod = ratio["a rod that tumbles"]
     assert rod["capsule"] < 1.1 and rod["sphere"] > 5000
 

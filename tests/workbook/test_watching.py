@@ -25,7 +25,7 @@ SEEN = {
     "sphere_box_gap": "radius left out",
     "support": "against",
     "rotated_box_extents": "one corner",
-    "k_dop": "as wide both ways",
+    "k_dop": "sign of the lower end",
     "compound_support": "direction not turned",
     "contact_state": "no tolerance of speed",
     "place": "turned back",

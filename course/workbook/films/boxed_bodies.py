@@ -45,10 +45,10 @@ PRESETS = (
 )
 #: What the box is made of, by the exercise.
 TITLES = {
-    "rotated_box_extents": "half extents |R| e",
-    "k_dop": "intervals along x, y and z",
-    "support": "the farthest points along ±x, ±y, ±z",
-    "compound_support": "the farthest points along ±x, ±y, ±z",
+    "rotated_box_extents": "by the right half extents",
+    "k_dop": "by the right intervals",
+    "support": "by the farthest points along ±x, ±y, ±z",
+    "compound_support": "by the farthest points along ±x, ±y, ±z",
 }
 
 

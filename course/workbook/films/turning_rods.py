@@ -73,7 +73,7 @@ def _film(angle: float, thickness: float, *, told: bool = True) -> Film:
         title="A rod that turns in a box that does not",
         caption="The rod turns about z; the box around it stays along the axes. The number is the volume of the box "
         "over that of the rod. Take hold of the rod, or play.",
-        ending=f"At 45 degrees the box has {most:.1f} times the rod's volume",
+        ending=f"It turns from {angle:g} to {angle + 90:g} degrees; at 45 the box has {most:.1f} times its volume",
         charts=[_chart(found, most)] if told else (),
         numbers=[
             Number("box over rod, now", (round(float(found.growth[0]), 3),)),

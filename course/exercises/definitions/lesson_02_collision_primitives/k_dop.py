@@ -50,11 +50,11 @@ K_DOP = Exercise(
     "direction.",
     arguments=(
         POINTS,
-        Value("directions", "(k, 3)", "", "unit vectors, one for two sides"),
+        Value("directions", "(h, 3)", "", "unit vectors, one for two sides"),
     ),
     results=(
-        Value("lower", "(..., k)", "m", "least place along each direction"),
-        Value("upper", "(..., k)", "m", "largest place along each direction"),
+        Value("lower", "(..., h)", "m", "least place along each direction"),
+        Value("upper", "(..., h)", "m", "largest place along each direction"),
     ),
     reference=formulas.k_dop,
     cases=_cases,
@@ -118,7 +118,7 @@ K_DOP = Exercise(
     hints=(
         "One direction first: the places of all points along it, as in `support`; but here you want the two ends and "
         "not the point.",
-        "points @ M multiplies each set of points (n, 3) by a matrix (3, k) and gives (n, k): the place of each point "
+        "points @ M multiplies each set of points (n, 3) by a matrix (3, h) and gives (n, h): the place of each point "
         "along each direction, if the directions are M's columns: directions.T. Then the least and the largest over "
         "the points.",
         "along = points @ ____\n"

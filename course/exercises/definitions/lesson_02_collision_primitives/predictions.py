@@ -100,7 +100,7 @@ PREDICTIONS = (
         later="See",
     ),
     Prediction(
-        "places",
+        "sums_of_points",
         "From lesson 00: points has the shape (4, 3) and n the shape (3,). How many numbers does "
         "np.sum(points * n, axis=-1) give?",
         _places,
@@ -120,7 +120,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "ball_of_box",
-        "From lesson 00, lengths: a box has half extents of 2, 1 and 2 m. How far is a corner from its centre?",
+        "A length in space: a box has half extents of 2, 1 and 2 m. How far is a corner from its centre?",
         _ball_of_box,
         "The root of 4 + 1 + 4. A ball of 3 m about the centre holds the box at every turn.",
         unit="m",

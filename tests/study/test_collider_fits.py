@@ -18,7 +18,7 @@ from course.study import (
     turned_rod,
 )
 from course.study.boxed_bodies import BAR, boxed_body, hammer_points
-from course.study.fit_costs import PLATE, crowded_plate, sphere_looks
+from course.study.collider_fits import PLATE, crowded_plate, sphere_looks
 
 
 def test_the_rod_grows_as_predicted_and_the_cures_do_not():
