@@ -93,7 +93,7 @@ def test_lessons_with_films_import_watch():
     for name in WATCHED:
         lesson, _ = find_exercise(name)
         folder = Path(__file__).parents[2] / "solutions"
-        source = folder / f"{lesson.number}-{lesson.name}.ipynb"
+        source = folder / lesson.file_name
         cells = json.loads(source.read_text("utf-8"))["cells"]
         code = "".join("".join(c["source"]) for c in cells if c["cell_type"] == "code")
         assert re.search(r"from course\.workbook import [^)]*\bwatch\b", code), source
