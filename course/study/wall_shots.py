@@ -25,7 +25,7 @@ class WallShot:
     Args:
         times: (t,) [s].
         x: of its centre, (t,) [m].
-        looks: where it is at each look, (k,) [m].
+        looks: where it is at each look if nothing stops it, (k,) [m].
         stop: when it was stopped [s]; inf if never.
         place: where [m].
     """
@@ -83,7 +83,7 @@ def _stopped(speed: float, looks: Array, place: float, times: Array) -> WallShot
     place = max(place, START)
     x = np.minimum(START + speed * times, place)
     stop = (place - START) / speed
-    return WallShot(times, x, looks[looks <= x[-1] + 1e-12], stop, place)
+    return WallShot(times, x, looks, stop, place)
 
 
 def passing_share(

@@ -34,7 +34,7 @@ from course.workbook.stage import (
 )
 
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
-WINDOW = (START, -2.4, END, 2.4)
+WINDOW = (START - 1.6, -2.4, END + 0.4, 2.4)
 MOST = 40  # looks that are drawn, those next to the wall
 FRAMES = 81
 #: Side view of the bullet behind its tip, much larger than it is [m].
@@ -129,7 +129,7 @@ def _film(
         ending=ending,
         numbers=[
             Number("from look to look", (speed / rate,), "m"),
-            Number("it ends at", places if len(places) == len(panes) else places[:1], "m from the wall's front"),
+            Number("its centre ends at x", places if len(places) == len(panes) else places[:1], "m"),
             Number("share that no look sees", (float(missed),)),
         ],
         speed=last / 4,
