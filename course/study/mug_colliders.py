@@ -55,14 +55,22 @@ def filled(mesh: Mesh, points: Array) -> BoolArray:
     """Whether points (p, 3) are within a mesh: the solid angle under which they see it.
 
     A point inside sees the surface all around, 4 pi, one outside 0; tan(angle/2) of a
-    triangle after Van Oosterom and Strackee (1983).
+    triangle after Van Oosterom and Strackee (1983), its products written out so that
+    points meet triangles in products of matrices only.
     """
-    a, b, c = np.moveaxis(mesh.vertices[mesh.triangles] - points[:, None, None], 2, 0)
-    lengths = [np.linalg.norm(x, axis=-1) for x in (a, b, c)]
-    volume = np.sum(a * np.cross(b, c), axis=-1)
-    below = np.prod(lengths, axis=0)
+    a, b, c = np.moveaxis(mesh.vertices[mesh.triangles], 1, 0)
+    square = np.sum(points**2, axis=-1)[:, None]
+
+    def product(x: Array, y: Array) -> Array:
+        """(x - p).(y - p), (p, t)."""
+        return np.asarray(np.sum(x * y, axis=-1) - points @ (x + y).T + square)
+
+    lengths = [np.sqrt(product(x, x)) for x in (a, b, c)]
+    sides = np.cross(a, b) + np.cross(b, c) + np.cross(c, a)
+    volume = np.sum(a * np.cross(b, c), axis=-1) - points @ sides.T
+    below = lengths[0] * lengths[1] * lengths[2]
     for (x, y), z in zip(((a, b), (b, c), (c, a)), (2, 0, 1), strict=True):
-        below = below + np.sum(x * y, axis=-1) * lengths[z]
+        below += product(x, y) * lengths[z]
     angle = 2.0 * np.arctan2(volume, below).sum(axis=-1)
     return np.asarray(angle > 2.0 * np.pi)
 

@@ -39,7 +39,7 @@ class BoxSteps:
         return float(np.mean(np.array(self.said)[late] == word))
 
 
-def step_tolerance(speed: float, steps_per_second: float) -> tuple[float, float]:
+def step_tolerance(speed: Any, steps_per_second: float) -> tuple[Any, Any]:
     """The tolerance of this speed s and the distance s h/2: half the way of a step at s.
 
     Args:
@@ -143,7 +143,7 @@ def share_without_rest(
     steps_per_second: float,
     drops: ArrayLike = 0.0,
     restitution: float = 0.5,
-    duration: float = 4.0,
+    duration: float = 2.0,
     function: Callable[..., Any] | None = None,
 ) -> Array:
     """Steps of the last second in which boxes are not said to rest: their share, (k,).
@@ -156,20 +156,25 @@ def share_without_rest(
         duration: [s].
         function: ``contact_state``; none: the formula.
     """
-    heights, shares = np.atleast_1d(np.asarray(drops, dtype=float)), []
+    heights = np.atleast_1d(np.asarray(drops, dtype=float))
+    each = np.asarray(speeds, dtype=float)
     count, late = round(duration * steps_per_second), round(steps_per_second)
-    for speed in np.asarray(speeds, dtype=float):
-        fall = _Fall(heights, steps_per_second, speed, restitution, function)
+
+    def shares(some: ArrayLike, gap: Array) -> Array:
+        fall = _Fall(gap, steps_per_second, some, restitution, function)
         said = np.array([fall.step() for _ in range(count)])
-        shares.append(float(np.mean(said[-late:] != "resting")))
-    return np.array(shares)
+        return np.asarray(np.mean(said[-late:] != "resting", axis=(0, -1)))
+
+    if function is None:  # takes a batch of tolerances as well
+        return shares(each[:, None], np.tile(heights, (len(each), 1)))
+    return np.array([shares(speed, heights) for speed in each])
 
 
 class _Fall:
     """Many boxes that fall at once, moved as ``stepped_box`` moves one."""
 
     def __init__(
-        self, drops: Array, steps_per_second: float, speed: float, restitution: float, function: Any
+        self, drops: Array, steps_per_second: float, speed: Any, restitution: float, function: Any
     ) -> None:  # fmt: skip
         self.says = formulas.contact_state if function is None else function
         self.step_length, self.restitution = 1.0 / steps_per_second, restitution

@@ -45,8 +45,16 @@ def test_many_boxes_at_once_move_as_one_does():
         1.0 - box(s, drop=0.15, duration=4.0).share("resting", 1.0)
         for s in (0.05, 0.33, 1.0)
     ]
-    together = share_without_rest([0.05, 0.33, 1.0], steps_per_second=60, drops=[0.15])
+    together = share_without_rest(
+        [0.05, 0.33, 1.0], steps_per_second=60, drops=[0.15], duration=4.0
+    )
     assert together == pytest.approx(alone)
+    own = share_without_rest(
+        [0.05, 0.33], steps_per_second=60, drops=[0.15], function=formulas.contact_state
+    )
+    assert own == pytest.approx(
+        share_without_rest([0.05, 0.33], steps_per_second=60, drops=[0.15])
+    )
 
 
 @pytest.mark.parametrize("speed", [0.3, 1.0, 2.0])

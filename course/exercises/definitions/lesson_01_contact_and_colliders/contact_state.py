@@ -125,6 +125,20 @@ CONTACT_STATE = Exercise(
             "step is a collision.",
         ),
         _slip(
+            "no tolerance of coming",
+            "gap_rate < -speed",
+            "gap_rate < 0",
+            message="You say colliding as soon as the rate is below 0. Gravity makes it so in every step: only what is "
+            "faster than the tolerance collides.",
+        ),
+        _slip(
+            "nothing left",
+            ', default="resting"',
+            "",
+            message="np.select puts a 0 where no condition holds, and that is no word. Give it one for what is left: "
+            "default=...",
+        ),
+        _slip(
             "no distance above",
             "gap > distance",
             "gap > 0",

@@ -21,7 +21,7 @@ def _several(
     return {
         "points": rng.normal(size=(*shape, count, 3)).round(2),
         "rotation": rotation_matrices(rng, shape),
-        "translation": 3 * rng.normal(size=(*shape, 3)).round(2),
+        "translation": rng.normal(0.0, 3.0, (*shape, 3)).round(2),
     }
 
 
@@ -82,6 +82,20 @@ PLACE = Exercise(
             _TURNED,
             "points @ rotation",
             message="You turn the other way. The points are rows: R q for each of them is points @ (R transposed).",
+        ),
+        _slip(
+            "points as columns",
+            _TURNED,
+            "rotation @ points",
+            message="rotation @ points takes the points for columns, and mixes them with each other. They are rows: "
+            "the matrix comes after them, transposed.",
+        ),
+        _slip(
+            "whole batch transposed",
+            _TURNED,
+            "points @ rotation.T",
+            message="Right for one body. For a batch .T turns all axes round, those of the batch too: np.swapaxes("
+            "rotation, -1, -2) transposes each matrix by itself.",
         ),
         _slip(
             "shifted first",

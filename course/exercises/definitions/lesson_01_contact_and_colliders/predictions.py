@@ -54,7 +54,7 @@ _SHARES = {"quarter": 0.25, "half": 0.5, "most": 0.8}
 def _fixed_tolerance() -> float:
     from course.study import share_without_rest
 
-    rates = np.arange(20.0, 121.0)
+    rates = np.arange(30.0, 81.0)
     shares = [share_without_rest([0.2], steps_per_second=r)[0] for r in rates.tolist()]
     return float(rates[np.array(shares) > 0].max())
 

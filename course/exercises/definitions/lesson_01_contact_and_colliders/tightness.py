@@ -64,6 +64,11 @@ TIGHTNESS = Exercise(
             "The two have changed places: a collider around a body has the larger volume, and a share is at most 1.",
         ),
         _slip(
+            "percent",
+            "100 * visual_volume / collider_volume",
+            "This is the share in percent. Asked is the share itself, from 0 to 1.",
+        ),
+        _slip(
             "share of air",
             "1 - visual_volume / collider_volume",
             "This is the share of air. Asked is what remains: a collider without air has 1.",
