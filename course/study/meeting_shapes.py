@@ -24,7 +24,7 @@ FAR_START, FAR_SPEED = 30.0, 6.0
 
 @dataclass(frozen=True, eq=False)
 class FarMeeting:
-    """Sphere B comes toward sphere A, D from the origin, until a verdict on stored places stops it.
+    """Sphere B comes toward sphere A, X from the origin, until a verdict on stored places stops it.
 
     Args:
         times: (t,) [s].
@@ -49,7 +49,7 @@ def far_meeting(
     """B comes along x, with its places stored in so many bytes.
 
     Args:
-        far: D, x of A's centre, taken to a number that 4 bytes can hold [m].
+        far: X, x of A's centre, taken to a number that 4 bytes can hold [m].
         lane: y of B's centre [m].
         function: ``spheres_overlap``, asked at each moment.
     """
