@@ -59,6 +59,7 @@ from course.study.contact_matrices import (
     plain_arrays,
 )
 from course.study.domes import slide_off
+from course.study.far_meetings import far_meeting
 from course.study.far_places import (
     SpherePairs,
     safe_until,
@@ -117,7 +118,6 @@ from course.study.impact_laws import (
     impulses_by_steps,
     impulses_in_turn,
 )
-from course.study.meeting_shapes import far_meeting
 from course.study.missed_hits import (
     Shots,
     by_looks,

@@ -35,10 +35,10 @@ TURNS, PACE = 1, np.radians(60.0)
 
 @dataclass(frozen=True, eq=False)
 class DraggedShape:
-    """Gaps of a shape to three others, all of them stored D from the origin.
+    """Gaps of a shape to three others, all of them stored X from the origin.
 
     Args:
-        place: of all four as they are stored, less D, the dragged one first, (4, 3) [m].
+        place: of all four as they are stored, less X, the dragged one first, (4, 3) [m].
         turn: of each over time, quaternions (t, 4, 4).
         found: nearest points and gaps to each of the three, over time, (t,).
     """
@@ -56,11 +56,11 @@ class DraggedShape:
 def dragged_shape(
     which: int, x: float, y: float, far: float, times: Array, size: int
 ) -> DraggedShape:
-    """The shape at (D + x, D + y), every place stored in so many bytes.
+    """The shape at (X + x, X + y), every place stored in so many bytes.
 
     Args:
         which: of ``DRAGGED``.
-        far: D, taken to a number that 4 bytes can hold [m].
+        far: X, taken to a number that 4 bytes can hold [m].
         times: (t,) [s].
     """
     far = float(np.float32(far))

@@ -55,11 +55,11 @@ def spacing(distance: float, size: int = 4) -> float:
 def sphere_pairs(
     count: int, distance: float, *, seed: int, clear: float = CLEAR
 ) -> SpherePairs:
-    """Pairs about the place (D, D, D), close to touching; small gaps are as frequent as large ones.
+    """Pairs about the place (X, X, X), close to touching; small gaps are as frequent as large ones.
 
     Args:
         count: of pairs.
-        distance: D [m].
+        distance: X [m].
         clear: the least gap, or depth; the largest is 50 cm [m].
     """
     rng = np.random.default_rng(seed)
@@ -107,11 +107,11 @@ def wrong_far_out(
     count: int = 10_000,
     seed: int = 4,
 ) -> Array:
-    """Share of wrong verdicts at each distance D, with numbers of so many bytes.
+    """Share of wrong verdicts at each distance X, with numbers of so many bytes.
 
     Args:
         verdict: ``spheres_overlap``.
-        distances: D [m].
+        distances: X [m].
         first_from_a: whether places are subtracted before they are rounded.
     """
     shares = []
@@ -137,7 +137,7 @@ def steps_say(
 
 
 def safe_until(gap: float, size: int = 4) -> float:
-    """The D up to which no verdict can be wrong on spheres that are a gap away from touching [m].
+    """The X up to which no verdict can be wrong on spheres that are a gap away from touching [m].
 
     Each coordinate is off by up to half a step, so each difference by up to a step u, and
     the distance by up to sqrt(3) u. The first power of 2 with a step above gap/sqrt(3).

@@ -6,7 +6,8 @@ import pytest
 from course import formulas, overlap
 from course.study import LOST_BELOW, far_meeting, feet_apart, rods_side_by_side
 from course.study.dragged_shapes import AMONG, DRAGGED, STAND, dragged_shape
-from course.study.meeting_shapes import ENCOUNTERS, FAR_RADII, at, meeting
+from course.study.far_meetings import FAR_RADII
+from course.study.meeting_shapes import ENCOUNTERS, at, meeting
 
 TIMES = np.linspace(0.0, 6.0, 61)
 

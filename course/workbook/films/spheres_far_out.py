@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from course import formulas
+from course.study.far_meetings import FAR_RADII, FarMeeting, far_meeting
 from course.study.far_places import spacing
-from course.study.meeting_shapes import FAR_RADII, FarMeeting, far_meeting
 from course.workbook.films.attempts import Attempt, Stopped, moved
 from course.workbook.stage import (
     Curves,

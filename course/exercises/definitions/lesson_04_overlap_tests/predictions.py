@@ -172,7 +172,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "first_wrong",
-        "All pairs are at least 1 cm from touching, and places are stored in 4 bytes. Up to which place of D is every "
+        "All pairs are at least 1 cm from touching, and places are stored in 4 bytes. Up to which coordinate is every "
         "verdict right for sure? (A coordinate is off by up to half a step; there are three.)",
         _first_wrong,
         "The distance is off by up to the root of 3 times a step, 1.73 steps. Steps of 3.9 mm are fine, of 7.8 mm not; "
