@@ -356,27 +356,27 @@ def test_no_module_bears_the_name_of_a_function_it_holds():
             "floor 2) imports course.overlap (floor 3",
         ),
         (
-            "course.overlap.gjk",
+            "course.overlap.boxes",
             "def f():\n    from course.contact import solve",
             "imports course.contact (floor 4",
         ),
         (
-            "course.overlap.gjk",
+            "course.overlap.boxes",
             "import course.dynamics.bodies",
             "imports course.dynamics (floor 3",
         ),
         (
-            "course.overlap.gjk",
+            "course.overlap.boxes",
             "from course import dynamics",
             "imports course.dynamics (floor 3",
         ),
         (
-            "course.overlap.gjk",
+            "course.overlap.boxes",
             "from ..dynamics import Bodies",
             "imports course.dynamics (floor 3",
         ),
         (
-            "course.overlap.gjk",
+            "course.overlap.boxes",
             "if TYPE_CHECKING:\n    from course.dynamics import Bodies",
             "imports course.dynamics",
         ),

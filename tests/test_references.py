@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 ROOT = Path(__file__).resolve().parents[1]
 FOLDERS = ("course", "tests", "docs", "benchmarks", "solutions", "lessons", ".ci")
 PATH = re.compile(

@@ -3,14 +3,14 @@
 One module a lesson, named as the lesson is. An exercise's reference is the function of
 its name, with its own signature: what it is judged by, what its hint shows at the end
 and what its solution cell holds are these lines; the library is measured by them. Asked
-by no exercise are ``bounding_box``, which lesson 02 shows, ``project`` and ``box_axes``,
-which lesson 05 shows, and ``separation_acceleration``.
+by no exercise are ``point_in_sphere``, which lesson 04 shows, ``project`` and
+``box_axes``, which lesson 05 shows, and ``separation_acceleration``.
 
 lesson_00_start_here (Start here)
     speed_along
-lesson_02_collision_primitives (Collision primitives)
-    bounding_box, box_growth, support, rotated_box_extents, k_dop,
-    compound_support, bounding_sphere, principal_box
+lesson_04_overlap_tests (Overlap tests)
+    point_in_sphere, spheres_overlap, boxes_overlap, foot_share,
+    closest_point_on_segment, sphere_capsule_gap, capsule_gap, sphere_box_gap
 lesson_05_separating_axis (Separating axis)
     project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
     oriented_boxes_overlap, least_translation, hulls_overlap
@@ -41,8 +41,12 @@ docs/misprints.md. ``(...)`` is a batch of any shape. A
 function that ends in "as an expression" takes and gives SymPy expressions.
 """
 
-from course.formulas.lesson_00_start_here import (
-    speed_along,
+from course.formulas.lesson_00_start_here import speed_along
+from course.formulas.lesson_01_contact_and_colliders import (
+    contact_state,
+    hidden_drop,
+    place,
+    tightness,
 )
 from course.formulas.lesson_02_collision_primitives import (
     bounding_box,
@@ -54,6 +58,16 @@ from course.formulas.lesson_02_collision_primitives import (
     rotated_box_extents,
     support,
 )
+from course.formulas.lesson_04_overlap_tests import (
+    boxes_overlap,
+    capsule_gap,
+    closest_point_on_segment,
+    foot_share,
+    point_in_sphere,
+    sphere_box_gap,
+    sphere_capsule_gap,
+    spheres_overlap,
+)
 from course.formulas.lesson_05_separating_axis import (
     box_axes,
     edge_normals,
@@ -64,6 +78,13 @@ from course.formulas.lesson_05_separating_axis import (
     polygons_overlap,
     project,
     shadow_gap,
+)
+from course.formulas.lesson_06_moving_objects import (
+    conservative_advancement,
+    meeting_time,
+    miss_probability,
+    swept_boxes_time,
+    swept_spheres_time,
 )
 from course.formulas.lesson_09_energy_and_motion import (
     angular_acceleration,
@@ -135,16 +156,23 @@ __all__ = [
     "bounding_sphere",
     "box_axes",
     "box_growth",
+    "boxes_overlap",
+    "capsule_gap",
+    "closest_point_on_segment",
     "complementarity_residual",
     "compound_support",
+    "conservative_advancement",
     "contact_bias",
     "contact_matrix",
     "contact_matrix_entry",
+    "contact_state",
     "edge_normal_rate",
     "edge_normals",
     "effective_mass",
+    "foot_share",
     "free_point_acceleration",
     "half_shadow",
+    "hidden_drop",
     "hulls_overlap",
     "impulse_at_point",
     "impulse_central",
@@ -153,11 +181,15 @@ __all__ = [
     "ladder_entry",
     "least_translation",
     "linear_kinetic_energy",
+    "meeting_time",
+    "miss_probability",
     "momentum_after",
     "normal_rate",
     "oriented_boxes_overlap",
     "p_hat",
     "pivot",
+    "place",
+    "point_in_sphere",
     "point_response",
     "point_velocity",
     "polygons_overlap",
@@ -179,8 +211,14 @@ __all__ = [
     "slope_1",
     "solve_contact_qp",
     "speed_along",
+    "sphere_box_gap",
+    "sphere_capsule_gap",
+    "spheres_overlap",
     "support",
+    "swept_boxes_time",
+    "swept_spheres_time",
     "symplectic_euler_step",
+    "tightness",
     "top_acceleration",
     "top_rate",
     "wall_bounce",

@@ -8,6 +8,19 @@ approach, and never if they part or slide; inf is never, or after the horizon.
 import numpy as np
 
 
+def meeting_time(a, b, c):
+    """When a point first is at distance r of another, as an expression.
+
+    a t^2 + 2 b t + c = 0, first root:  t = (-b - sqrt(b^2 - a c))/a    (syllabus row 12)
+
+    a = v.v [m^2/s^2], b = m.v [m^2/s], c = m.m - r^2 [m^2]; returns [s].
+    Source: Ericson, "Real-Time Collision Detection", section 5.3.2.
+    """
+    import sympy as sp
+
+    return (-b - sp.sqrt(b**2 - a * c)) / a
+
+
 def swept_spheres_time(
     center_a, radius_a, velocity_a, center_b, radius_b, velocity_b, horizon
 ):
@@ -46,16 +59,15 @@ def swept_boxes_time(
     v = velocity_a - velocity_b
     before, after = lower_b - upper_a, upper_b - lower_a
     still, between = v == 0, (before <= 0) & (after >= 0)
-    safe = np.where(still, 1.0, v)
-    one, other = before / safe, after / safe
-    always = np.where(between, -np.inf, np.inf)
-    first = np.max(np.where(still, always, np.minimum(one, other)), axis=-1)
-    last = np.min(np.where(still, np.inf, np.maximum(one, other)), axis=-1)
-    apart = ~np.all(between, axis=-1)
-    meets = (first >= 0) & (first <= last) & (first <= horizon)
-    closing = ((before < 0) | (v > 0)) & ((after > 0) | (v < 0))
-    at_start = np.where(np.all(closing, axis=-1), 0.0, np.inf)
-    return np.where(apart, np.where(meets, first, np.inf), at_start)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        one, other = before / v, after / v
+    one = np.where(still, np.where(between, -np.inf, np.inf), one)
+    other = np.where(still, np.inf, other)
+    first = np.max(np.minimum(one, other), axis=-1)
+    last = np.min(np.maximum(one, other), axis=-1)
+    slides = np.any(still & ((before == 0) | (after == 0)), axis=-1) & (first <= 0)
+    meets = (first <= last) & (last > 0) & (first <= horizon) & ~slides
+    return np.where(meets, np.maximum(first, 0), np.inf)
 
 
 def miss_probability(thickness, radius, speed, step):

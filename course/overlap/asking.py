@@ -7,7 +7,6 @@ what is found is told the other way round. A compound is asked part by part.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -17,22 +16,19 @@ from course.arrays import (
     ArrayLike,
     BoolArray,
     IntArray,
-    broadcast,
     failure,
     indices,
     scalar,
     whole_number,
-    written,
 )
-from course.overlap.closest import Closest
+from course.overlap.arguments import checked, convex_parts
 from course.overlap.contact_arrays import Contacts
-from course.overlap.convex import numbers
+from course.overlap.convex.closest import Closest
+from course.overlap.convex.convex_pairs import numbers
 from course.overlap.fewer_points import fewer, no_points
-from course.overlap.pairs import KINDS, PairTest, served
-from course.shapes import Compound, Shape
+from course.overlap.pairs import PairTest, served
+from course.shapes import Shape
 
-#: Coordinates and lengths may be as large as this, so that no product overflows [m].
-LARGEST = 1e50
 #: A part's features are numbered from its own number times this.
 PART = 2**40
 
@@ -50,9 +46,9 @@ def overlaps(a: Shape, b: Shape) -> BoolArray:
         TypeError: what is no shape.
         ValueError: batches that do not fit, coordinates beyond 1e50.
     """
-    batch = _checked(a, b)
+    batch = checked(a, b)
     verdict = np.zeros(batch, dtype=bool)
-    for _, _, first, second in _convex_parts(a, b):
+    for _, _, first, second in convex_parts(a, b):
         test, first, second, _ = served(first, second)
         if test.overlaps is not None:
             verdict |= test.overlaps(first, second)
@@ -76,8 +72,8 @@ def gap(a: Shape, b: Shape) -> Array:
     Raises:
         as ``overlaps``.
     """
-    least = np.full(_checked(a, b), np.inf)
-    for _, _, first, second in _convex_parts(a, b):
+    least = np.full(checked(a, b), np.inf)
+    for _, _, first, second in convex_parts(a, b):
         test, first, second, _ = served(first, second)
         np.minimum(least, _gap(test, first, second), out=least)
     return least[()]
@@ -92,9 +88,9 @@ def nearest_points(a: Shape, b: Shape) -> Closest:
     Raises:
         as ``overlaps``; ValueError for half spaces that have no gap.
     """
-    batch = _checked(a, b)
+    batch = checked(a, b)
     best: Closest | None = None
-    for _, _, first, second in _convex_parts(a, b):
+    for _, _, first, second in convex_parts(a, b):
         test, first, second, swapped = served(first, second)
         found = test.closest(first, second)
         found = (found.swapped() if swapped else found).broadcast_to(batch)
@@ -134,13 +130,13 @@ def contacts(
         ValueError: batches or bodies that do not fit, a body against itself, a margin that
             is no number, coordinates beyond 1e50.
     """
-    batch = _checked(a, b)
+    batch = checked(a, b)
     reach = scalar("margin", margin)
     most = None if limit is None else whole_number("limit", limit, minimum=1)
     ids = _bodies(body_a, body_b, batch)
     found = [
         _of_parts(_contacts(first, second, batch, reach, most), i, j)
-        for i, j, first, second in _convex_parts(a, b)
+        for i, j, first, second in convex_parts(a, b)
     ]
     whole = found[0]
     if len(found) > 1:
@@ -148,49 +144,6 @@ def contacts(
         assert whole.pair is not None
         whole = fewer(whole[np.argsort(whole.pair, kind="stable")], most)
     return _named(whole, ids)
-
-
-def _checked(a: Shape, b: Shape) -> tuple[int, ...]:
-    """The broadcast batch of two shapes that can be asked."""
-    for name, shape in ("a", a), ("b", b):
-        if not isinstance(shape, Shape):
-            raise TypeError(f"{name}: expected a shape; got {type(shape).__name__}")
-        if shape.kind not in (*KINDS, Compound.kind):
-            known = ", ".join((*KINDS, Compound.kind))
-            raise failure(name, f"a shape of a kind among {known}", written(shape.kind))
-        for array in _arrays(shape):
-            row = array.ravel()
-            if row @ row <= LARGEST:  # the squares, so that each is far below
-                continue
-            largest = np.abs(row).max()
-            if largest > LARGEST:
-                expected = f"coordinates up to {LARGEST:g}"
-                raise failure(name, expected, written(largest))
-    ones = [np.empty(shape.batch, dtype=bool) for shape in (a, b)]
-    return broadcast(a=(ones[0], 0), b=(ones[1], 0))
-
-
-def _arrays(shape: Shape) -> Iterator[Array]:
-    if isinstance(shape, Compound):
-        for part in shape.parts:
-            yield from _arrays(part)
-    for name in shape.core_axes:
-        array = getattr(shape, name)
-        if array.dtype == np.float64:
-            yield array
-
-
-def _convex_parts(a: Shape, b: Shape) -> Iterator[tuple[int, int, Shape, Shape]]:
-    """Number and shape of every part of a with every part of b."""
-    for i, first in enumerate(_parts(a)):
-        for j, second in enumerate(_parts(b)):
-            yield i, j, first, second
-
-
-def _parts(shape: Shape) -> list[Shape]:
-    if not isinstance(shape, Compound):
-        return [shape]
-    return [part.broadcast_to(shape.batch) for part in shape.parts]
 
 
 def _gap(test: PairTest, a: Shape, b: Shape) -> Array:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, ArrayLike, BoolArray, broadcast, non_negative, vectors
-from course.overlap.closest import Closest
+from course.overlap.convex.closest import Closest
 from course.overlap.directions import directed
 from course.shapes import AABB, OBB, Sphere
 

@@ -6,7 +6,6 @@ Straight lines are exact (``swept``); what turns is advanced conservatively
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -21,22 +20,10 @@ from course.arrays import (
     vectors,
     written,
 )
-from course.overlap import swept, swept_polytopes
-from course.overlap.advancement import Motion, turning_time
-from course.overlap.asking import LARGEST, _checked, _convex_parts
-from course.overlap.pairs import KINDS
+from course.overlap.arguments import LARGEST, checked, convex_parts
+from course.overlap.moving.advancement import Motion, turning_time
+from course.overlap.pairs import KINDS, TABLE
 from course.shapes import AABB, Shape
-
-#: What serves a pair of kinds that moves in straight lines, where it is not the test of
-#: any two convex shapes: (a, b, velocity of A as seen from B, horizon) to the time.
-STRAIGHT: dict[tuple[str, str], Callable[[Any, Any, Array, Array], Array]] = {
-    ("sphere", "sphere"): swept.swept_spheres,
-    ("aabb", "aabb"): swept.swept_upright_boxes,
-    ("aabb", "obb"): swept_polytopes.swept_boxes,
-    ("obb", "obb"): swept_polytopes.swept_boxes,
-    **{(kind, "half_space"): swept.swept_to_half_space for kind in KINDS[:-1]},
-    ("half_space", "half_space"): swept.swept_half_spaces,
-}
 
 
 def time_of_impact(
@@ -83,7 +70,7 @@ def time_of_impact(
         TypeError: what is no shape.
         ValueError: arguments that do not fit or are out of range.
     """
-    _checked(a, b)
+    checked(a, b)
     end = non_negative("horizon", horizon, infinite=True)
     depth = None if tolerance is None else positive("tolerance", tolerance)
     motion_a = _motion("a", a, velocity_a, spin_a, pivot_a)
@@ -93,7 +80,7 @@ def time_of_impact(
     if np.any(turning & np.isinf(end)):
         raise failure("horizon", "finite numbers where a shape turns", "inf")
     time = np.full(batch, np.inf)
-    for _, _, first, second in _convex_parts(a, b):
+    for _, _, first, second in convex_parts(a, b):
         found = np.full(batch, np.inf)
         if not np.all(turning):
             relative = motion_a.velocity - motion_b.velocity
@@ -110,8 +97,7 @@ def straight_time(a: Shape, b: Shape, velocity: Array, horizon: Array) -> Array:
     """Time of impact of two shapes without parts, A moving by velocity as seen from B."""
     if KINDS.index(a.kind) > KINDS.index(b.kind):
         a, b, velocity = b, a, -velocity
-    serves = STRAIGHT.get((a.kind, b.kind), swept_polytopes.swept_convex)
-    return serves(a, b, velocity, horizon)
+    return TABLE[a.kind, b.kind].time(a, b, velocity, horizon)
 
 
 def swept_bounds(a: Shape, velocity: ArrayLike, horizon: ArrayLike) -> AABB:
@@ -127,7 +113,7 @@ def swept_bounds(a: Shape, velocity: ArrayLike, horizon: ArrayLike) -> AABB:
     Returns:
         boxes of all arguments broadcast.
     """
-    _checked(a, a)
+    checked(a, a)
     v, end = _rate("velocity", velocity), non_negative("horizon", horizon)
     own = np.empty(a.batch, dtype=bool)
     broadcast(a=(own, 0), velocity=(v, 1), horizon=(end, 0))

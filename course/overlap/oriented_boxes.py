@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import BoolArray, broadcast
-from course.overlap.closest import closest_points
-from course.overlap.separating_axis import UNSURE, box_pairs_told
+from course.overlap.convex.closest import closest_points
+from course.overlap.convex.separating_axis import UNSURE, box_pairs_told
 from course.shapes import OBB, polytopes
 
 

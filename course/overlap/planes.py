@@ -8,10 +8,10 @@ from typing import Any, Protocol
 import numpy as np
 
 from course.arrays import Array
-from course.overlap.closest import Closest
 from course.overlap.contact_arrays import Contacts
-from course.overlap.curvature import of_sphere
-from course.overlap.curved_contacts import END, START, curved
+from course.overlap.convex.closest import Closest
+from course.overlap.curved.curvature import of_sphere
+from course.overlap.curved.curved_contacts import END, START, curved
 from course.overlap.fewer_points import fewer, no_points
 from course.shapes import Capsule, HalfSpace, Shape, Sphere, polytopes
 

@@ -18,7 +18,10 @@ class UnusableResult(ValueError):
 
 
 def asked(
-    function: Callable[..., Any], shapes: Sequence[tuple[int, ...]], *given: Any
+    function: Callable[..., Any],
+    shapes: Sequence[tuple[int, ...]],
+    *given: Any,
+    never: bool = False,
 ) -> tuple[Array, ...]:
     """A function's results as arrays of these shapes, from copies of its arguments.
 
@@ -26,6 +29,7 @@ def asked(
         function: somebody's own, or one of ``course.formulas``.
         shapes: of its results, in order; one shape for one result.
         given: its arguments.
+        never: whether it may give inf: a time that does not come.
     Raises:
         UnusableResult: another number of results, another shape, no numbers, NaN or infinity.
     """
@@ -37,7 +41,7 @@ def asked(
     if not isinstance(results, (tuple, list)) or len(results) != len(shapes):
         came = len(results) if isinstance(results, (tuple, list)) else "one"
         raise UnusableResult(f"it returned {came} in place of {len(shapes)} results")
-    return tuple(_array(r, s) for r, s in zip(results, shapes, strict=True))
+    return tuple(_array(r, s, never) for r, s in zip(results, shapes, strict=True))
 
 
 def one_number(function: Callable[..., Any], *given: Any) -> float:
@@ -51,7 +55,7 @@ def _own(value: Any) -> Any:
     return np.array(value) if isinstance(value, np.ndarray) else value
 
 
-def _array(result: Any, shape: tuple[int, ...]) -> Array:
+def _array(result: Any, shape: tuple[int, ...], never: bool) -> Array:
     try:
         array = np.asarray(result, dtype=float)
     except (TypeError, ValueError):
@@ -62,7 +66,7 @@ def _array(result: Any, shape: tuple[int, ...]) -> Array:
     if array.shape != shape:
         wanted = f"shape {shape}" if shape else "one number"
         raise UnusableResult(f"it returned shape {array.shape} in place of {wanted}")
-    if not np.all(np.isfinite(array)):
+    if not np.all(np.isfinite(array) | (never & (array == np.inf))):
         what = "NaN" if np.any(np.isnan(array)) else "infinity"
         raise UnusableResult(f"it returned {what}")
     return array

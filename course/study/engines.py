@@ -47,3 +47,78 @@ def by_coal(*boxes: Array) -> BoolArray:
         )  # fmt: skip
         found.append(result.isCollision())
     return np.array(found)
+
+
+def installed_sphere_engines() -> dict[str, Callable[..., BoolArray]]:
+    """The libraries that are here, by name; each is asked one pair at a time."""
+    known = {
+        "python-fcl": ("fcl", spheres_by_fcl),
+        "coal": ("coal", spheres_by_coal),
+    }
+    return {name: asked for name, (module, asked) in known.items() if find_spec(module)}
+
+
+def spheres_by_fcl(
+    center_a: Array, radius_a: Array, center_b: Array, radius_b: Array
+) -> BoolArray:
+    """Verdicts (p,) of python-fcl's ``collide``; arguments of ``spheres_overlap``."""
+    import fcl
+
+    request, turn, said = fcl.CollisionRequest(), np.eye(3), []
+    for x_a, r_a, x_b, r_b in zip(center_a, radius_a, center_b, radius_b, strict=True):
+        a = fcl.CollisionObject(fcl.Sphere(r_a), fcl.Transform(turn, x_a))
+        b = fcl.CollisionObject(fcl.Sphere(r_b), fcl.Transform(turn, x_b))
+        said.append(fcl.collide(a, b, request, fcl.CollisionResult()) > 0)
+    return np.array(said)
+
+
+def spheres_by_coal(
+    center_a: Array, radius_a: Array, center_b: Array, radius_b: Array
+) -> BoolArray:
+    """Verdicts (p,) of coal's ``collide``; arguments of ``spheres_overlap``."""
+    import coal
+
+    request, turn, said = coal.CollisionRequest(), np.eye(3), []
+    for x_a, r_a, x_b, r_b in zip(center_a, radius_a, center_b, radius_b, strict=True):
+        result = coal.CollisionResult()
+        coal.collide(
+            coal.Sphere(r_a), coal.Transform3s(turn, x_a),
+            coal.Sphere(r_b), coal.Transform3s(turn, x_b), request, result,
+        )  # fmt: skip
+        said.append(result.isCollision())
+    return np.array(said)
+
+
+# Moving balls: arguments of ``swept_spheres_time``, one pair at a time.
+
+
+def swept_engines() -> dict[str, Callable[..., BoolArray]]:
+    """Ways of python-fcl to ask whether balls meet, where it is here."""
+    if not find_spec("fcl"):
+        return {}
+    return {
+        "python-fcl, 100 looks": lambda *balls: _moved_by_fcl(*balls, naive=True),
+        "python-fcl, advancement": lambda *balls: _moved_by_fcl(*balls, naive=False),
+    }
+
+
+def _moved_by_fcl(*balls: Array | float, naive: bool) -> BoolArray:
+    """Verdicts (n,) of ``continuousCollide`` for balls that do not turn."""
+    import fcl
+
+    solver = fcl.CCDSolverType
+    request = fcl.ContinuousCollisionRequest(
+        num_max_iterations=100,
+        ccd_motion_type=fcl.CCDMotionType.CCDM_TRANS,
+        ccd_solver_type=solver.CCDC_NAIVE if naive else solver.CCDC_CONSERVATIVE_ADVANCEMENT,
+    )  # fmt: skip
+    step, unturned, said = balls[6], np.eye(3), []
+    for x, r, v, y, s, w in zip(*(np.asarray(b) for b in balls[:6]), strict=True):
+        result = fcl.ContinuousCollisionResult()
+        fcl.continuousCollide(
+            fcl.CollisionObject(fcl.Sphere(r), fcl.Transform(unturned, x)), fcl.Transform(unturned, x + step * v),
+            fcl.CollisionObject(fcl.Sphere(s), fcl.Transform(unturned, y)), fcl.Transform(unturned, y + step * w),
+            request, result,
+        )  # fmt: skip
+        said.append(result.is_collide)
+    return np.array(said)

@@ -39,18 +39,30 @@ _handle = Watched("stepped_handles", "handle_steps", 3.0, several=True)
 _rod = Watched("rod_impacts", "rod", 0.6, several=True)
 _mark = Watched("carried_marks", "carried_mark", 1.5, several=True)
 _slide = Watched("sliding_polygons", "sliding", 2.0, several=True)
-_boxed = Watched("boxed_bodies", "boxed", 1.5, several=True)
+_meeting = Watched("meeting_shapes", "meeting_film", 4.0, several=True)
 _plank = Watched("carried_planks", "carried_plank_film", 0.3, several=True)
+_boxed = Watched("boxed_bodies", "boxed", 1.5, several=True)
 #: The film of an exercise, by the exercise's name.
 WATCHED = {
+    "spheres_overlap": _meeting,
+    "boxes_overlap": _meeting,
+    "closest_point_on_segment": _meeting,
+    "sphere_capsule_gap": _meeting,
+    "capsule_gap": _meeting,
+    "sphere_box_gap": _meeting,
     "support": _boxed,
     "rotated_box_extents": _boxed,
     "k_dop": _boxed,
     "compound_support": _boxed,
+    "contact_state": Watched("stepped_boxes", "resting", 0.8),
+    "place": Watched("placed_colliders", "placed", 0.6),
     "shadow_gap": _slide,
     "edge_normals": _slide,
     "polygons_overlap": _slide,
     "oriented_boxes_overlap": Watched("sinking_boxes", "sinking", 1.2),
+    "swept_spheres_time": Watched("ball_throws", "throws", 1.2),
+    "swept_boxes_time": Watched("bullet_and_wall", "swept_bullet", 0.02),
+    "conservative_advancement": Watched("rods_and_balls", "rod_to_ball", 0.6),
     "rotate": _mark,
     "world_inertia": _handle,
     "angular_acceleration": _handle,
@@ -123,11 +135,12 @@ def watch(answer: Any, *, on: str | None = None) -> Any:
     name = answer if isinstance(answer, str) else name_of(answer, None)
     find_exercise(name)
     if isinstance(answer, str) and name not in MISPRINTED:
-        raise failure(
-            "answer",
-            f"your function, or where a slide misprints it one of {', '.join(MISPRINTED)}",
-            repr(name),
+        wanted = (
+            f"the function itself, without quotation marks: watch({name})"
+            if name in WATCHED
+            else f"your function, or where a slide misprints it one of {', '.join(MISPRINTED)}"
         )
+        raise failure("answer", wanted, repr(name))
     if name not in WATCHED:
         raise failure(
             "answer", f"a function that moves bodies: {', '.join(WATCHED)}", name

@@ -27,6 +27,8 @@ from course.contact import (
 from course.dynamics import Bodies
 from course.overlap import Contacts
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 EVERY = {"rate_tolerance": np.inf}
 ROUND = (sphere_sphere, sphere_capsule, capsules)
 

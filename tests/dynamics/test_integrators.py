@@ -29,6 +29,8 @@ from course.dynamics import (
 from course.dynamics.integrators import splitting_method
 from course.dynamics.integrators.splitting_method import _CHAINS
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))]
 STEPS = [explicit_euler, symplectic_euler, midpoint, rk4, splitting]
 ORDERS = {explicit_euler: 1, symplectic_euler: 1, midpoint: 2, rk4: 4, splitting: 2}

@@ -30,7 +30,13 @@ MODULES = [
     if path.stem[7:9] in {le.number for le in all_lessons()}
 ]
 #: Formulas of the lecture that no exercise asks for.
-BESIDE = {"bounding_box", "box_axes", "project", "separation_acceleration"}
+BESIDE = {
+    "bounding_box",
+    "box_axes",
+    "point_in_sphere",
+    "project",
+    "separation_acceleration",
+}
 every = pytest.mark.parametrize("name", formulas.__all__)
 
 

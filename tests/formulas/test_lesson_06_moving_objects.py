@@ -131,3 +131,49 @@ def test_a_rod_that_passes_or_rests_never_meets():
     assert meets(STILL, 2 * X, spin, ball, 0.4, 20.0, 1e-6) == np.inf
     assert meets(STILL, 2 * X, STILL, ball, 0.4, 20.0, 1e-6) == np.inf
     assert meets(STILL, 2 * X, STILL, 0.3 * ball, 0.4, 20.0, 1e-6) == 0
+
+
+def test_the_meeting_time_is_the_lower_root_of_the_quadratic():
+    """Roots by companion matrix (np.roots), for those that meet ahead."""
+    import sympy as sp
+
+    symbols = sp.symbols("a b c")
+    time = sp.lambdify(symbols, formulas.meeting_time(*symbols))
+    rng = np.random.default_rng(4)
+    for _ in range(30):
+        first, second = np.sort(rng.uniform(0.1, 5.0, 2))
+        a = rng.uniform(0.2, 9.0)
+        b, c = -0.5 * a * (first + second), a * first * second
+        assert time(a, b, c) == pytest.approx(np.roots([a, 2 * b, c]).min(), rel=1e-9)
+
+
+def test_boxes_that_only_graze_meet_and_those_that_slide_along_do_not():
+    """The gap in y is 0 all the time: they meet when it is 0 along x as well."""
+    one, aside = np.ones(3), np.array([5.0, 2.0, 0.0])
+    found = formulas.swept_boxes_time(
+        -one, one, X, aside - one, aside + one, STILL, 9.0
+    )
+    assert found == 3
+    aside[0] = 0.0
+    found = formulas.swept_boxes_time(
+        -one, one, X, aside - one, aside + one, STILL, 9.0
+    )
+    assert np.isinf(found)
+
+
+@pytest.mark.parametrize("radius", [0.3, 1.7])
+def test_it_is_what_the_library_says(radius):
+    """The library is held to its own truths; a drawn batch must not differ from it."""
+    from course.overlap import time_of_impact
+    from course.shapes import AABB, Sphere
+
+    rng = np.random.default_rng(6)
+    c, d, v, w = rng.normal(0, 2, (4, 2000, 3))
+    found = formulas.swept_spheres_time(c, radius, v, d, 0.5, w, 4.0)
+    truth = time_of_impact(Sphere(c, radius), Sphere(d, 0.5), v, w, horizon=4.0)
+    np.testing.assert_allclose(found, truth, rtol=1e-9)
+    assert np.isfinite(truth).sum() > 30
+    boxes = [(x - radius, x + radius) for x in (c, d)]
+    found = formulas.swept_boxes_time(*boxes[0], v, *boxes[1], w, 4.0)
+    truth = time_of_impact(AABB(*boxes[0]), AABB(*boxes[1]), v, w, horizon=4.0)
+    np.testing.assert_allclose(found, truth, rtol=1e-9)

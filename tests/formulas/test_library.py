@@ -8,7 +8,7 @@ from formulas.clouds import unit
 from scenes.parts import bodies_and_contacts
 from scipy.spatial.transform import Rotation
 
-from course import contact, dynamics, formulas, rotations
+from course import contact, dynamics, formulas, overlap, rotations
 from course.contact.solvers import complementarity_residual
 from course.contact.solvers.pivot import solve_pivot
 from course.contact.solvers.projected_gauss_seidel import solve_projected_gauss_seidel
@@ -263,3 +263,28 @@ def test_sweeps():
     mine = formulas.projected_gauss_seidel(a, system.b, np.zeros(6), 400)
     theirs = solve_projected_gauss_seidel(a, system.b, tolerance=1e-13).force
     np.testing.assert_allclose(mine, theirs, rtol=1e-9)
+
+
+@SEEDS
+def test_overlaps_of_simple_shapes(seed):
+    rng = np.random.default_rng(seed)
+    a, b, c, d, x = rng.uniform(-2, 2, (5, 300, 3))
+    c[:20], d[:20] = a[:20] + 0.7, b[:20] + 0.7  # parallel
+    b[20:40] = a[20:40]  # only a point
+    r, big = rng.uniform(0.1, 1.0, (2, 300))
+    lower, upper = np.minimum(c, d), np.maximum(c, d)
+    first = np.minimum(a, x), np.maximum(a, x)
+    for name, given in (
+        ("spheres_overlap", (a, r, c, big)),
+        ("boxes_overlap", (*first, lower, upper)),
+    ):
+        mine, theirs = (getattr(m, name)(*given) for m in (formulas, overlap))
+        assert np.array_equal(mine, theirs) and 0 < mine.sum() < 300
+    for name, given in (
+        ("closest_point_on_segment", (x, a, b)),
+        ("sphere_capsule_gap", (x, r, a, b, big)),
+        ("capsule_gap", (a, b, r, c, d, big)),
+        ("sphere_box_gap", (x, r, lower, upper)),
+    ):
+        mine, theirs = (getattr(m, name)(*given) for m in (formulas, overlap))
+        np.testing.assert_allclose(mine, theirs, atol=1e-13, err_msg=name)

@@ -6,7 +6,7 @@ import numpy as np
 
 from course import rotations
 from course.overlap import Contacts
-from course.overlap.closest import closest_points
+from course.overlap.convex.closest import closest_points
 from course.overlap.manifold.points import contact_points
 from course.shapes import OBB, ConvexHull
 from course.shapes.rounded_polytopes import polytopes

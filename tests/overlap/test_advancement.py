@@ -17,7 +17,7 @@ from overlap.moving_shapes import (
 from scipy.optimize import brentq
 
 from course.overlap import time_of_impact
-from course.overlap.advancement import follow, inscribed
+from course.overlap.moving.advancement import follow, inscribed
 from course.shapes import (
     AABB,
     OBB,

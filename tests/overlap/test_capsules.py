@@ -20,7 +20,7 @@ from course.overlap import (
     sphere_capsule_gap,
     spheres_overlap,
 )
-from course.overlap.capsules import closest_capsules, closest_sphere_capsule
+from course.overlap.curved.capsules import closest_capsules, closest_sphere_capsule
 from course.shapes import Capsule, Sphere
 
 

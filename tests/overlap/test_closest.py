@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from polytope_truths import KINDS, drawn, errors
 from scipy.spatial.transform import Rotation
 
-from course.overlap.closest import closest_points, least_translation
+from course.overlap.convex.closest import closest_points, least_translation
 from course.shapes import (  # fmt: skip
     AABB,
     KDOP,

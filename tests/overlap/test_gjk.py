@@ -7,10 +7,10 @@ import pytest
 from polytope_truths import core, drawn
 from scipy.optimize import nnls
 
-from course.overlap import epa as epa_loops
-from course.overlap import gjk as loops
-from course.overlap.closest import as_solids, closest_points, least_translation
-from course.overlap.nearest_features import nearest_of_all
+from course.overlap.convex import epa as epa_loops
+from course.overlap.convex import gjk as loops
+from course.overlap.convex.closest import as_solids, closest_points, least_translation
+from course.overlap.convex.nearest_features import nearest_of_all
 from course.shapes import ConvexHull, polytopes
 
 

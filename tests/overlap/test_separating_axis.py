@@ -6,9 +6,8 @@ from campaigns import drawn_of
 from polytope_truths import drawn
 from scipy.spatial.transform import Rotation
 
-from course.overlap.closest import closest_points, least_translation
-from course.overlap.oriented_boxes import oriented_boxes_overlap
-from course.overlap.separating_axis import (
+from course.overlap.convex.closest import closest_points, least_translation
+from course.overlap.convex.separating_axis import (
     APART,
     BAND,
     OVERLAPPING,
@@ -17,6 +16,7 @@ from course.overlap.separating_axis import (
     box_pairs_told,
     box_separation,
 )
+from course.overlap.oriented_boxes import oriented_boxes_overlap
 from course.shapes import OBB, polytopes
 
 EYE = np.eye(3)

@@ -7,7 +7,8 @@ from overlap.moving_shapes import STILL, drawn_pair, gaps, stays_above
 from scipy.spatial.transform import Rotation
 
 from course.formulas import lesson_06_moving_objects as lesson
-from course.overlap import swept, swept_polytopes, time_of_impact
+from course.overlap import time_of_impact
+from course.overlap.moving import swept, swept_polytopes
 from course.shapes import AABB, OBB, Capsule, ConvexHull, Sphere
 
 NEVER = np.inf
@@ -211,6 +212,6 @@ def _in_fcl(fcl, shape):
 
 
 def test_loops_take_the_same_for_sliding():
-    from course.overlap import swept_loops
+    from course.overlap.moving import swept_loops
 
     assert swept_loops.SLIDING == swept.SLIDING

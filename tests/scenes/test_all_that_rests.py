@@ -26,6 +26,8 @@ from course.scenes import (
     with_redundant_points,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 def seeded(seed):
     """A generator of one's own: what is drawn depends on nothing that was drawn before."""

@@ -17,6 +17,8 @@ from course.study import (
     SECOND_FIVE,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 by_kind = pytest.mark.parametrize("kind", FEATURES)
 
 

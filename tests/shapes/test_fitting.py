@@ -24,6 +24,8 @@ from course.shapes import (
     rotated_box_extents,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
 FITS = {
     "ritter": lambda p: bounding_sphere(p, method="ritter"),

@@ -16,6 +16,8 @@ from course.shapes.mesh_makers import (
 )
 from course.shapes.meshes import Mesh, connected, mesh_colliders, read_mesh
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 BOX = box_mesh([0, 0, 0], [1, 2, 3])
 MADE = {
     "rod": (rod_mesh, 1),

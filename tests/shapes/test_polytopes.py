@@ -19,6 +19,8 @@ from course.shapes import (
     polytopes,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
 
 

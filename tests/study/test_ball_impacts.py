@@ -14,6 +14,8 @@ from course.study import (
     roll,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 LAWS = ("simultaneous", "sequential", "reflection")
 TABLE = ((-1.2, -0.6), (1.2, 0.6))
 

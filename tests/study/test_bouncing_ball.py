@@ -16,6 +16,8 @@ from course.study import (
     event_driven_error,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 def digits(value):
     """As the published table prints it: six figures."""

@@ -85,7 +85,7 @@ def test_the_short_form_fails_where_rounding_says_and_vectors_do_not():
 def test_costs_are_measured_for_every_method(pairs):
     measured = box_verdict_costs(pairs, true_overlap(pairs), peers=False)
     assert (
-        measured.method[:2] == ("balls", "upright boxes") and len(measured.method) == 11
+        measured.method[:2] == ("balls", "upright boxes") and len(measured.method) == 17
     )
     best = measured.pick(0.0, "count")
     assert measured.method[best] == "first k axes" and measured.knob[best] == 15

@@ -10,6 +10,8 @@ from course.exercises.definition import find_exercise
 from course.scenes import GRAVITY
 from course.study.held_bars import BAR, HALF, INERTIA, held_bar, terms_changed
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 @pytest.mark.parametrize(
     ("rate_a", "rate_b"), [(0, 0), (0.5, 1.2), (-1.0, 1.5), (1.5, -1.0)]

@@ -17,6 +17,8 @@ from course.study import (
     normal_response,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 CRADLE = np.array([[2.0, -1.0], [-1.0, 2.0]]), np.array([-1.0, 0.0])
 
 

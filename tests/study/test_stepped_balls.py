@@ -9,6 +9,8 @@ from course.scenes import GRAVITY
 from course.study.asking import RUN_AWAY, UnusableResult
 from course.study.stepped_balls import exact_ball, flown_ball, stepped_ball
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 @pytest.mark.parametrize("restitution", [0.5, 0.8, 1.0])
 def test_steps_come_to_the_exact_ball_at_first_order(restitution):

@@ -18,6 +18,8 @@ from course.study.stepped_handles import (
     without_gyration,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 TILT = np.radians(20)
 START = {"tilt": TILT}
 

@@ -18,6 +18,8 @@ from course.study import (
 )
 from course.workbook import plots
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 def test_turning_pair_tells_its_gaps():
     ax = plots.turning_pair(study.pair_states(bar_over_plank(), (0.0, 0.14)))

@@ -10,6 +10,8 @@ from course.scenes import box_on_corners
 from course.study import box_outcomes, outcomes_by_order, rod_landing
 from course.workbook import plots
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 @pytest.mark.parametrize(
     ("angle", "restitution", "place", "told"),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from course.exercises.definition import find_exercise
-from course.workbook import check, watch
+from course.workbook import check, use, watch
 from course.workbook.stage.encoding import encoded
 from course.workbook.watching import ELSEWHERE, MISPRINTED, WATCHED
 
@@ -17,14 +17,25 @@ pytestmark = pytest.mark.slow
 
 #: A planted mistake of each that is seen at once.
 SEEN = {
+    "spheres_overlap": "sum of squares",
+    "boxes_overlap": "one axis is enough",
+    "closest_point_on_segment": "not limited",
+    "sphere_capsule_gap": "endless",
+    "capsule_gap": "feet only",
+    "sphere_box_gap": "radius left out",
     "support": "against",
     "rotated_box_extents": "one corner",
     "k_dop": "sign of the lower end",
     "compound_support": "direction not turned",
+    "contact_state": "no tolerance of speed",
+    "place": "turned back",
     "shadow_gap": "minimum",
     "edge_normals": "edges",
     "polygons_overlap": "x and y",
     "oriented_boxes_overlap": "six axes",
+    "swept_spheres_time": "one radius",
+    "swept_boxes_time": "axis at rest never inside",
+    "conservative_advancement": "radius forgotten",
     "rotate": "the other way",
     "world_inertia": "body axes",
     "point_velocity": "r x omega",
@@ -94,7 +105,7 @@ def test_lessons_with_films_import_watch():
     for name in WATCHED:
         lesson, _ = find_exercise(name)
         folder = Path(__file__).parents[2] / "solutions"
-        source = folder / f"{lesson.number}-{lesson.name}.ipynb"
+        source = folder / lesson.file_name
         cells = json.loads(source.read_text("utf-8"))["cells"]
         code = "".join("".join(c["source"]) for c in cells if c["cell_type"] == "code")
         assert re.search(r"from course\.workbook import [^)]*\bwatch\b", code), source
@@ -192,7 +203,7 @@ def test_where_no_motion_is_misprinted_it_is_refused(name):
 def test_a_name_plays_what_the_slide_prints_and_the_page_of_misprints_says_so():
     shown = watch("wall_bounce").shown.made()
     assert shown.panes[1].title == "v − 2 (v·n) n, as the slide has it"
-    with pytest.raises(ValueError, match="answer: expected your function, or where"):
+    with pytest.raises(ValueError, match="answer: expected the function itself"):
         watch("rk4_step")
     page = (Path(__file__).parents[2] / "docs" / "misprints.md").read_text("utf-8")
     entries = page.split("\n## ")[1:]
@@ -258,3 +269,20 @@ def test_an_answer_cannot_write_into_what_it_is_given():
         return momentum_1, momentum_2
 
     assert apart(film_of("momentum_after", momentum_after)) < 1e-12
+
+
+def test_a_function_that_is_lent_is_not_called_yours(capsys):
+    def wall_bounce(*given):
+        return None
+
+    for name in ("wall_bounce", "oriented_boxes_overlap"):
+        wall_bounce.__name__ = name
+        lent = use(wall_bounce, name)
+        assert "the reference for now" in capsys.readouterr().out
+        titles = [pane.title for pane in film_of(name, lent).panes]
+        assert titles[1] == "the workbook's, lent"
+
+
+def test_a_name_without_a_misprint_is_told_to_be_the_function():
+    with pytest.raises(ValueError, match=r"watch\(shadow_gap\); got 'shadow_gap'"):
+        watch("shadow_gap")

@@ -89,6 +89,8 @@ def _other_number(code: Code, place: Place) -> Iterator[Change]:
     if place.node in code.terms_counted:
         return  # more terms are not all of them, however many pass for it
     news = [value + 1, value - 1, 2 * value, value / 2, -value]
+    if isinstance(place.parent, ast.Compare):
+        news.append(0)  # a limit that was left some room
     seen = {value}
     for new in news:
         whole = isinstance(new, float) and new.is_integer()

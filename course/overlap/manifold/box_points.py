@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from course.arrays import Array, IntArray
-from course.overlap.closest import closest_points
+from course.overlap.convex.closest import closest_points
+from course.overlap.convex.separating_axis import as_kernels_take_it
 from course.overlap.manifold.points import Manifolds, contact_points, filled
-from course.overlap.separating_axis import as_kernels_take_it
 from course.shapes import OBB, polytopes
 
 #: What goes through the loops at once when pairs are put back in order.

@@ -21,7 +21,7 @@ import numpy as np
 
 from course.arrays import Array, IntArray
 from course.jit import compiled
-from course.overlap.separating_axis_loops import Solids as Solids
+from course.overlap.convex.separating_axis_loops import Solids as Solids
 
 #: A face or edge that leans by less than this may touch with all of itself [rad].
 FLAT_ANGLE = 0.02
@@ -243,7 +243,7 @@ def edge_between(
 
 def ball() -> Solids:
     """One sphere of radius 1 about the origin, on which kernels are warmed."""
-    from course.overlap.separating_axis import as_kernels_take_it
+    from course.overlap.convex.separating_axis import as_kernels_take_it
 
     whole, none = np.array([0, 1], dtype=np.intp), np.zeros(2, dtype=np.intp)
     arrays = (np.zeros((1, 3)), whole, np.ones(1), np.zeros((0, 3)), none, none[:0],

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course.arrays import Array, ArrayLike, IntArray
-from course.overlap.closest import as_solids
 from course.overlap.contact_arrays import FEATURES, Contacts
+from course.overlap.convex.closest import as_solids
 from course.shapes import Polytopes
 
 #: Rows that are asked for at most at a time, if one pair does not need more.

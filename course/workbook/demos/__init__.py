@@ -27,8 +27,11 @@ def player(name: str) -> Callable[..., Any]:
 
 
 billiard_break = player("billiard_break")
+bullet = player("bullet")
+colliders = player("colliders")
 cradle = player("cradle")
 dome = player("dome")
+far_spheres = player("far_spheres")
 gap_rate = player("gap_rate")
 growing_dop = player("growing_dop")
 handle = player("handle")
@@ -38,16 +41,43 @@ landing_boxes = player("landing_boxes")
 many_balls = player("many_balls")
 plank = player("plank")
 pushed_table = player("pushed_table")
+resting = player("resting")
 rod = player("rod")
 shadows = player("shadows")
 sinking = player("sinking")
 sweeps = player("sweeps")
+throws = player("throws")
+touching = player("touching")
 turning_rod = player("turning_rod")
 two_blocks = player("two_blocks")
 wall = player("wall")
 
 __all__ = [
-    "billiard_break", "cradle", "dome", "gap_rate", "growing_dop", "handle", "impulse", "ladder",
-    "landing_boxes", "many_balls", "plank", "player", "pushed_table", "rod", "shadows", "sinking", "sweeps",
-    "table", "turning_rod", "two_blocks", "wall",
-]  # fmt: skip
+    "billiard_break",
+    "bullet",
+    "colliders",
+    "cradle",
+    "dome",
+    "far_spheres",
+    "gap_rate",
+    "growing_dop",
+    "handle",
+    "impulse",
+    "ladder",
+    "landing_boxes",
+    "many_balls",
+    "plank",
+    "player",
+    "pushed_table",
+    "resting",
+    "rod",
+    "shadows",
+    "sinking",
+    "sweeps",
+    "table",
+    "throws",
+    "touching",
+    "turning_rod",
+    "two_blocks",
+    "wall",
+]

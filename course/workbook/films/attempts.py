@@ -10,6 +10,7 @@ import numpy as np
 
 from course.arrays import failure
 from course.study.asking import UnusableResult
+from course.workbook.lending import MARK
 from course.workbook.stage import Pane
 
 Motion = TypeVar("Motion")
@@ -30,7 +31,7 @@ class Attempt:
     """Asks an answer for its motion, again for each film; not any more once it was interrupted.
 
     Args:
-        title: above its pane, "your function".
+        title: above its pane, "your function", or of one that ``use`` lends whose it is.
     """
 
     def __init__(self, title: str) -> None:
@@ -85,7 +86,8 @@ def asked_of(
     if against is not None and not callable(against):
         also = ', or "printed"' if printed is not None else ""
         raise failure("against", f"a function{also}", repr(against))
-    return against, Attempt("your function")
+    lent = getattr(against, MARK, "yours") != "yours"
+    return against, Attempt("the workbook's, lent" if lent else "your function")
 
 
 def standing_still(pane: Pane, title: str) -> Pane:

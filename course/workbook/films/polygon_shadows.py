@@ -38,7 +38,10 @@ from course.workbook.stage import (
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
 WINDOW = (-3.7, -3.7, 3.7, 3.7)
 BESIDE = 1.6  # how far from the middle the axis with its shadows is drawn [m]
-ROW, TOP, NAMES_AT, NUMBERS_AT = 0.85, 3.0, -3.4, 2.7  # of the rows [m]
+ROW, TOP, NAMES_AT, NUMBERS_AT = 0.85, 3.0, -3.4, 3.0  # of the rows [m]
+EDGE = (-2.4, 2.2)  # where the rows' shadows are cut off [m]
+#: Where the rows have what is taken hold of: the handle of A belongs to the other pane.
+OUT_OF_SIGHT = (-50.0, -50.0, 0.0)
 SMALL = 0.75  # how much smaller the shadows of the rows are
 TIMES, PACE = (
     np.linspace(0.0, 6.0, 61),
@@ -137,9 +140,15 @@ def _picture(
     )  # fmt: skip
     middle = [0.5 * (np.roll(p, -1, axis=0) + p) for p in (found.a, found.b)]
     best = np.arange(len(found.axes)) == found.best
+    # Which edge a row belongs to: its name stands beyond the tip of its normal.
+    beyond = np.concatenate(middle) + 0.42 * found.axes
     return Pane(
-        [flat(found.a, "blue", "A", place), flat(found.b, "orange", "B", (0.0, 0.0))],
-        _in_space(np.array([place, (0.0, 0.0)])),
+        [
+            flat(found.a, "blue", "A", place),
+            flat(found.b, "orange", "B", (0.0, 0.0)),
+            *(labelled(standing(ball(0.001)), name) for name in _names(found)),
+        ],
+        _in_space(np.concatenate([[place, (0.0, 0.0)], beyond])),
         title="an axis that turns",
         arrows=[
             Arrows("normals of the edges", _in_space(found.axes), at=_in_space(np.concatenate(middle)), scale=0.25,
@@ -149,37 +158,39 @@ def _picture(
     )  # fmt: skip
 
 
+def _names(found: PolygonShadows) -> list[str]:
+    """Of the edges, and of the rows."""
+    counts = {"A": len(found.a), "B": len(found.b)}
+    return [f"{name}{k + 1}" for name, count in counts.items() for k in range(count)]
+
+
 def _rows(found: PolygonShadows) -> Pane:
     height = TOP - ROW * np.arange(len(found.axes))
-    names = [f"A{k + 1}" for k in range(len(found.a))] + [
-        f"B{k + 1}" for k in range(len(found.b))
-    ]
+    names = _names(found)
     place = np.stack([np.full(len(names), NAMES_AT), height, 0 * height], axis=-1)
     apart = found.gap > 0
 
     def line(ends: Array, lift: float, rows: IntArray) -> tuple[Array, Array]:
-        at = np.clip(SMALL * ends[rows] - 0.1, -2.4, 2.2)
+        at = np.clip(SMALL * ends[rows] - 0.1, *EDGE)
         return tuple(
             np.stack([at[:, k], height[rows] + lift, 0 * height[rows]], axis=-1)
             for k in (0, 1)
         )  # type: ignore[return-value]
 
     every, between = np.arange(len(names)), common(found.shadow_a, found.shadow_b)
-    numbers = np.stack(
-        [np.full(len(names), NUMBERS_AT), height - 0.06, 0 * height], axis=-1
-    )
-    marks = []
-    for rows, color in ((apart, "green"), (~apart, "vermillion")):
-        ends = line(between, -0.14, np.flatnonzero(rows))
-        value = np.round(found.gap[rows], 2) + 0.0
-        marks.append(Segments("gap", *ends, color=color))
-        marks.append(Segments("gap", numbers[rows], numbers[rows], value, color=color))
+    marks = [
+        Segments("gap", *line(between, -0.14, np.flatnonzero(rows)), color=color)
+        for rows, color in ((apart, "green"), (~apart, "vermillion"))
+    ]
+    # The length of a row's gap is written at its end: beside the gap it lies on shadows.
+    ends = place + [NUMBERS_AT - NAMES_AT, 0.0, 0.0]
+    gaps = [f"{value:+.2f}".replace("-", "−") for value in np.round(found.gap, 2) + 0.0]
     # No corners are drawn here, so nothing leads from them to an axis.
     nothing = np.zeros((0, 3))
     return Pane(
-        [labelled(standing(ball(0.001)), name) for name in names],
-        place,
-        title="all eight axes",
+        [standing(ball(0.001)), *(labelled(standing(ball(0.001)), text) for text in (*names, *gaps))],
+        np.concatenate([[OUT_OF_SIGHT], place, ends]),
+        title="all eight axes, gaps in m",
         arrows=[
             Arrows("normals of the edges", _in_space(found.axes), at=place + [0.6, 0.0, 0.0], scale=0.25,
                    color="black"),

@@ -62,20 +62,21 @@ def sinking(against: Any = None) -> Exhibit:
         answer, attempt = asked_of(against)
     times = np.linspace(0.0, LAST, 91)
 
-    def film(turn: float, aside: float) -> Film:
+    def film(aside: float, turn: float = 0.0) -> Film:
         right = sinking_boxes(turn, aside, times, formulas.oriented_boxes_overlap)
         if against is None:
             return _film("", right, None, None)
         other = attempt.motion(lambda: sinking_boxes(turn, aside, times, answer))
         if opening:
-            return replace(_film("in truth", right, other, attempt), charts=())
+            film = _film("in truth", right, other, attempt)
+            return replace(film, charts=(), numbers=())
         return _film("by all 15 axes", right, other, attempt)
 
     return Exhibit(
         film,
-        KNOBS,
+        KNOBS[:1] if opening else KNOBS,
         [Hand({"aside": (1.0, 0.0, 0.0)}, body=1)],
-        PRESETS,
+        () if opening else PRESETS,
         question="" if opening else QUESTION,
         answer="" if opening else ANSWER,
     )

@@ -49,6 +49,8 @@ from course.workbook.plots.figure import (
 from course.workbook.plots.ladders import ladder_forces, ladder_picture
 from course.workbook.plots.maps import course_map, falling_boxes
 from course.workbook.plots.motion import energies, energy_contours, seen_from_body
+from course.workbook.plots.moving import point_and_sphere
+from course.workbook.plots.overlap_tests import foot_of_point, number_steps
 from course.workbook.plots.rods import (
     rod_impact,
     rod_impulses,
@@ -59,6 +61,7 @@ from course.workbook.plots.separating import difference_body, notch
 from course.workbook.plots.solver_comparison import leg_forces, solver_growth
 from course.workbook.plots.sweeps import stability_sweep
 from course.workbook.plots.terms_of_b import bias_terms
+from course.workbook.plots.tightness import tightness_against_cost
 from course.workbook.plots.two_contacts import force_plane, plank_and_forces
 
 __all__ = [
@@ -85,6 +88,7 @@ __all__ = [
     "errors_by_looks",
     "falling_boxes",
     "figure_html",
+    "foot_of_point",
     "force_plane",
     "heights",
     "impact",
@@ -96,9 +100,11 @@ __all__ = [
     "matrix_costs",
     "matrix_pattern",
     "notch",
+    "number_steps",
     "old_point",
     "passing_a_corner",
     "plank_and_forces",
+    "point_and_sphere",
     "pushed_table",
     "reflection",
     "rod_impact",
@@ -112,6 +118,7 @@ __all__ = [
     "spins_by_order",
     "stability_sweep",
     "style",
+    "tightness_against_cost",
     "turned_box",
     "turning_pair",
     "velocity_circle",

@@ -29,19 +29,21 @@ def work_precision(
     *,
     by: Cost = "seconds",
     tolerance: float | None = None,
+    exact: str = "exact to rounding",
     ax: Axes | None = None,
 ) -> Axes:
     """Error against cost, both logarithmic, a curve for each method, the front ringed.
 
     With ``tolerance`` the cheapest run within it is marked and named. An error of
-    exactly 0 has no logarithm: it is drawn at the foot of the chart and labelled so.
+    exactly 0 has no logarithm: it is drawn at the foot of the chart and labelled
+    ``exact``.
     """
     floor, picked = _floor(result.error), ""
     with style():
         ax = axes(ax)
         _curves(ax, result, by, floor)
         if (result.error < floor).any():
-            _exact_level(ax, float(result.cost(by).max()), floor)
+            _exact_level(ax, float(result.cost(by).min()), floor, exact)
         if tolerance is not None:
             picked = _mark_pick(ax, result, by, tolerance, floor)
         unit = f" [{result.problem.unit}]" if result.problem.unit else ""
@@ -78,9 +80,9 @@ def _curves(ax: Axes, result: WorkPrecision, by: Cost, floor: float) -> None:
               ls="none", label="on the front")  # fmt: skip
 
 
-def _exact_level(ax: Axes, right: float, floor: float) -> None:
+def _exact_level(ax: Axes, left: float, floor: float, exact: str) -> None:
     ax.axhline(floor, color="0.6", lw=0.8, ls=":")
-    ax.text(right, floor, "exact to rounding", va="bottom", ha="right", fontsize=8.5,
+    ax.text(left, floor, exact, va="bottom", ha="left", fontsize=8.5,
             color="0.35")  # fmt: skip
 
 

@@ -65,13 +65,16 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
     return left, right
 
 
-def _outline(ax: Axes, polygon: ArrayLike, name: str) -> None:
+def _outline(
+    ax: Axes, polygon: ArrayLike, name: str, at: tuple[float, float] | None = None
+) -> None:
+    """A filled polygon, its name in the middle of its corners or at a place inside."""
     corners = np.asarray(polygon)
     ax.fill(*corners.T, facecolor=PALETTE[COLORS[name]], alpha=0.25)
     line(
         ax, np.concatenate([corners, corners[:1]]), COLORS[name], ls=LOOKS[name], lw=2.4
     )
-    x, y = corners.mean(axis=0)
+    x, y = corners.mean(axis=0) if at is None else at
     ax.text(x, y, name, ha="center", va="center", weight="bold")
 
 
@@ -79,7 +82,7 @@ def notch(outline: ArrayLike, square: ArrayLike, *, ax: Axes | None = None) -> A
     """An L, the parts of which it can be made, and a square in its notch."""
     with style():
         ax = axes(ax, size=(4.4, 4.0))
-        _outline(ax, outline, "A")
+        _outline(ax, outline, "A", (0.5, 0.5))
         _outline(ax, square, "B")
         line(ax, [[0, 1], [1, 1]], "0.4", ls=":", label="cut in two convex parts")
         ax.set(

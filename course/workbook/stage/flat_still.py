@@ -17,6 +17,9 @@ from course.workbook.stage.panes import Pane
 from course.workbook.stage.views import PLANES, Flat
 from course.workbook.stage.words import shown_number
 
+#: Radius below which a ball is no more than the place of its label [pixels], as in ``flat.js``.
+POINT = 0.25
+
 
 def window_of(film: Film) -> tuple[float, float, float, float]:
     """Left, bottom, right and top of what is seen [m]."""
@@ -102,6 +105,7 @@ def _bodies(
         drawn += [
             marks.outline(p.points, p.radius, c)
             for p, c in zip(parts, colors, strict=True)
+            if len(p.points) > 1 or p.radius >= POINT
         ]
         shapes += parts
         if solid.label:

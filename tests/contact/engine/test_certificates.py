@@ -15,6 +15,8 @@ from course.scenes import (
     wall,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 def proves(system, y):
     np.testing.assert_allclose(system.A @ y, 0, atol=1e-12)

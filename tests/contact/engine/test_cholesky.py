@@ -10,6 +10,8 @@ from course.contact.engine.regularization import _cheapest
 from course.contact.engine.sparse_cholesky import SparseCholesky
 from course.scenes import pile, wall
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 KINDS = (BandedCholesky, SparseCholesky)
 
 

@@ -9,6 +9,8 @@ from scipy.sparse import csr_array
 from course.contact import ContactSystem, NoContactForce, NotConverged, solve
 from course.contact.engine.methods import METHODS
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 def hostile(seed):
     """J, b, with J M^-1 J' = J J': rounded, repeated and empty rows, ratios to 1e12, b from 1e-310 to 1e100."""

@@ -28,6 +28,8 @@ from course.scenes import (
     with_duplicates,
 )
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 def seeded(seed):
     """A generator of one's own: what is drawn depends on nothing that was drawn before."""

@@ -9,6 +9,8 @@ import scipy.optimize
 from course.contact.engine.least_distance import solve_nnls
 from course.contact.solvers import nonnegative_least_squares
 
+pytestmark = pytest.mark.slow  # with its like, left out of --quick
+
 
 def residual(a, f, b):
     """The definition, row by row."""

@@ -14,6 +14,7 @@ from course.workbook.watching import WATCHED
 
 #: One exercise of each film is enough where they share it, and all that have their own motion.
 EACH = (
+    "contact_state", "place",
     "symplectic_euler_step", "rk4_step", "rotate", "momentum_after", "wall_bounce", "bounce_times",
     "bouncing_ball_step", "apply_impulse", "simultaneous_impulses", "contact_bias", "pivot",
 )  # fmt: skip

@@ -7,8 +7,8 @@ import pytest
 
 from course import formulas
 from course.study import PENTAGON, TRIANGLE, turned
-from course.workbook.films.polygon_shadows import WINDOW, shadows
-from course.workbook.films.sinking_boxes import sinking
+from course.workbook.films.polygon_shadows import EDGE, SMALL, WINDOW, shadows
+from course.workbook.films.sinking_boxes import sinking, six_faces
 from course.workbook.films.sliding_polygons import sliding
 from course.workbook.stage.encoding import encoded
 
@@ -49,13 +49,20 @@ def test_the_verdict_shown_is_that_of_the_formula_and_the_rows_are_its_gaps(seed
     assert film.ending.startswith("No axis") == bool(
         formulas.polygons_overlap(a, PENTAGON)
     )
-    valued = [s for s in segments(film.panes[1], "gap") if s.value is not None]
-    rows = [float(v) for s in valued for v in np.asarray(s.value)[0]]
+    labels = [solid.label for solid in film.panes[1].solids[1:]]
+    rows = [float(label.replace("−", "-")) for label in labels[len(labels) // 2 :]]
     axes = np.concatenate([formulas.edge_normals(p) for p in (a, PENTAGON)])
     gap = formulas.shadow_gap(
         *formulas.project(a, axes), *formulas.project(PENTAGON, axes)
     )
-    assert sorted(rows) == pytest.approx(sorted(gap), abs=0.0051)
+    assert rows == pytest.approx(gap, abs=0.0051)
+    parting, meeting = segments(film.panes[1], "gap")
+    assert (parting.color, meeting.color) == ("green", "vermillion")
+    ends = np.array([parting.start[0], parting.end[0]])[..., 0]
+    whole = np.all((ends > EDGE[0]) & (ends < EDGE[1]), axis=0)
+    length = np.abs(ends[1] - ends[0])
+    assert length[whole] == pytest.approx(SMALL * gap[gap > 0][whole])
+    assert np.shape(meeting.start)[-2] == np.sum(gap <= 0)
     assert film.numbers[0].values == (np.sum(gap > 0),)
 
 
@@ -77,7 +84,7 @@ def test_all_of_it_is_seen(values):
 
 
 def test_six_faces_stop_a_metre_too_high_and_fifteen_axes_do_not():
-    film = sinking("faces").made()
+    film = sinking(six_faces).made()
     right, six = film.numbers[0].values
     assert right == pytest.approx(2 * np.sqrt(2), abs=1e-3)
     assert six == pytest.approx(1 + 2 * np.sqrt(2), abs=1e-3)
@@ -87,7 +94,8 @@ def test_six_faces_stop_a_metre_too_high_and_fifteen_axes_do_not():
 def test_the_film_that_opens_the_lesson_tells_no_more_than_it_asks():
     exhibit = sinking("faces")
     film = exhibit.made()
-    assert not exhibit.question and not film.charts
+    assert not exhibit.question and not film.charts and not film.numbers
+    assert not exhibit.presets and [knob.name for knob in exhibit.knobs] == ["aside"]
     assert [pane.title for pane in film.panes] == [
         "in truth",
         "by the six face normals alone",

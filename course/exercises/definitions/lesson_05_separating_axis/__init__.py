@@ -32,7 +32,7 @@ LESSON = Lesson(
     name="separating-axis",
     title="Separating axis",
     question="All six face shadows overlap, yet the boxes are apart. How?",
-    minutes=70,
+    minutes=75,
     exercises=(
         HALF_SHADOW,
         SHADOW_GAP,
@@ -48,7 +48,7 @@ MORE = Lesson(
     name="separating-axis",
     title="Separating axis, deeper",
     question="How far must two shapes move to part, and what when they have a thousand faces?",
-    minutes=45,
+    minutes=60,
     exercises=(LEAST_TRANSLATION, HULLS_OVERLAP),
     predictions=DEEPER_PREDICTIONS,
 )

@@ -38,7 +38,7 @@ EDGE_NORMALS = Exercise(
     name="edge_normals",
     rows=(6, 10),
     points=1,
-    minutes=6,
+    minutes=7,
     task="Return the outward unit normals of a polygon's edges, the first for the edge from vertex 0 to vertex 1.",
     arguments=(
         Value("vertices", "(..., n, 2)", "m", "of a convex polygon, counter-clockwise"),
@@ -108,8 +108,20 @@ EDGE_NORMALS = Exercise(
         Mistake(
             "backward",
             slip(formulas.edge_normals, "np.roll(vertices, -1", "np.roll(vertices, 1"),
-            "np.roll(vertices, 1) brings the vertex *before* to each place, so you go round clockwise and the normals "
-            "point inward. The next vertex comes with -1.",
+            "Rolling by 1 brings the vertex *before* to each place, so you go round clockwise and the normals point "
+            "inward. The next vertex comes with np.roll(vertices, -1, axis=-2).",
+        ),
+        Mistake(
+            "rolled without an axis",
+            slip(formulas.edge_normals, "-1, axis=-2", "-1"),
+            "np.roll without axis takes all numbers as one long row, so each x comes to the place of a y. The "
+            "vertices are counted on the axis before the last: np.roll(vertices, -1, axis=-2).",
+        ),
+        Mistake(
+            "rolled along x and y",
+            slip(formulas.edge_normals, "-1, axis=-2", "-1, axis=-1"),
+            "With axis=-1 the roll exchanges x and y of each vertex. The vertices are counted on the axis before the "
+            "last: np.roll(vertices, -1, axis=-2).",
         ),
         Mistake(
             "closing edge forgotten",

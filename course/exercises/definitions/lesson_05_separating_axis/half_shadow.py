@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from course import formulas
-from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.vectors import unit_vector
 from course.exercises.slips import slip
 
@@ -16,11 +17,13 @@ _FORMULA = "e_1 * abs(c_1) + e_2 * abs(c_2) + e_3 * abs(c_3)"
 
 def _points(rng: np.random.Generator) -> Sequence[Case]:
     """Cosines of both signs: with positive ones alone nobody misses the bars."""
-    cosines = unit_vector(rng, (8,))
+    cosines = unit_vector(rng, (4,))
     cosines *= np.sign(cosines) * np.array([1, 1, -1])
     cosines[::2] *= -1
     cosines[1::3, 0] *= -1
-    extents = rng.uniform(0.5, 3.0, (8, 3))
+    extents = np.tile(rng.uniform(0.5, 3.0, (4, 3)), (2, 1))
+    turned = [[-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]]
+    cosines = np.concatenate([cosines, cosines * turned])
     drawn = {f"e_{i + 1}": extents[:, i] for i in range(3)}
     drawn |= {f"c_{i + 1}": cosines[:, i] for i in range(3)}
     by_hand = {"e_1": 3.0, "e_2": 2.0, "e_3": 1.0, "c_1": 0.6, "c_2": 0.0, "c_3": -0.8}
@@ -36,12 +39,19 @@ def _longest(e_1, e_2, e_3, c_1, c_2, c_3):
     return sp.Max(e_1 * abs(c_1), e_2 * abs(c_2), e_3 * abs(c_3))
 
 
+def _changed_by_a_turn(given: Mapping[str, Any], answer: Any) -> Any:
+    """What the sign of a cosine changes; of one number alone nothing can be said."""
+    if np.shape(answer) != (8,):
+        return 0.0
+    return answer[:4] - answer[4:]
+
+
 HALF_SHADOW = Exercise(
     name="half_shadow",
     kind="expression",
     rows=(4, 10),
     points=2,
-    minutes=7,
+    minutes=6,
     task="Give half the length of a box's shadow on a unit axis, in e_1, e_2, e_3 and the cosines c_1, c_2, c_3.",
     arguments=(
         *(
@@ -61,6 +71,13 @@ HALF_SHADOW = Exercise(
     results=(Value("half_shadow", "(...)", "m", "half the length of the shadow"),),
     reference=formulas.half_shadow,
     cases=_points,
+    properties=(
+        Property(
+            "signs of the cosines",
+            _changed_by_a_turn,
+            "Your number changes where a single cosine changes its sign. It must not: -r_i is an axis of the same box.",
+        ),
+    ),
     mistakes=(
         Mistake(
             "one corner",
@@ -91,6 +108,22 @@ HALF_SHADOW = Exercise(
             _longest,
             "You take the largest of the three terms: how far the middle of a face reaches. A corner lies away from "
             "the centre along all three axes of the box, so all three terms count.",
+        ),
+        Mistake(
+            "sines",
+            slip(
+                formulas.half_shadow,
+                _FORMULA,
+                "e_1 * (1 - c_1**2)**0.5 + e_2 * (1 - c_2**2)**0.5 + e_3 * (1 - c_3**2)**0.5",
+            ),
+            "You take the sines, the root of 1 - c^2: how far the step e r_i leads *across* the axis. How far it "
+            "leads along n is e times the cosine.",
+        ),
+        Mistake(
+            "the signs of the worked number",
+            slip(formulas.half_shadow, _FORMULA, "e_1 * c_1 + e_2 * c_2 - e_3 * c_3"),
+            "These signs are right for the worked number, whose c_3 is below 0. Each cosine may have any sign, and "
+            "each term is to be as large as it can be.",
         ),
         Mistake(
             "whole shadow",

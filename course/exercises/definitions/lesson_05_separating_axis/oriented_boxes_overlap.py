@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from course import formulas
-from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_05_separating_axis.shared import (
     BOX_KINDS,
     Pairs,
@@ -41,6 +42,15 @@ def _parallel(rng: np.random.Generator, gap: float) -> Pairs:
     return _pair(center, rotation, e_a, center + rotation @ way, rotation, e_b)
 
 
+def _hair_apart(given: Mapping[str, Any], answer: Any) -> Any:
+    """Where a pair is said to overlap which does only if it is a thousandth larger."""
+    larger = dict(given)
+    for name in ("half_extents_a", "half_extents_b"):
+        larger[name] = 1.001 * given[name]
+    now, then = (formulas.oriented_boxes_overlap(**g) for g in (given, larger))
+    return then & ~now & answer
+
+
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
     c = np.sqrt(0.5)
     upright, about_x = np.eye(3), np.array([[1, 0, 0], [0, c, -c], [0, c, c]])
@@ -50,6 +60,10 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("a cube below a cube, turned about x and about y", _pair(
             np.zeros(3), about_x, ones, [0.0, 0.0, 3.0], about_y, ones)),
         Case("the same, nearer", _pair(np.zeros(3), about_x, ones, [0.0, 0.0, 2.5], about_y, ones)),
+        Case("parallel, 0.1 mm apart", _parallel(rng, 1e-4), "edge"),
+        Case("parallel, 0.1 mm deep", _parallel(rng, -1e-4), "edge"),
+        Case("edges crossed, 0.1 mm apart", _pair(
+            np.zeros(3), about_x, ones, [0.1, -0.2, np.sqrt(8) + 1e-4], about_y, ones), "edge"),
         Case("apart, and only faces of A show it", box_pairs(rng, "seen by A only")),
         Case("apart, and only faces of B show it", box_pairs(rng, "seen by B only")),
         Case("apart, and only two edges show it", box_pairs(rng, "seen by edges only")),
@@ -72,12 +86,19 @@ ORIENTED_BOXES_OVERLAP = Exercise(
     name="oriented_boxes_overlap",
     rows=(4, 10),
     points=3,
-    minutes=9,
+    minutes=8,
     task="Return whether two oriented boxes overlap, by the 15 axes of box_axes; touching counts.",
     arguments=_ARGUMENTS,
     results=(Value("overlap", "(...)", "", "True where they overlap", dtype="bool"),),
     reference=formulas.oriented_boxes_overlap,
     cases=_cases,
+    properties=(
+        Property(
+            "a hair apart",
+            _hair_apart,
+            "Pairs that are a hair apart overlap by it. A gap above 0, however small, is proof that they are apart.",
+        ),
+    ),
     mistakes=(
         _without(
             "six axes",
@@ -185,9 +206,45 @@ ORIENTED_BOXES_OVERLAP = Exercise(
             "touching left out",
             "<= half_a",
             "< half_a",
-            message="With < nothing that touches overlaps, and parallel boxes never do: the product of "
-            "parallel edges is the "
-            "zero vector, on which all lengths are 0, and 0 < 0 is false. Shapes are closed: <=.",
+            message="Boxes with parallel edges never overlap by your verdict, because the product of parallel edges "
+            "is the zero vector. With < it asks whether 0 < 0: shapes are closed, so it is <=. If you divide the axes "
+            "by their lengths, it is 0/0 there, NaN, and every comparison with NaN is false: leave them as they are.",
+        ),
+        _without(
+            "almost touching is an overlap",
+            "<= half_a + half_b",
+            "<= half_a + half_b + 1e-3",
+            message="You make the half shadows a little longer: boxes that are 0.1 mm apart overlap by your verdict. A "
+            "gap above 0, however small, is proof that they are apart.",
+        ),
+        _without(
+            "almost parted is apart",
+            "<= half_a + half_b",
+            "<= 0.9999 * (half_a + half_b)",
+            message="You make the half shadows a little shorter: boxes that touch, or are 0.1 mm deep in each other, "
+            "are apart by your verdict. Reach is half_a + half_b, and touching counts.",
+        ),
+        _without(
+            "the size of the sum",
+            _HALF_A,
+            "np.abs(np.sum((axes @ rotation_a) * half_extents_a[..., None, :], axis=-1))",
+            _HALF_B,
+            "np.abs(np.sum((axes @ rotation_b) * half_extents_b[..., None, :], axis=-1))",
+            message="You add up the three terms and take the size of the sum: that is one corner of the eight. The "
+            "farthest corner has the sum of the three sizes, as in your half shadow: abs first, then the sum.",
+        ),
+        _without(
+            "sum of the centres",
+            "(center_b - center_a)",
+            "(center_b + center_a)",
+            message="You add the two centres. What counts is the way from one to the other, x_B - x_A.",
+        ),
+        _without(
+            "the longer one alone",
+            "<= half_a + half_b",
+            "<= np.maximum(half_a, half_b)",
+            message="You compare with the longer of the two half shadows. They reach toward each other from both "
+            "centres, so together they cover half_a + half_b.",
         ),
         _without(
             "one verdict for the batch",

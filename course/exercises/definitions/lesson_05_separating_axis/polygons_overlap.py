@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from course import formulas
-from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.arrays import Array, BoolArray
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_05_separating_axis.shared import (
     KINDS,
     VERTICES_A,
     VERTICES_B,
     Pairs,
+    polygon_gaps,
     polygon_pairs,
     polygons,
 )
@@ -21,11 +24,25 @@ from course.exercises.slips import slip
 _AXES = "edge_normals(vertices_a), edge_normals(vertices_b)"
 
 
-def _crossing(rng: np.random.Generator) -> Pairs:
-    """Two slim kites that cross like a plus sign: no corner of one lies in the other."""
-    a = np.array([[-2.0, 0.1], [0.2, -0.3], [2.2, 0.0], [-0.1, 0.4]])
-    shift = np.round(rng.uniform(-0.2, 0.2, 2), 3)
-    return {"vertices_a": a, "vertices_b": a[:, ::-1] * [-1.0, 1.0] + shift}
+_BAR = np.array([[-3.0, -1.0], [3.0, -1.0], [3.0, 1.0], [-3.0, 1.0]])
+
+
+def _plus() -> Pairs:
+    """Two bars that cross like a plus sign: no corner of one lies in the other."""
+    return {"vertices_a": _BAR, "vertices_b": _BAR[:, ::-1] * [-1.0, 1.0]}
+
+
+def _crossing(rng: np.random.Generator, count: int) -> Pairs:
+    """Slim quadrangles that cross far from their ends, at 60 degrees and more."""
+    slim = _BAR * [0.7, 0.2] + rng.uniform(-0.08, 0.08, (2, count, 4, 2))
+    first = rng.uniform(0.0, 2 * np.pi, count)
+    angle = np.stack([first, first + rng.uniform(1.05, 2.09, count)])
+    c, s = np.cos(angle)[..., None, None], np.sin(angle)[..., None, None]
+    x, y = slim[..., :1], slim[..., 1:]
+    place = rng.uniform(-2.0, 2.0, (count, 1, 2))
+    aside = place + rng.uniform(-0.3, 0.3, (count, 1, 2))
+    a, b = np.concatenate([c * x - s * y, s * x + c * y], axis=-1)
+    return {"vertices_a": np.round(a + place, 3), "vertices_b": np.round(b + aside, 3)}
 
 
 def _one_inside(rng: np.random.Generator) -> Pairs:
@@ -43,6 +60,31 @@ def touching() -> Pairs:
     }
 
 
+def _beside(rng: np.random.Generator, gap: float) -> Pairs:
+    """The same a hair off, and at another height: the greatest gap is this one [m]."""
+    pair, rise = touching(), round(float(rng.uniform(-0.3, 0.4)), 3)
+    return pair | {"vertices_b": pair["vertices_b"] + [gap, rise]}
+
+
+def _hair_apart(given: Mapping[str, Any], answer: Any) -> Any:
+    """Where a pair less than a millimetre apart is said to overlap."""
+    gaps = polygon_gaps(dict(given))
+    gap = np.maximum(gaps["A"], gaps["B"])
+    return (gap > 0) & (gap < 1e-3) & answer
+
+
+def _corner_inside(vertices_a: Array, vertices_b: Array) -> BoolArray:
+    """Whether some corner of one lies in the other."""
+
+    def inside(points: Array, polygon: Array) -> BoolArray:
+        normals = formulas.edge_normals(polygon)
+        along = points @ np.swapaxes(normals, -1, -2)
+        reach = np.sum(normals * polygon, axis=-1)[..., None, :]
+        return np.asarray(np.any(np.all(along <= reach + 1e-12, axis=-1), axis=-1))
+
+    return inside(vertices_a, vertices_b) | inside(vertices_b, vertices_a)
+
+
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
     triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])
     return [
@@ -50,15 +92,18 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
             "vertices_a": triangle, "vertices_b": np.array([[2.0, 1.0], [2.0, 2.0], [1.0, 2.0]])}),
         Case("the same, nearer", {
             "vertices_a": triangle, "vertices_b": np.array([[1.5, 0.2], [1.5, 1.2], [0.5, 1.2]])}),
+        Case("0.1 mm apart", _beside(rng, 1e-4), "edge"),
+        Case("0.1 mm deep", _beside(rng, -1e-4), "edge"),
         Case("apart, and only an edge of A shows it", polygon_pairs(rng, "seen by A only")),
         Case("apart, and only an edge of B shows it", polygon_pairs(rng, "seen by B only")),
         Case("they overlap", polygon_pairs(rng, "overlap")),
         Case("a corner touches an edge", touching(), "edge"),
         Case("one lies in the other", _one_inside(rng), "edge"),
-        Case("they cross, no corner of one in the other", _crossing(rng), "edge"),
+        Case("they cross like a plus sign", _plus()),
         Case("three pairs", polygon_pairs(rng, [*KINDS], (3,), (4, 3)), "batch"),
         Case("twelve pairs", polygon_pairs(rng, [*KINDS], (12,)), "batch"),
         Case("twelve pairs, other corners", polygon_pairs(rng, [*KINDS], (12,), (6, 4)), "batch"),
+        Case("five that cross", _crossing(rng, 5), "batch"),
         Case("a 2 by 4 batch", polygon_pairs(rng, [*KINDS], (2, 4)), "batch"),
     ]  # fmt: skip
 
@@ -67,24 +112,49 @@ POLYGONS_OVERLAP = Exercise(
     name="polygons_overlap",
     rows=(6, 7, 10),
     points=3,
-    minutes=8,
+    minutes=9,
     task="Return whether two convex polygons overlap; touching counts.",
     arguments=(VERTICES_A, VERTICES_B),
     results=(Value("overlap", "(...)", "", "True where they overlap", dtype="bool"),),
     reference=formulas.polygons_overlap,
     cases=_cases,
+    properties=(
+        Property(
+            "a hair apart",
+            _hair_apart,
+            "Pairs that are a hair apart overlap by it. A gap above 0, however small, is proof that they are apart.",
+        ),
+    ),
     mistakes=(
         Mistake(
             "axes of A only",
             slip(formulas.polygons_overlap, _AXES, "edge_normals(vertices_a)"),
-            "You take the normals of A's edges only. Some pairs are separated by an edge of B alone, and you say that "
-            "they overlap: both polygons give axes.",
+            "You find the gaps on the normals of A's edges only. Some pairs are parted by an edge of B alone, and you "
+            "say that they overlap: both polygons give axes, and on each of them it is A's shadow against B's.",
         ),
         Mistake(
             "axes of B only",
             slip(formulas.polygons_overlap, _AXES, "edge_normals(vertices_b)"),
-            "You take the normals of B's edges only. Some pairs are separated by an edge of A alone, and you say that "
-            "they overlap: both polygons give axes.",
+            "You find the gaps on the normals of B's edges only. Some pairs are parted by an edge of A alone, and you "
+            "say that they overlap: both polygons give axes, and on each of them it is A's shadow against B's.",
+        ),
+        Mistake(
+            "a corner of one in the other",
+            _corner_inside,
+            "You say that they overlap where a corner of one lies in the other. Two bars that cross like a plus sign "
+            "overlap without any such corner: ask the shadows, on the normals of all edges.",
+        ),
+        Mistake(
+            "almost touching is an overlap",
+            slip(formulas.polygons_overlap, "<= 0", "<= 1e-3"),
+            "You allow a gap: pairs that are 0.1 mm apart overlap by your verdict. A gap above 0, however small, is "
+            "proof that they are apart; compare with 0.",
+        ),
+        Mistake(
+            "almost parted is apart",
+            slip(formulas.polygons_overlap, "<= 0", "<= -1e-3"),
+            "You ask for some depth: pairs that are 0.1 mm deep in each other, or touch, are apart by your verdict. "
+            "No gap above 0 on any axis means that they overlap; compare with 0.",
         ),
         Mistake(
             "edges as axes",

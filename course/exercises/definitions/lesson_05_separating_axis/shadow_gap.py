@@ -110,6 +110,16 @@ SHADOW_GAP = Exercise(
             "shift by so much does not part them: it must go out past the nearer end.",
         ),
         Mistake(
+            "length in common, above 0",
+            slip(
+                formulas.shadow_gap,
+                _FORMULA,
+                "np.minimum(upper_a, upper_b) - np.maximum(lower_a, lower_b)",
+            ),
+            "That is the length that they have in common: above 0 where they overlap, so the sign is reversed. And "
+            "where one lies inside the other it is no shift that parts them: the way out is past the nearer end.",
+        ),
+        Mistake(
             "between the middles",
             slip(
                 formulas.shadow_gap,

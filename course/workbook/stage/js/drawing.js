@@ -1,10 +1,12 @@
 // WebGL2 for all pictures in space. Browsers keep about 16 contexts alive: all pictures of a page
 // are drawn by one, out of sight, and copied onto canvases of their own.
 
-import { arrowCorners, indexed, unit } from "./matrices.js";
+import { arrowCorners, copied, indexed, unit } from "./matrices.js";
 
 export const LIGHT = unit([-0.45, 0.62, -1]); // the way it shines
 export const INSTANCE = 15; // numbers: three axes, a place, a colour
+const ONCE = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1);
+const FEW = 200; // corners of a mesh whose copies a processor writes out sooner than it begins each of them anew
 const STILL = Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
 
 const VERTEX = `#version 300 es
@@ -78,11 +80,14 @@ class Drawing {
 
   /** Corners: `sizes` numbers for each attribute from location 0 on; and room for instances. */
   mesh(values, sizes) {
+    return this.#mesh(indexed(values, sizes.reduce((a, b) => a + b, 0)), sizes);
+  }
+
+  #mesh(once, sizes) {
     const { gl } = this;
     const array = gl.createVertexArray();
     const [buffer, order, instances] = [0, 1, 2].map(() => gl.createBuffer());
     const stride = sizes.reduce((a, b) => a + b, 0);
-    const once = indexed(values, stride);
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, once.values, gl.STATIC_DRAW);
@@ -99,12 +104,40 @@ class Drawing {
       gl.vertexAttribPointer(3 + k, 3, gl.FLOAT, false, 4 * INSTANCE, 12 * k);
       gl.vertexAttribDivisor(3 + k, 1);
     }
-    return { array, buffers: [buffer, order, instances], instances, count: once.index.length };
+    return { array, buffers: [buffer, order, instances], instances, count: once.index.length, once, stride };
+  }
+
+  /** One mesh of all copies of another, with room for some more. */
+  #copy(mesh, copies) {
+    const { gl } = this;
+    const { once: { values, index }, stride } = mesh;
+    const [corners, count] = [values.length / stride, copies.length / INSTANCE];
+    if (!mesh.all || mesh.all.room < count) {
+      if (mesh.all) this.drop([mesh.all]);
+      const room = 2 ** Math.ceil(Math.log2(count));
+      const order = Uint32Array.from({ length: index.length * room },
+        (_, k) => index[k % index.length] + corners * Math.floor(k / index.length));
+      mesh.all = { ...this.#mesh({ values: new Float32Array(9 * corners * room), index: order }, [3, 3, 3]), room };
+      gl.bindBuffer(gl.ARRAY_BUFFER, mesh.all.instances);
+      gl.bufferData(gl.ARRAY_BUFFER, ONCE, gl.STATIC_DRAW);
+      mesh.all.drawn = 1;
+    }
+    const { all } = mesh;
+    all.count = index.length * count;
+    copied(values, stride, copies, all.once.values);
+    gl.bindBuffer(gl.ARRAY_BUFFER, all.buffers[0]);
+    gl.bufferData(gl.ARRAY_BUFFER, all.once.values.subarray(0, 9 * corners * count), gl.DYNAMIC_DRAW);
   }
 
   /** Draws a mesh once for each 15 numbers; none: for those it was drawn with before. */
   draw(mesh, values, color, lines = false) {
     const { gl, uniform } = this;
+    if (values) mesh.spread = this.slow && values.length > INSTANCE && mesh.once.values.length < FEW * mesh.stride;
+    if (mesh.spread) {
+      if (values) this.#copy(mesh, values);
+      this.draw(mesh.all, null, color);
+      return;
+    }
     gl.bindVertexArray(mesh.array);
     if (values) {
       gl.bindBuffer(gl.ARRAY_BUFFER, mesh.instances);
@@ -148,7 +181,8 @@ class Drawing {
   }
 
   drop(meshes) {
-    for (const { array, buffers } of meshes) {
+    for (const { array, buffers, all } of meshes) {
+      if (all) this.drop([all]);
       this.gl.deleteVertexArray(array);
       for (const buffer of buffers) this.gl.deleteBuffer(buffer);
     }

@@ -4,6 +4,8 @@ import { between, dot, hull, momentAt, turned, turnedBetween, written } from "./
 import { covers, drawLabels, inSight } from "./labels.js";
 import { drawArrow } from "./look.js";
 
+const POINT = 0.25; // pixels of radius below which a ball is no more than the place of its label
+
 /**
  * How the plane of a view lies on a canvas: the whole window, to one scale, in its middle.
  * @returns {{scale: number, screen: (p: number[]) => number[],
@@ -95,6 +97,7 @@ function mark(context, radius, frame, x, q, theme) {
 
 /** A polygon grown by a radius: filled, with an edge of its own outside. */
 function outline(context, points, radius, color, theme, fixed) {
+  if (points.length === 1 && radius < POINT) return;
   const path = () => {
     context.beginPath();
     if (points.length === 1) context.arc(points[0][0], points[0][1], Math.max(radius, 0.5), 0, 7);

@@ -102,6 +102,33 @@ export function indexed(values, stride) {
   return { values: new Float32Array(kept), index };
 }
 
+/**
+ * Corners of copies of a mesh, one after the other: place, normal, colour, as `corners` has them.
+ * @param {Float32Array} values of one mesh, six numbers a corner, or nine with colours @param {number} stride six or nine
+ * @param {Float32Array} copies fifteen numbers each: three axes, a place, a colour
+ * @param {Float32Array} out nine numbers a corner of a copy
+ */
+export function copied(values, stride, copies, out) {
+  let to = 0;
+  for (let from = 0; from < copies.length; from += 15) {
+    const [a, b, c, d, e, f, g, h, i, x, y, z, red, green, blue] = copies.subarray(from, from + 15);
+    const [p, q, r] = [1 / (Math.hypot(a, b, c) || 1), 1 / (Math.hypot(d, e, f) || 1), 1 / (Math.hypot(g, h, i) || 1)];
+    for (let k = 0; k < values.length; k += stride, to += 9) {
+      const [u, v, w] = [values[k], values[k + 1], values[k + 2]];
+      const [l, m, n] = [p * values[k + 3], q * values[k + 4], r * values[k + 5]];
+      out[to] = x + a * u + d * v + g * w;
+      out[to + 1] = y + b * u + e * v + h * w;
+      out[to + 2] = z + c * u + f * v + i * w;
+      out[to + 3] = a * l + d * m + g * n;
+      out[to + 4] = b * l + e * m + h * n;
+      out[to + 5] = c * l + f * m + i * n;
+      out[to + 6] = stride > 6 ? red * values[k + 6] : red;
+      out[to + 7] = stride > 6 ? green * values[k + 7] : green;
+      out[to + 8] = stride > 6 ? blue * values[k + 8] : blue;
+    }
+  }
+}
+
 /** An arrow of length 1 along z, as `corners` has it; its shaft has radius 1, to be thinned. */
 export function arrowCorners(sides = 10, head = 1) {
   const ring = (radius, z) => Array.from({ length: sides }, (_, k) => {

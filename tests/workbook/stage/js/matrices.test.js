@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 
 import {
-  arrowCorners, corners, frameAlong, indexed, lookAt, multiplied, perspective, projected, putPlace, shadowOn,
+  arrowCorners, copied, corners, frameAlong, indexed, lookAt, multiplied, perspective, projected, putPlace, shadowOn,
 } from "../../../../course/workbook/stage/js/matrices.js";
 import { turned } from "../../../../course/workbook/stage/js/film.js";
 
@@ -62,4 +62,29 @@ test("equal corners are kept once, and triangles stay what they were", () => {
   const { values: kept, index } = indexed(values, 2);
   assert.deepEqual(Array.from(kept), [0, 0, 1, 0, 0, 1, 1, 1]);
   assert.deepEqual(Array.from(index).flatMap((k) => Array.from(kept.slice(2 * k, 2 * k + 2))), Array.from(values));
+});
+
+test("copies written out are where their axes and places put them, with normals of length 1", () => {
+  const random = (() => { let k = 7; return () => { k = (k * 16807) % 2147483647; return k / 2147483647 - 0.5; }; })();
+  const values = Float32Array.from({ length: 9 * 5 }, () => random());
+  for (let k = 0; k < 5; k += 1) {
+    const n = Math.hypot(values[9 * k + 3], values[9 * k + 4], values[9 * k + 5]);
+    for (let i = 3; i < 6; i += 1) values[9 * k + i] /= n;
+  }
+  const quaternion = [0.1, -0.5, 0.7, 0.5];
+  const copies = new Float32Array(30).fill(0.5);
+  putPlace(copies, 15, [1, 2, 3], quaternion);
+  for (let i = 0; i < 9; i += 1) copies[15 + i] *= 3; // three times as large
+  const out = new Float32Array(9 * 5 * 2);
+  copied(values, 9, copies, out);
+  for (let k = 0; k < 5; k += 1) {
+    const [place, normal, color] = [0, 3, 6].map((i) => Array.from(values.slice(9 * k + i, 9 * k + i + 3)));
+    const found = out.subarray(9 * (5 + k), 9 * (6 + k));
+    close(Array.from(found.slice(0, 3)), turned(quaternion, place).map((v, i) => 3 * v + [1, 2, 3][i]));
+    close(Array.from(found.slice(3, 6)), turned(quaternion, normal));
+    close(Array.from(found.slice(6)), color.map((v) => 0.5 * v));
+  }
+  const plain = new Float32Array(9);
+  copied(Float32Array.of(0, 0, 1, 0, 0, 1), 6, copies.subarray(15), plain);
+  close(Array.from(plain.slice(6)), [0.5, 0.5, 0.5]);
 });

@@ -1,0 +1,185 @@
+"""The predictions of this lesson, and how each is computed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from course import formulas
+from course.exercises.definition import Prediction
+
+GRAVITY, STEPS = 9.81, 60  # [m/s^2], [1/s]
+
+
+def _resting_or_colliding() -> str:
+    """The same box, asked with a small and with a larger tolerance."""
+    pressed = -GRAVITY / STEPS
+    said = {
+        str(formulas.contact_state(0.0, pressed, 0.0, (0.003, s))) for s in (0.05, 0.33)
+    }
+    return "nobody" if len(said) == 2 else said.pop()
+
+
+def _closing_speed() -> float:
+    return float(
+        formulas.speed_along(np.array([1.0, 2.0, -3.0]), np.array([0.0, 0.0, 1.0]))
+    )
+
+
+def _numbers_left() -> int:
+    return int(formulas.speed_along(np.ones((4, 3)), np.ones(3)).size)
+
+
+def _next_words() -> str:
+    return str(formulas.contact_state(0.02, -2.0, 0.5, (0.003, 0.3)))
+
+
+def _at_120() -> float:
+    from course.study import share_without_rest
+
+    speeds = np.linspace(0.05, 0.2, 301)
+    shares = share_without_rest(speeds, steps_per_second=120)
+    return float(speeds[shares == 0.0][0])
+
+
+def _air_in_the_hull() -> str:
+    from course.study import mug, mug_collider
+
+    filled = mug().volume() / float(mug_collider("hull").volume())
+    return min((abs(filled - x), name) for name, x in _SHARES.items())[1]
+
+
+_SHARES = {"quarter": 0.25, "half": 0.5, "most": 0.8}
+
+
+def _fixed_tolerance() -> float:
+    from course.study import share_without_rest
+
+    rates = np.arange(30.0, 81.0)
+    shares = [share_without_rest([0.2], steps_per_second=r)[0] for r in rates.tolist()]
+    return float(rates[np.array(shares) > 0].max())
+
+
+def _no_bounce() -> float:
+    return float(formulas.hidden_drop(1.0, GRAVITY))
+
+
+def _marble() -> str:
+    from course.study import marble_height
+
+    return "rim" if marble_height("hull") > 0.09 else "bottom"
+
+
+def _lift() -> float:
+    return (GRAVITY + 2.0) / STEPS
+
+
+PREDICTIONS = (
+    Prediction(
+        "resting_or_colliding",
+        "The gap of the box is 0, and in each step gravity makes its rate -0.16 m/s before the floor answers. Is the "
+        "box resting or colliding?",
+        _resting_or_colliding,
+        "With a tolerance of 0.05 m/s it is called colliding, with 0.33 m/s resting, in the very same step. A number "
+        "of the program decides, and it has to be at least g h = 0.16 m/s for a box that rests to be called so.",
+        choices={
+            "resting": "resting: its height does not change",
+            "colliding": "colliding: it touches, and it comes closer",
+            "nobody": "the two numbers alone do not say it",
+        },
+        later="See",
+    ),
+    Prediction(
+        "closing_speed",
+        "From lesson 00: a box moves at v = (1, 2, -3) over a floor whose normal is n = (0, 0, 1). At which rate does "
+        "its gap to the floor change?",
+        _closing_speed,
+        "v.n = -3: the gap closes at 3 m/s, so its rate is below 0.",
+        unit="m/s",
+        wrong={
+            3: "A gap that closes becomes smaller: its rate is below 0.",
+            0: "All three components do not add up: only the one along n counts.",
+        },
+    ),
+    Prediction(
+        "numbers_left",
+        "From lesson 00: v has the shape (4, 3) and n the shape (3,). How many numbers are in np.sum(v * n, axis=-1)?",
+        _numbers_left,
+        "The last axis is summed away, one number for each of the four vectors is left.",
+        wrong={
+            12: "The products are 12; the sum takes the last axis away.",
+            1: "Without axis it would be 1: everything added up.",
+        },
+    ),
+    Prediction(
+        "falls_askew",
+        "The tolerance is 3 mm and 0.3 m/s. A box 20 mm above the floor comes down at 2 m/s and moves along it at "
+        "0.5 m/s. Which word is right?",
+        _next_words,
+        "Its gap is above 3 mm. That is asked first: how it moves is of no interest yet.",
+        choices={"apart": "apart", "colliding": "colliding", "sliding": "sliding"},
+        wrong={
+            "colliding": "It will collide, in a later step: nothing touches yet.",
+            "sliding": "Nothing slides that does not touch.",
+        },
+    ),
+    Prediction(
+        "at_120",
+        "The program takes 120 steps a second in place of 60. Which is the least tolerance of speed with which a box "
+        "that stands on the floor is called resting?",
+        _at_120,
+        "g h, with half the step: 9.81/120 = 0.082 m/s.",
+        unit="m/s",
+        wrong={0.1635: "That is for 60 steps a second.", 0.327: "Shorter steps: gravity has less time."},
+    ),
+    Prediction(
+        "air_in_the_hull",
+        "The convex hull of the mug is the tightest convex collider that there is for it. Which share of it is mug?",
+        _air_in_the_hull,
+        "27 percent: the hull closes the mug like a lid, and nearly all inside of a mug is air.",
+        choices={"quarter": "about a quarter", "half": "about a half", "most": "more than two thirds"},
+    ),
+    Prediction(
+        "fixed_tolerance",
+        "An engine has a fixed tolerance of 0.2 m/s. At how many steps a second, or fewer, does a box that was put "
+        "down stop being at rest?",
+        _fixed_tolerance,
+        "g h = 0.2 m/s at h = 0.2/9.81 s: 49 steps a second. At 30 steps a second it never rests.",
+        unit="1/s",
+        wrong={
+            60: "At 60 steps a second g h is 0.16 m/s, which is within 0.2.",
+            30: "It fails there, but it fails sooner.",
+        },
+    ),
+    Prediction(
+        "no_bounce",
+        "Another engine calls everything below 1 m/s rest. A ball is let go: from how high at most does it land "
+        "without a bounce?",
+        _no_bounce,
+        "s^2/(2 g) = 1/19.62 = 0.051 m, more than five centimetres.",
+        unit="m",
+        wrong={
+            0.102: "Twice too high: while it falls the speed grows from 0.",
+            1: "That is a speed. After a fall from 1 m it is 4.4 m/s.",
+        },
+    ),
+    Prediction(
+        "marble",
+        "The mug stands on the table, and its hull is its collider. A marble is let down into it. Where does it stop?",
+        _marble,
+        "A hull has no hollow: the marble stops level with the rim, on nothing that is seen.",
+        choices={"bottom": "on the mug's bottom", "rim": "level with its rim, in mid-air", "half": "half way down"},
+        wrong={"bottom": "The picture is hollow, the collider is not."},
+    ),
+    Prediction(
+        "lift",
+        "The box stands on the floor of a lift that accelerates upward at 2 m/s^2. The program works in the lift and "
+        "takes 60 steps a second. Which is now the least tolerance of speed?",
+        _lift,
+        "In the lift everything falls at 9.81 + 2 m/s^2: (9.81 + 2)/60 = 0.197 m/s.",
+        unit="m/s",
+        wrong={
+            0.1635: "So it is in a lift that stands still.",
+            0.1302: "Upward: the box is pressed more, not less.",
+        },
+    ),
+)  # fmt: skip

@@ -1,0 +1,1 @@
+"""Two convex solids: the nearest points by GJK and EPA, the separating axes."""

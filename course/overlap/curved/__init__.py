@@ -1,0 +1,1 @@
+"""Spheres and capsules: closed forms, and contacts with a curvature."""

@@ -1,0 +1,125 @@
+"""Pictures of lesson 04: the foot of a point on a line, and the steps of stored numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from course.arrays import ArrayLike
+from course.study import spacing
+from course.workbook.numbers import show
+from course.workbook.plots.decades import label_decades
+from course.workbook.plots.figure import (
+    PALETTE,
+    axes,
+    describe,
+    line,
+    side_by_side,
+    style,
+)
+
+#: How a size of number is drawn: bytes, colour, dashes, up to which place there are such numbers [m].
+SIZES = (
+    (2, "orange", ":", 6.5e4),
+    (4, "vermillion", "-", 1e12),
+    (8, "blue", "--", 1e12),
+)
+
+
+def foot_of_point(point: ArrayLike, end: ArrayLike) -> tuple[Axes, Axes]:
+    """A point beside the way from 0 to an end, and its squared distance from each share of the way.
+
+    Args:
+        point, end: p and b in the plane, (2,) each [m].
+    """
+    p, b = np.asarray(point, dtype=float), np.asarray(end, dtype=float)
+    s = np.linspace(-0.6, 1.6, 111)
+    squared = np.sum((p - s[:, None] * b) ** 2, axis=-1)
+    least = float(p @ b / (b @ b))
+    _, (left, right) = side_by_side(2, size=(9.6, 3.8))
+    with style():
+        line(left, s[[0, -1], None] * b, "0.6", ls=":", label="line through 0 and b")
+        line(left, [0 * b, b], "blue", lw=3, label="segment")
+        line(left, [p, least * b], "green", ls="--", label="shortest way to the line")
+        for name, place, shift in (
+            ("0", 0 * b, (-9, -14)),
+            ("b", b, (6, -12)),
+            ("p", p, (5, 5)),
+        ):
+            left.plot(*place, "o", color="black", ms=5)
+            left.annotate(name, place, shift, textcoords="offset points", weight="bold")
+        left.set(
+            title="A point and a segment",
+            xlabel="x [m]",
+            ylabel="y [m]",
+            aspect="equal",
+        )
+        left.margins(0.1)
+        left.legend(loc="upper left", bbox_to_anchor=(0.0, -0.32))
+        line(right, np.stack([s, squared], axis=-1), "0.3")
+        right.axvspan(
+            0, 1, color=PALETTE["blue"], alpha=0.15, label="on the segment, 0 ≤ s ≤ 1"
+        )
+        right.plot(
+            least,
+            np.sum((p - least * b) ** 2),
+            "o",
+            color=PALETTE["green"],
+            label="least",
+        )
+        right.set(
+            title="Squared distance of p and s b",
+            xlabel="share s of the way",
+            ylabel="[m²]",
+        )
+        right.legend(loc="upper center")
+    describe(
+        right,
+        f"Left: the point p at {tuple(p.tolist())} beside the segment from 0 to b at {tuple(b.tolist())}, and the "
+        f"shortest way from p to the line. Right: the squared distance of p and s b over s, a parabola; it is least at "
+        f"s = {show(least, 3)}. The strip from 0 to 1 is the segment.",
+    )  # fmt: skip
+    return left, right
+
+
+def number_steps(*, marked: float = 1e8, ax: Axes | None = None) -> Axes:
+    """The step to the next number over the place, for 2, 4 and 8 bytes.
+
+    Args:
+        marked: a place that is marked, with its step in 4 bytes [m].
+    """
+    with style():
+        ax = axes(ax, size=(6.6, 4.2))
+        told = []
+        for size, color, dashes, last in SIZES:
+            place = np.geomspace(1.0, last, 600)
+            steps = [spacing(x, size) for x in place]
+            label = f"{size} bytes"
+            line(
+                ax,
+                np.stack([place, steps], axis=-1),
+                color,
+                ls=dashes,
+                lw=2,
+                label=label,
+            )
+            told.append(f"{label}: {show(steps[0], 3)} m at 1 m")
+        step = spacing(marked)
+        ax.plot(marked, step, "o", color="black")
+        ax.annotate(
+            f"{show(step, 3)} m", (marked, step), (-40, 8), textcoords="offset points"
+        )
+        ax.axhline(0.01, color="0.6", lw=0.8)
+        ax.text(1.2, 0.013, "1 cm", color="0.35", fontsize=8.5)
+        ax.set(xscale="log", yscale="log", xlabel="place [m]", ylabel="step [m]")
+        ax.set_title("Step from a number to the next")
+        for axis in (ax.xaxis, ax.yaxis):
+            label_decades(axis)
+        ax.legend()
+    describe(
+        ax,
+        f"The step from a number to the next larger one over the place, stairs along straight lines: "
+        f"{'; '.join(told)}. At {show(marked, 3)} m numbers of 4 bytes have steps of {show(step, 3)} m. Numbers of 2 "
+        f"bytes end at 65,504 m.",
+    )  # fmt: skip
+    return ax

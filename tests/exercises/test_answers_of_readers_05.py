@@ -1,0 +1,162 @@
+"""Wrong answers that readers of lesson 05 gave: each fails with every seed, and what is said of it is true."""
+
+import numpy as np
+import pytest
+
+from course.exercises.definition import find_exercise
+from course.exercises.explanation import verdict_message
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge
+from course.formulas import box_axes, edge_normals, project, shadow_gap
+
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
+
+def told(name, function, seed=None):
+    """What is said of an answer; "passed" where it passes."""
+    exercise = find_exercise(name)[1]
+    cases = exercise.draw(seed)
+    verdict = judge(exercise, cases, answers_of(function, exercise, cases))
+    said = str(verdict_message(exercise, verdict)).replace("\n", " ")
+    return "passed" if verdict.passed else " ".join(said.split())
+
+
+# polygons_overlap
+
+
+def inside(p, q):
+    n = edge_normals(q)
+    reach = np.sum(n * q, -1)[..., None, :] + 1e-12
+    return np.any(np.all(p @ np.swapaxes(n, -1, -2) <= reach, -1), -1)
+
+
+def corners_inside(a, b):
+    return inside(a, b) | inside(b, a)
+
+
+def gaps(a, b):
+    axes = np.concatenate([edge_normals(a), edge_normals(b)], axis=-2)
+    return shadow_gap(*project(a, axes), *project(b, axes))
+
+
+def slack(number):
+    return lambda a, b: np.all(gaps(a, b) <= number, axis=-1)
+
+
+def a_twice(a, b):
+    na, nb = edge_normals(a), edge_normals(b)
+    first = shadow_gap(*project(a, na), *project(b, na))
+    second = shadow_gap(*project(a, nb), *project(a, nb))
+    return np.all(first <= 0, axis=-1) & np.all(second <= 0, axis=-1)
+
+
+# edge_normals
+
+
+def rolled(*how, **more):
+    def normals(vertices):
+        edges = np.roll(vertices, *how, **more) - vertices
+        turned = np.stack([edges[..., 1], -edges[..., 0]], axis=-1)
+        return turned / np.linalg.norm(turned, axis=-1, keepdims=True)
+
+    return normals
+
+
+# oriented_boxes_overlap
+
+
+def boxes(verdict=np.less_equal, axes_of=box_axes, way=np.subtract, half=None):
+    def overlap(c_a, r_a, e_a, c_b, r_b, e_b):
+        axes = axes_of(r_a, r_b)
+        between = np.abs(np.sum(axes * way(c_b, c_a)[..., None, :], axis=-1))
+        reach = half or (lambda x, e: np.sum(np.abs(x) * e[..., None, :], axis=-1))
+        halves = reach(axes @ r_a, e_a), reach(axes @ r_b, e_b)
+        return np.all(verdict(between, *halves), axis=-1)
+
+    return overlap
+
+
+def within(d, a, b):
+    return d <= a + b
+
+
+def unit_axes(r_a, r_b):
+    axes = box_axes(r_a, r_b)
+    return axes / np.linalg.norm(axes, axis=-1, keepdims=True)
+
+
+def size_of_sum(cosines, e):
+    return np.abs(np.sum(cosines * e[..., None, :], axis=-1))
+
+
+ANSWERS = {
+    "a corner in the other": ("polygons_overlap", corners_inside, "Two bars that cross"),
+    "gaps up to 5 cm": ("polygons_overlap", slack(0.05), "Pairs that are a hair apart"),
+    "gaps up to 1 mm": ("polygons_overlap", slack(1e-3), "You allow a gap"),
+    "1 mm deep at least": ("polygons_overlap", slack(-1e-3), "You ask for some depth"),
+    "A against A": ("polygons_overlap", a_twice, "A's shadow against B's"),
+    "roll without axis": ("edge_normals", rolled(-1), "without axis takes all numbers"),
+    "roll backward": ("edge_normals", rolled(1, axis=-2), "np.roll(vertices, -1, axis=-2)"),
+    "unit axes": ("oriented_boxes_overlap", boxes(within, unit_axes), "it is 0/0 there, NaN"),
+    "1 percent more": (
+        "oriented_boxes_overlap", boxes(lambda d, a, b: d <= 1.01 * (a + b)), "apart"),
+    "1 mm more": (
+        "oriented_boxes_overlap", boxes(lambda d, a, b: d <= a + b + 1e-3), "0.1 mm apart"),
+    "size of the sum": (
+        "oriented_boxes_overlap", boxes(within, half=size_of_sum), "abs first, then the sum"),
+    "sum of the centres": (
+        "oriented_boxes_overlap", boxes(within, way=np.add), "You add the two centres"),
+    "the longer one": (
+        "oriented_boxes_overlap", boxes(lambda d, a, b: d <= np.maximum(a, b)), "the longer of the two"),
+    "length in common": (
+        "shadow_gap", lambda la, ua, lb, ub: np.minimum(ua, ub) - np.maximum(la, lb), "the sign is reversed"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", [None, 1, 2, 3, 4, 5])
+@pytest.mark.parametrize("answer", ANSWERS)
+def test_it_fails_and_is_told_why(answer, seed):
+    name, function, why = ANSWERS[answer]
+    said = told(name, function, seed)
+    assert why in said, said
+    assert "Right for one, wrong for many" not in said
+
+
+def test_right_answers_written_otherwise_pass():
+    """A hair for rounding is nobody's mistake, and unit axes are right where they are not NaN."""
+
+    def careful(r_a, r_b):
+        axes = box_axes(r_a, r_b)
+        length = np.linalg.norm(axes, axis=-1, keepdims=True)
+        return axes / np.where(length > 1e-9, length, 1.0)
+
+    for seed in (None, 1, 2, 3):
+        assert told("polygons_overlap", slack(1e-9), seed) == "passed"
+        assert told("oriented_boxes_overlap", boxes(within, careful), seed) == "passed"
+
+
+def with_sines(e_1, e_2, e_3, c_1, c_2, c_3):
+    sizes = ((1 - c**2) ** 0.5 for c in (c_1, c_2, c_3))
+    return sum(e * s for e, s in zip((e_1, e_2, e_3), sizes, strict=True))
+
+
+def one_bar_missing(e_1, e_2, e_3, c_1, c_2, c_3):
+    return e_1 * abs(c_1) + e_2 * abs(c_2) - e_3 * c_3
+
+
+def as_worked(e_1, e_2, e_3, c_1, c_2, c_3):
+    return e_1 * c_1 + e_2 * c_2 - e_3 * c_3
+
+
+@pytest.mark.parametrize("seed", [None, 1, 2, 3, 4, 5])
+@pytest.mark.parametrize(
+    ("expression", "why"),
+    [
+        (with_sines, "You take the sines"),
+        (one_bar_missing, "a single cosine changes its sign"),
+        (as_worked, "right for the worked number"),
+    ],
+)
+def test_half_shadows_are_told_why(expression, why, seed):
+    assert why in told("half_shadow", expression, seed)

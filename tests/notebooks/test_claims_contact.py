@@ -1,0 +1,94 @@
+"""What lesson 01 says in numbers, computed; each number is read from its sentence."""
+
+import numpy as np
+import pytest
+from lesson_text import rounds_to, said
+
+from course import formulas
+from course.study import (
+    COLLIDERS,
+    comparisons,
+    filled,
+    floor_errors,
+    inside,
+    mug,
+    mug_collider,
+    probes,
+    share_without_rest,
+    step_tolerance,
+    stepped_box,
+)
+
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
+
+def end_of(speed):
+    tolerance = step_tolerance(speed, 60.0)
+    return stepped_box(formulas.contact_state, tolerance=tolerance)
+
+
+def test_the_step_of_gravity():
+    (each,) = said("01", "- g h = -9.81/60 = -#$ m/s.")
+    assert rounds_to(9.81 / 60, each)
+    (half,) = said("01", "the rate turns round and is halved, $+#$ m/s.")
+    assert rounds_to(0.5 * 9.81 / 60, half)
+
+
+def test_where_the_boxes_of_the_film_come_to_rest():
+    (second,) = said("01", "the box of the second button rests # mm above")
+    assert rounds_to(1000 * end_of(0.33).gap[-1], second)
+    third, within = said(
+        "01",
+        "it hangs # mm above the floor, because it was called resting as soon as it "
+        "came within # mm",
+    )
+    assert rounds_to(1000 * end_of(4.0).gap[-1], third)
+    assert rounds_to(1000 * step_tolerance(4.0, 60.0)[0], within)
+    assert end_of(0.05).share("resting", 0.5) == 0.0
+
+
+def test_twice_g_h_is_enough_for_half_the_speed_and_livelier_bodies_need_more():
+    said("01", "after each bounce, twice $g h$ is enough; livelier bodies need more")
+    options = dict(steps_per_second=60, drops=np.linspace(0.01, 0.5, 400), duration=6.0)
+    twice = [2 * 9.81 / 60]
+    assert share_without_rest(twice, **options)[0] == 0.0
+    assert share_without_rest(twice, restitution=0.8, **options)[0] > 0.5
+    assert share_without_rest([1.5 * 9.81 / 60], **options)[0] > 0.5
+
+
+def test_edges_that_the_steps_make():
+    (edge,) = said("01", "at 240 steps a second the edge is at # m/s")
+    assert rounds_to(9.81 / 240, edge)
+    low, high = said("01", "At 60 steps a second the choice is between # and # m/s")
+    assert rounds_to(9.81 / 60, low) and rounds_to(np.sqrt(2 * 9.81 * 0.01), high)
+    (hidden,) = said("01", "with 240 a second, twice $g h$ hides # mm")
+    assert rounds_to(1000 * formulas.hidden_drop(2 * 9.81 / 240, 9.81), hidden)
+
+
+def test_comparisons_and_tightness():
+    one, six, hull, first, last = said(
+        "01", "the work grows from # to # to # comparisons, and the tightness from # to #"
+    )  # fmt: skip
+    counts = [comparisons(mug_collider(kind)) for kind in COLLIDERS]
+    assert counts[:3] == [int(one), int(six), int(hull)]
+    tight = [mug().volume() / float(mug_collider(kind).volume()) for kind in COLLIDERS]
+    assert rounds_to(tight[0], first) and rounds_to(tight[2], last)
+    (all_parts,) = said("01", "The compound takes # comparisons and has no air")
+    assert counts[3] == int(all_parts) and tight[3] == pytest.approx(1.0)
+
+
+def test_shares_of_points_agree_to_a_hundredth():
+    said("01", "The two last columns agree to a hundredth.")
+    points = probes(20_000, seed=1)
+    clay = filled(mug(), points)
+    for kind in COLLIDERS:
+        shape = mug_collider(kind)
+        share = clay[inside(shape, points)].mean()
+        assert share == pytest.approx(mug().volume() / float(shape.volume()), abs=0.01)
+
+
+def test_the_box_is_tighter_than_the_sphere_and_a_little_worse_over_a_floor():
+    said("01", "The box, though tighter than the sphere, is a little worse there")
+    sphere, box = (floor_errors(kind).mean() for kind in ("sphere", "box"))
+    assert sphere < box < 1.2 * sphere and floor_errors("hull").max() < 1e-9
