@@ -3,17 +3,25 @@
 One module a lesson, named as the lesson is. An exercise's reference is the function of
 its name, with its own signature: what it is judged by, what its hint shows at the end
 and what its solution cell holds are these lines; the library is measured by them. Asked
-by no exercise are ``point_in_sphere``, which lesson 04 shows, ``project`` and
-``box_axes``, which lesson 05 shows, and ``separation_acceleration``.
+by no exercise are ``bounding_box``, which lesson 02 shows, ``point_in_sphere`` (04),
+``project`` and ``box_axes`` (05), and ``separation_acceleration``.
 
 lesson_00_start_here (Start here)
     speed_along
+lesson_01_contact_and_colliders (Contact and colliders)
+    hidden_drop, contact_state, place, tightness
+lesson_02_collision_primitives (Collision primitives)
+    bounding_box, box_growth, support, rotated_box_extents, k_dop,
+    compound_support, bounding_sphere, principal_box
 lesson_04_overlap_tests (Overlap tests)
     point_in_sphere, spheres_overlap, boxes_overlap, foot_share,
     closest_point_on_segment, sphere_capsule_gap, capsule_gap, sphere_box_gap
 lesson_05_separating_axis (Separating axis)
     project, shadow_gap, edge_normals, polygons_overlap, half_shadow, box_axes,
     oriented_boxes_overlap, least_translation, hulls_overlap
+lesson_06_moving_objects (Moving objects)
+    meeting_time, swept_spheres_time, swept_boxes_time, miss_probability,
+    conservative_advancement
 lesson_09_energy_and_motion (Energy and motion)
     sigma, linear_kinetic_energy, angular_kinetic_energy, world_inertia,
     angular_acceleration, symplectic_euler_step, rotate, rk4_step

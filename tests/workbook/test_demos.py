@@ -6,7 +6,7 @@ import pytest
 
 from course.workbook import demos, stage
 from course.workbook.demos.full_screen import notebook_of
-from course.workbook.films.listing import LISTED
+from course.workbook.films.listing import LISTED, find_film
 from course.workbook.stage import Exhibit, Film, Flat, Knob, Pane, ball
 
 
@@ -63,5 +63,5 @@ def test_who_shows_it_is_told_where_to_look(film):
 
 
 def test_the_page_shows_the_film_large_and_nothing_else():
-    cells = notebook_of(LISTED[0]).cells
+    cells = notebook_of(find_film("impulse")).cells
     assert len(cells) == 1 and "demos.impulse(large=True)" in cells[0].source
