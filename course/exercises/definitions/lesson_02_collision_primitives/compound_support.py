@@ -117,6 +117,15 @@ COMPOUND_SUPPORT = Exercise(
             "np.sum(rotation * direction[..., None, None, :], axis=-1)",
         ),
         _slip(
+            "rows for columns",
+            "Both times you take R for its transpose: it is as if every part were turned the other way round. A part's "
+            "axes are the columns of R, and its point x is at R x + t.",
+            _INWARD,
+            "np.sum(rotation * direction[..., None, None, :], axis=-1)",
+            _PLACED,
+            "np.sum(rotation * own[..., :, None], axis=-2) + translation",
+        ),
+        _slip(
             "not turned back",
             "The farthest point of a part is still in the part's own axes. Turn it with R before you move it.",
             _PLACED,

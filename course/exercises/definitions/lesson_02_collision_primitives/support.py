@@ -83,6 +83,14 @@ SUPPORT = Exercise(
             "points need be there. One point has to be farthest, with all of its coordinates.",
         ),
         Mistake(
+            "products one by one",
+            lambda points, direction: np.max(
+                points * np.asarray(direction)[..., None, :], axis=-2
+            ),
+            "You take the largest product of each coordinate by itself, and return products. Add the three products of "
+            "a point first: that is its place. Then return the point whose place is largest.",
+        ),
+        Mistake(
             "foot on the line",
             lambda points, direction: (
                 np.asarray(direction)
