@@ -79,6 +79,12 @@ def test_what_looks_miss(shots, hits):
     assert missed_share(by_sweep(shots)[0], hits) == 0
 
 
+def test_many_looks_find_what_the_sweep_finds(shots, hits):
+    (both,) = said("06", "Both find the same # hits.")
+    assert int(both.replace(",", "")) == hits.sum()
+    assert np.array_equal(by_looks(shots, 5000)[0], hits)
+
+
 def test_the_tail_falls_by_four_for_each_doubling(shots, hits):
     """Of 1,376 hits 131, 32 and 7 are left: within their scatter."""
     assert "by a factor of four for each doubling" in " ".join(said_text())

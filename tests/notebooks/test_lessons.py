@@ -311,6 +311,14 @@ def test_every_exercise_has_its_cell_and_its_check(path):
 
 
 @each
+def test_a_notebook_says_which_lesson_it_is(path):
+    """Marking believes it: one copied from another lesson's file is marked as that."""
+    lesson = next(le for le in all_lessons() if le.file_name == path.name)
+    said = nbformat.read(path, as_version=4).metadata.course.lesson
+    assert said == lesson.number
+
+
+@each
 def test_checks_pass_in_the_solution_as_stored(path):
     for cell in code_cells(path):
         if "exercise" in cell.metadata.get("course", {}):

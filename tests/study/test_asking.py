@@ -41,3 +41,10 @@ def test_a_missing_result_and_one_number():
     with pytest.raises(UnusableResult, match="it returned 3 in place of 2 results"):
         asked(lambda: (1, 2, 3), ((), ()))
     assert one_number(lambda: np.array([[4.0]])) == 4.0
+
+
+def test_a_time_may_be_never_and_nothing_else():
+    assert asked(lambda: np.inf, [()], never=True)[0] == np.inf
+    for bad, said in ((-np.inf, "infinity"), (np.nan, "NaN")):
+        with pytest.raises(UnusableResult, match=f"it returned {said}"):
+            asked(lambda bad=bad: [1.0, bad], [(2,)], never=True)

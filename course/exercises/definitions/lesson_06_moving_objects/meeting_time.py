@@ -33,9 +33,9 @@ MEETING_TIME = Exercise(
     minutes=6,
     task="Give the time at which two spheres first touch, in a = v.v, b = m.v and c = m.m - r^2.",
     arguments=(
-        Value("a", "scalar", "m^2/s^2", "v.v, the speed squared"),
-        Value("b", "scalar", "m^2/s", "m.v, below 0 where they approach"),
-        Value("c", "scalar", "m^2", "m.m - r^2, above 0 where they are apart"),
+        Value("a", "scalar", "m²/s²", "v.v, the speed squared"),
+        Value("b", "scalar", "m²/s", "m.v, below 0 where they approach"),
+        Value("c", "scalar", "m²", "m.m - r^2, above 0 where they are apart"),
     ),
     results=(
         Value("meeting_time", "(...)", "s", "the first time at which they touch"),

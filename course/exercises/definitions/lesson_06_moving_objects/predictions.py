@@ -123,7 +123,7 @@ PREDICTIONS = (
         "m.m - r^2, with r the sum of the radii?",
         _sign_of_c,
         "9 - 6.25 = 2.75: above 0, so they are apart, and no root was needed.",
-        unit="m^2",
+        unit="m²",
         wrong={0.5: "That is the gap, 3 - 2.5. Asked are the squares.", 5.75: "The radii are added before they are "
             "squared."},
     ),
