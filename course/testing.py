@@ -19,6 +19,8 @@ from xml.etree import ElementTree
 
 Tier = Literal["quick", "standard", "all"]
 TIERS: tuple[Tier, ...] = ("quick", "standard", "all")
+#: Each film at both ends of its knobs: they wait for nobody else, so that two can run at once.
+FILMS = "tests/browser/test_films_in_browser.py"
 ELSEWHERE = "browser or node or peers or fresh or long"  # markers of the tests that only --all runs
 CELL_SECONDS = 60
 NOTHING_COLLECTED = 5  # pytest's exit code
@@ -95,7 +97,8 @@ def stages(tier: Tier) -> list[Stage]:
         Stage("long tests", (*pytest, *workers, "-m", f"long and not ({ELSEWHERE.removesuffix(' or long')})",
                              "tests"), "all", may_be_empty=True),
         Stage("the stage's program", (*pytest, "-m", "node", "tests"), "all", may_be_empty=True),
-        Stage("browser", (*pytest, "-m", "browser", "tests"), "all", may_be_empty=True),
+        Stage("films in a browser", (*pytest, *workers, "-m", "browser", FILMS), "all", may_be_empty=True),
+        Stage("browser", (*pytest, "-m", "browser", "tests", f"--ignore={FILMS}"), "all", may_be_empty=True),
         Stage("peers", (*pytest, "-m", "peers", "tests"), "all", may_be_empty=True),
         Stage("fresh clone", (*pytest, "-m", "fresh", "tests"), "all", may_be_empty=True),
     ]  # fmt: skip
