@@ -124,19 +124,6 @@ def by_gap(function: Callable[..., Any]) -> Verdict:
     return verdict
 
 
-def by_normals(function: Callable[..., Any]) -> Verdict:
-    """Of ``edge_normals``: gaps on the axes that it gives."""
-
-    def verdict(a: Array, b: Array) -> bool:
-        axes = np.concatenate([asked(function, [p.shape], p)[0] for p in (a, b)])
-        gap = formulas.shadow_gap(
-            *formulas.project(a, axes), *formulas.project(b, axes)
-        )
-        return bool(gap.max() <= 0)
-
-    return verdict
-
-
 def stopped_at(overlap: Callable[[float], bool], way: Array) -> tuple[float, bool]:
     """The place on a way at which a verdict first is overlap, and whether it ever is.
 

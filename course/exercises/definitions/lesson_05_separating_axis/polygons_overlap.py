@@ -85,6 +85,12 @@ def _corner_inside(vertices_a: Array, vertices_b: Array) -> BoolArray:
     return inside(vertices_a, vertices_b) | inside(vertices_b, vertices_a)
 
 
+def _either(vertices_a: Array, vertices_b: Array) -> BoolArray:
+    """Whether the shadows overlap on all axes of one of the two."""
+    gaps = polygon_gaps({"vertices_a": vertices_a, "vertices_b": vertices_b})
+    return np.asarray((gaps["A"] <= 0) | (gaps["B"] <= 0))
+
+
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
     triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])
     return [
@@ -92,14 +98,14 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
             "vertices_a": triangle, "vertices_b": np.array([[2.0, 1.0], [2.0, 2.0], [1.0, 2.0]])}),
         Case("the same, nearer", {
             "vertices_a": triangle, "vertices_b": np.array([[1.5, 0.2], [1.5, 1.2], [0.5, 1.2]])}),
-        Case("0.1 mm apart", _beside(rng, 1e-4), "edge"),
-        Case("0.1 mm deep", _beside(rng, -1e-4), "edge"),
         Case("apart, and only an edge of A shows it", polygon_pairs(rng, "seen by A only")),
         Case("apart, and only an edge of B shows it", polygon_pairs(rng, "seen by B only")),
         Case("they overlap", polygon_pairs(rng, "overlap")),
         Case("a corner touches an edge", touching(), "edge"),
         Case("one lies in the other", _one_inside(rng), "edge"),
         Case("they cross like a plus sign", _plus()),
+        Case("0.1 mm apart", _beside(rng, 1e-4), "edge"),
+        Case("0.1 mm deep", _beside(rng, -1e-4), "edge"),
         Case("three pairs", polygon_pairs(rng, [*KINDS], (3,), (4, 3)), "batch"),
         Case("twelve pairs", polygon_pairs(rng, [*KINDS], (12,)), "batch"),
         Case("twelve pairs, other corners", polygon_pairs(rng, [*KINDS], (12,), (6, 4)), "batch"),
@@ -145,6 +151,28 @@ POLYGONS_OVERLAP = Exercise(
             "overlap without any such corner: ask the shadows, on the normals of all edges.",
         ),
         Mistake(
+            "either's axes are enough",
+            _either,
+            "You ask for overlap on the axes of A *or* on those of B. One gap on any axis is proof that they are "
+            "apart: on all axes of both the shadows must overlap, so it is & between the two.",
+        ),
+        Mistake(
+            "corners as axes",
+            slip(formulas.polygons_overlap, _AXES, "vertices_a, vertices_b"),
+            "Your axes are the corners, taken as vectors from the origin. The axes are the normals of the edges: "
+            "edge_normals(vertices_a), and B's.",
+        ),
+        Mistake(
+            "a verdict for each axis",
+            slip(
+                formulas.polygons_overlap,
+                "np.all(shadow_gap(*shadow_a, *shadow_b) <= 0, axis=-1)",
+                "shadow_gap(*shadow_a, *shadow_b) <= 0",
+            ),
+            "You return a verdict for each axis. The pair has one: it overlaps if the shadows do on all axes, "
+            "np.all(..., axis=-1).",
+        ),
+        Mistake(
             "almost touching is an overlap",
             slip(formulas.polygons_overlap, "<= 0", "<= 1e-3"),
             "You allow a gap: pairs that are 0.1 mm apart overlap by your verdict. A gap above 0, however small, is "
@@ -188,8 +216,9 @@ POLYGONS_OVERLAP = Exercise(
         Mistake(
             "one axis is enough",
             slip(formulas.polygons_overlap, "np.all", "np.any"),
-            "You say that they overlap as soon as their shadows do on *one* axis. They overlap only if the shadows do "
-            "on all of them.",
+            "By your verdict every pair overlaps. Two things do that. Either one axis is enough for it: np.any where "
+            "np.all belongs. Or a shadow is compared with itself: project(vertices_a, ...) and project(vertices_b, "
+            "...) each come once.",
         ),
         Mistake(
             "the other way round",
