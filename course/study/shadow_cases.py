@@ -233,6 +233,7 @@ class DifferenceBody:
         corners: (n + m, 2) [m], counter-clockwise.
         owner: of the edge from each corner on, "A" or "B".
         distance: of 0 from it, below 0 inside: the greatest gap [m].
+        beyond: the ends of the edge that 0 is farthest beyond, (2, 2) [m].
     """
 
     a: Array
@@ -240,6 +241,7 @@ class DifferenceBody:
     corners: Array
     owner: tuple[str, ...]
     distance: float
+    beyond: Array
 
 
 def difference_body(a: Array, b: Array) -> DifferenceBody:
@@ -251,4 +253,8 @@ def difference_body(a: Array, b: Array) -> DifferenceBody:
     normals = formulas.edge_normals(corners)
     alike = normals @ formulas.edge_normals(a).T
     owner = tuple("A" if row.max() > 1 - 1e-9 else "B" for row in alike)
-    return DifferenceBody(a, b, corners, owner, float(polygon_shadows(a, b).gap.max()))
+    outside = -np.sum(normals * corners, axis=-1)
+    k = int(np.argmax(outside))
+    beyond = corners[[k, (k + 1) % len(corners)]]
+    gap = float(polygon_shadows(a, b).gap.max())
+    return DifferenceBody(a, b, corners, owner, gap, beyond)

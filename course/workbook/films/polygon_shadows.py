@@ -129,7 +129,9 @@ def _picture(
         )
     ]
     between = common(turning.shadow_a, turning.shadow_b)
-    gaps = _gap([on_axis(between[:, k : k + 1], 0.16 * side) for k in (0, 1)], turning.gap)
+    gaps = _gap(
+        [on_axis(between[:, k : k + 1], 0.16 * side) for k in (0, 1)], turning.gap
+    )
     corners = [polygon[k] for polygon, k in turning.bounding]
     ends = np.concatenate([turning.shadow_a, turning.shadow_b], axis=-1)
     feet = Segments(
@@ -162,7 +164,9 @@ def _gap(ends: list[Array], gap: Array) -> list[Segments]:
         Segments("gap", *(np.where(on[:, None, None], end, middle) for end in ends), color=color)
         for on, color in ((gap > 0, "green"), (gap <= 0, "vermillion"))
     ]  # fmt: skip
-    number = Segments("gap", middle, middle, np.round(gap, 2)[:, None] + 0.0, color="black")
+    number = Segments(
+        "gap", middle, middle, np.round(gap, 2)[:, None] + 0.0, color="black"
+    )
     return [*lines, number]
 
 

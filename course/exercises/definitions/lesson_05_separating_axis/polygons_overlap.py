@@ -61,9 +61,10 @@ def touching() -> Pairs:
 
 
 def _beside(rng: np.random.Generator, gap: float) -> Pairs:
-    """The same a hair off, and at another height: the greatest gap is this one [m]."""
-    pair, rise = touching(), round(float(rng.uniform(-0.3, 0.4)), 3)
-    return pair | {"vertices_b": pair["vertices_b"] + [gap, rise]}
+    """Two upright edges a hair off, at another height: an edge of either shows this gap [m]."""
+    rise = round(float(rng.uniform(-0.3, 0.4)), 3)
+    upright = np.array([[2.0, 1.0], [3.0, 0.5], [4.0, 2.0], [2.0, 2.5]])
+    return touching() | {"vertices_b": upright + [gap, rise]}
 
 
 def _hair_apart(given: Mapping[str, Any], answer: Any) -> Any:
@@ -98,14 +99,14 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
             "vertices_a": triangle, "vertices_b": np.array([[2.0, 1.0], [2.0, 2.0], [1.0, 2.0]])}),
         Case("the same, nearer", {
             "vertices_a": triangle, "vertices_b": np.array([[1.5, 0.2], [1.5, 1.2], [0.5, 1.2]])}),
+        Case("0.1 mm apart", _beside(rng, 1e-4), "edge"),
+        Case("0.1 mm deep", _beside(rng, -1e-4), "edge"),
         Case("apart, and only an edge of A shows it", polygon_pairs(rng, "seen by A only")),
         Case("apart, and only an edge of B shows it", polygon_pairs(rng, "seen by B only")),
         Case("they overlap", polygon_pairs(rng, "overlap")),
         Case("a corner touches an edge", touching(), "edge"),
         Case("one lies in the other", _one_inside(rng), "edge"),
         Case("they cross like a plus sign", _plus()),
-        Case("0.1 mm apart", _beside(rng, 1e-4), "edge"),
-        Case("0.1 mm deep", _beside(rng, -1e-4), "edge"),
         Case("three pairs", polygon_pairs(rng, [*KINDS], (3,), (4, 3)), "batch"),
         Case("twelve pairs", polygon_pairs(rng, [*KINDS], (12,)), "batch"),
         Case("twelve pairs, other corners", polygon_pairs(rng, [*KINDS], (12,), (6, 4)), "batch"),
