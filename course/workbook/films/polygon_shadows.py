@@ -160,10 +160,10 @@ def _picture(
 def _gap(ends: list[Array], gap: Array) -> list[Segments]:
     """Green above 0, red below, and its number; at other times a line has no length."""
     middle = 0.5 * (ends[0] + ends[1])
-    lines = [
-        Segments("gap", *(np.where(on[:, None, None], end, middle) for end in ends), color=color)
-        for on, color in ((gap > 0, "green"), (gap <= 0, "vermillion"))
-    ]  # fmt: skip
+    lines = []
+    for on, color in ((gap > 0, "green"), (gap <= 0, "vermillion")):
+        start, end = (np.where(on[:, None, None], x, middle) for x in ends)
+        lines.append(Segments("gap", start, end, color=color))
     number = Segments(
         "gap", middle, middle, np.round(gap, 2)[:, None] + 0.0, color="black"
     )
