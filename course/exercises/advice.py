@@ -41,6 +41,15 @@ COMBINES_NUMBERS = (
     "& and | were given numbers, not conditions. They bind more tightly than <, so each comparison needs "
     "brackets: (a < 0) & (b < 0)."
 )
+#: What Python says where np.max or np.min takes a second array for an axis.
+TAKEN_FOR_AXIS = (
+    "object cannot be interpreted as an integer",
+    "only integer scalar arrays can be converted",
+)
+MAX_OF_TWO = (
+    "np.max and np.min take one array; what stands behind it is taken for the number of an axis. np.maximum(a, b) "
+    "and np.minimum(a, b) compare two arrays place by place."
+)
 ONE_QUESTION = (
     "`if`, `and`, `or`, `not`, a < b < c, min(), max() and np.arange() ask one question, a batch has "
     "many answers: np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for "
@@ -118,6 +127,8 @@ def _why_it_stops(
         return INDEXES_A_NUMBER
     if any(_says(o, *COMBINED_NUMBERS) for o in outcomes):
         return COMBINES_NUMBERS
+    if any(_says(o, *TAKEN_FOR_AXIS) and _max_in_line(o) for o in outcomes):
+        return MAX_OF_TWO
     if asks_one_question(cases, outcomes):
         return ("Besides, it stops at batches: " if also_wrong else "") + ONE_QUESTION
     if any(_says(o, AMBIGUOUS) for o in outcomes):
@@ -191,6 +202,11 @@ def asks_one_question(cases: Sequence[Case], outcomes: Sequence[Outcome]) -> boo
 def _says(outcome: Outcome, *words: str) -> bool:
     """Whether the answer raised an error with one of these words in it."""
     return outcome.kind == "raised" and any(w in outcome.text for w in words)
+
+
+def _max_in_line(outcome: Outcome) -> bool:
+    """Whether np.max or np.min stands in the line that stopped."""
+    return any(call in outcome.text for call in ("np.max(", "np.min("))
 
 
 def _constant(outcomes: Sequence[Outcome]) -> bool:

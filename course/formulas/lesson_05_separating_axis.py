@@ -99,8 +99,9 @@ def oriented_boxes_overlap(
     """
     axes = box_axes(rotation_a, rotation_b)
     between = np.sum(axes * (center_b - center_a)[..., None, :], axis=-1)
-    half_a = np.sum(np.abs(axes @ rotation_a) * half_extents_a[..., None, :], axis=-1)
-    half_b = np.sum(np.abs(axes @ rotation_b) * half_extents_b[..., None, :], axis=-1)
+    e_a, e_b = half_extents_a[..., None, :], half_extents_b[..., None, :]
+    half_a = np.sum(np.abs(axes @ rotation_a) * e_a, axis=-1)
+    half_b = np.sum(np.abs(axes @ rotation_b) * e_b, axis=-1)
     return np.all(np.abs(between) <= half_a + half_b, axis=-1)
 
 

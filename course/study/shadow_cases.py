@@ -124,19 +124,6 @@ def by_gap(function: Callable[..., Any]) -> Verdict:
     return verdict
 
 
-def by_normals(function: Callable[..., Any]) -> Verdict:
-    """Of ``edge_normals``: gaps on the axes that it gives."""
-
-    def verdict(a: Array, b: Array) -> bool:
-        axes = np.concatenate([asked(function, [p.shape], p)[0] for p in (a, b)])
-        gap = formulas.shadow_gap(
-            *formulas.project(a, axes), *formulas.project(b, axes)
-        )
-        return bool(gap.max() <= 0)
-
-    return verdict
-
-
 def stopped_at(overlap: Callable[[float], bool], way: Array) -> tuple[float, bool]:
     """The place on a way at which a verdict first is overlap, and whether it ever is.
 
@@ -246,6 +233,7 @@ class DifferenceBody:
         corners: (n + m, 2) [m], counter-clockwise.
         owner: of the edge from each corner on, "A" or "B".
         distance: of 0 from it, below 0 inside: the greatest gap [m].
+        beyond: the ends of the edge that 0 is farthest beyond, (2, 2) [m].
     """
 
     a: Array
@@ -253,6 +241,7 @@ class DifferenceBody:
     corners: Array
     owner: tuple[str, ...]
     distance: float
+    beyond: Array
 
 
 def difference_body(a: Array, b: Array) -> DifferenceBody:
@@ -264,4 +253,8 @@ def difference_body(a: Array, b: Array) -> DifferenceBody:
     normals = formulas.edge_normals(corners)
     alike = normals @ formulas.edge_normals(a).T
     owner = tuple("A" if row.max() > 1 - 1e-9 else "B" for row in alike)
-    return DifferenceBody(a, b, corners, owner, float(polygon_shadows(a, b).gap.max()))
+    outside = -np.sum(normals * corners, axis=-1)
+    k = int(np.argmax(outside))
+    beyond = corners[[k, (k + 1) % len(corners)]]
+    gap = float(polygon_shadows(a, b).gap.max())
+    return DifferenceBody(a, b, corners, owner, gap, beyond)

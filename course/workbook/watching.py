@@ -57,7 +57,6 @@ WATCHED = {
     "contact_state": Watched("stepped_boxes", "resting", 0.8),
     "place": Watched("placed_colliders", "placed", 0.6),
     "shadow_gap": _slide,
-    "edge_normals": _slide,
     "polygons_overlap": _slide,
     "oriented_boxes_overlap": Watched("sinking_boxes", "sinking", 1.2),
     "swept_spheres_time": Watched("ball_throws", "throws", 1.2),

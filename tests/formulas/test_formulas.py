@@ -33,6 +33,7 @@ MODULES = [
 BESIDE = {
     "bounding_box",
     "box_axes",
+    "edge_normals",
     "point_in_sphere",
     "project",
     "separation_acceleration",

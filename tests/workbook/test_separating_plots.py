@@ -28,7 +28,8 @@ def test_the_differences_show_whose_edges_they_are_and_where_0_is(place, says):
         and f"0 is {says}" in text
     )
     labels = [t.get_text() for t in right.get_legend().get_texts()]
-    assert sorted(labels) == ["0", "edge of A", "edge of B, turned round"]
+    more = ["0 is beyond this edge"] if says == "outside" else []
+    assert sorted(labels) == ["0", *more, "edge of A", "edge of B, turned round"]
 
 
 def test_the_notch_is_drawn_with_the_cut():

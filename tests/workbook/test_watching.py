@@ -30,7 +30,6 @@ SEEN = {
     "contact_state": "no tolerance of speed",
     "place": "turned back",
     "shadow_gap": "minimum",
-    "edge_normals": "edges",
     "polygons_overlap": "x and y",
     "oriented_boxes_overlap": "six axes",
     "swept_spheres_time": "one radius",

@@ -129,10 +129,9 @@ def _picture(
         )
     ]
     between = common(turning.shadow_a, turning.shadow_b)
-    gap = Segments(
-        "gap", on_axis(between[:, :1], 0.16 * side), on_axis(between[:, 1:], 0.16 * side),
-        np.round(turning.gap, 2)[:, None] + 0.0, color="green",
-    )  # fmt: skip
+    gaps = _gap(
+        [on_axis(between[:, k : k + 1], 0.16 * side) for k in (0, 1)], turning.gap
+    )
     corners = [polygon[k] for polygon, k in turning.bounding]
     ends = np.concatenate([turning.shadow_a, turning.shadow_b], axis=-1)
     feet = Segments(
@@ -154,8 +153,21 @@ def _picture(
             Arrows("normals of the edges", _in_space(found.axes), at=_in_space(np.concatenate(middle)), scale=0.25,
                    color=tuple("vermillion" if b else "black" for b in best)),
         ],
-        segments=[feet, *lines, gap],
+        segments=[feet, *lines, *gaps],
     )  # fmt: skip
+
+
+def _gap(ends: list[Array], gap: Array) -> list[Segments]:
+    """Green above 0, red below, and its number; at other times a line has no length."""
+    middle = 0.5 * (ends[0] + ends[1])
+    lines = []
+    for on, color in ((gap > 0, "green"), (gap <= 0, "vermillion")):
+        start, end = (np.where(on[:, None, None], x, middle) for x in ends)
+        lines.append(Segments("gap", start, end, color=color))
+    number = Segments(
+        "gap", middle, middle, np.round(gap, 2)[:, None] + 0.0, color="black"
+    )
+    return [*lines, number]
 
 
 def _names(found: PolygonShadows) -> list[str]:

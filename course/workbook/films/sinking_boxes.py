@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from course import formulas, rotations
+from course.arrays import Array
 from course.study.shadow_cases import SinkingBoxes, sinking_boxes
 from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.stage import (
@@ -33,17 +34,17 @@ KNOBS = (
 )
 PRESETS = (
     Preset("edge on edge", {"turn": 0, "aside": 0}),
-    Preset("edges at 45°", {"turn": 45, "aside": 0}),
+    Preset("edges at 45°", {"turn": -45, "aside": 0}),
     Preset("edges parallel", {"turn": 90, "aside": 0}),
     Preset("beside the edge", {"turn": 0, "aside": 1.2}),
 )
 QUESTION = (
-    "Two cubes of 2 m, each on an edge, the edges crossed. How high over the lower one's centre does the upper one "
-    "stop if a program tries the six face normals only?"
+    "Two cubes of 2 m, each on an edge, the edges crossed. Turn B: at which turn would the six face normals err least, "
+    "and by how much do they err at 0 and at 45 degrees?"
 )
 ANSWER = (
-    "At 3.83 m, a metre too high: they touch at 2.83 m. The axis that shows the gap is normal to no face, it is "
-    "across both edges."
+    "By nothing at 90 degrees, where the two edges are parallel. At 0 they would stop B at 3.83 m and at 45 degrees at "
+    "3.54 m, while the cubes touch at 2.83 m: a metre too high, and 0.71 m."
 )
 
 
@@ -103,10 +104,10 @@ def _film(title: str, right: SinkingBoxes, other: Any, attempt: Attempt | None) 
     return Film(
         attempt.panes(title, _pane, right, other) if attempt else [_pane(title, right)],
         right.times,
-        Space("low", window=WINDOW),
+        Space("corner", window=WINDOW),
         title="A cube sinks until the verdict is: they overlap",
         caption="The lower cube A stands on an edge, and so does B above it. B stops at the first moment at which "
-        "it is said to overlap A. Drag it aside, or turn it.",
+        "it is said to overlap A. In black: A's upper and B's lower edge.",
         ending=_ending(motions, attempt, other),
         charts=[
             Curves("greatest gap on", "m", curves, limits=(-1.5, 2.2), colors=["vermillion", "green"]),
@@ -138,7 +139,16 @@ def _pane(title: str, boxes: SinkingBoxes) -> Pane:
         "gap", start, end, np.maximum(boxes.edges, 0.0)[:, None], color="green"
     )
     crossed = abs(boxes.place[0]) < 1e-9
-    return Pane(solids, place, turn, title=title, segments=[gap] if crossed else [])
+    segments = [_edges(boxes, place), *([gap] if crossed else [])]
+    return Pane(solids, place, turn, title=title, segments=segments)
+
+
+def _edges(boxes: SinkingBoxes, place: Array) -> Segments:
+    """A's upper edge and B's lower one, a hair outside, or the solids would cover them."""
+    up = 1.01 * np.sqrt(2.0) * np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+    along = np.stack([boxes.rotation[0][:, 0], boxes.rotation[1][:, 1]])
+    middle = place + up
+    return Segments("upper edge of A, lower edge of B", middle - along, middle + along, color="black")  # fmt: skip
 
 
 def _ending(motions: list[SinkingBoxes], attempt: Attempt | None, other: Any) -> str:

@@ -15,7 +15,6 @@ from course.study.shadow_cases import (
     TRIANGLE,
     Verdict,
     by_gap,
-    by_normals,
     by_verdict,
     polygon_shadows,
     stopped_at,
@@ -51,7 +50,6 @@ PRESETS = (
 ASKED: dict[str, tuple[Callable[[Any], Verdict], Any, str]] = {
     "polygons_overlap": (by_verdict, formulas.polygons_overlap, "no axis has a gap"),
     "shadow_gap": (by_gap, formulas.shadow_gap, "gaps of intervals"),
-    "edge_normals": (by_normals, formulas.edge_normals, "normals as axes"),
 }
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
@@ -30,13 +32,14 @@ def work_precision(
     by: Cost = "seconds",
     tolerance: float | None = None,
     exact: str = "exact to rounding",
+    beside: Mapping[str, Sequence[float]] | None = None,
     ax: Axes | None = None,
 ) -> Axes:
     """Error against cost, both logarithmic, a curve for each method, the front ringed.
 
     With ``tolerance`` the cheapest run within it is marked and named. An error of
     exactly 0 has no logarithm: it is drawn at the foot of the chart and labelled
-    ``exact``.
+    ``exact``. ``beside`` names the knobs that are written at their markers, by method.
     """
     floor, picked = _floor(result.error), ""
     with style():
@@ -46,6 +49,8 @@ def work_precision(
             _exact_level(ax, float(result.cost(by).min()), floor, exact)
         if tolerance is not None:
             picked = _mark_pick(ax, result, by, tolerance, floor)
+        for name, knobs in (beside or {}).items():
+            _knobs_beside(ax, result, by, name, knobs, floor)
         unit = f" [{result.problem.unit}]" if result.problem.unit else ""
         ax.set_xlabel("time [s]" if by == "seconds" else f"work [{result.count_unit}]")
         ax.set_ylabel(f"error{unit}")
@@ -78,6 +83,17 @@ def _curves(ax: Axes, result: WorkPrecision, by: Cost, floor: float) -> None:
     front = result.front(by)
     ax.loglog(cost[front], error[front], "o", ms=RING, mfc="none", mec="0.25", mew=1,
               ls="none", label="on the front")  # fmt: skip
+
+
+def _knobs_beside(
+    ax: Axes, result: WorkPrecision, by: Cost, name: str, knobs: Sequence[float], floor: float
+) -> None:  # fmt: skip
+    cost = result.cost(by)
+    for i, (method, knob) in enumerate(zip(result.method, result.knob, strict=True)):
+        if method == name and knob in knobs:
+            at = cost[i], max(result.error[i], floor)
+            ax.annotate(f"{knob:g}", at, (8, 7), textcoords="offset points",
+                        weight="bold")  # fmt: skip
 
 
 def _exact_level(ax: Axes, left: float, floor: float, exact: str) -> None:

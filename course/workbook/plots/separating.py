@@ -39,6 +39,10 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
                 lw=2.4,
                 label=label if first else None,
             )
+        if found.distance > 0:
+            first, second = found.beyond
+            longer = [first - 0.4 * (second - first), second + 0.4 * (second - first)]
+            line(right, longer, "0.4", ls=":", label="0 is beyond this edge")
         right.plot(0, 0, "k+", ms=14, mew=2, ls="none", label="0")
         left.set(title="A and B", xlabel="x [m]", ylabel="y [m]", aspect="equal")
         right.set(

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from course.exercises.definition import Lesson
-from course.exercises.definitions.lesson_05_separating_axis.edge_normals import (
-    EDGE_NORMALS,
-)
 from course.exercises.definitions.lesson_05_separating_axis.half_shadow import (
     HALF_SHADOW,
 )
@@ -36,7 +33,6 @@ LESSON = Lesson(
     exercises=(
         HALF_SHADOW,
         SHADOW_GAP,
-        EDGE_NORMALS,
         POLYGONS_OVERLAP,
         ORIENTED_BOXES_OVERLAP,
     ),

@@ -51,7 +51,7 @@ HALF_SHADOW = Exercise(
     kind="expression",
     rows=(4, 10),
     points=2,
-    minutes=6,
+    minutes=7,
     task="Give half the length of a box's shadow on a unit axis, in e_1, e_2, e_3 and the cosines c_1, c_2, c_3.",
     arguments=(
         *(

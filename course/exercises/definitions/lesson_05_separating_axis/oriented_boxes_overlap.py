@@ -19,8 +19,8 @@ from course.exercises.definitions.lesson_05_separating_axis.shared import (
 from course.exercises.slips import slip
 
 _ARGUMENTS = (*values_of_box("a"), *values_of_box("b"))
-_HALF_A = "np.sum(np.abs(axes @ rotation_a) * half_extents_a[..., None, :], axis=-1)"
-_HALF_B = "np.sum(np.abs(axes @ rotation_b) * half_extents_b[..., None, :], axis=-1)"
+_HALF_A = "np.sum(np.abs(axes @ rotation_a) * e_a, axis=-1)"
+_HALF_B = "np.sum(np.abs(axes @ rotation_b) * e_b, axis=-1)"
 
 
 def _pair(*values: object) -> Pairs:
@@ -60,10 +60,6 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("a cube below a cube, turned about x and about y", _pair(
             np.zeros(3), about_x, ones, [0.0, 0.0, 3.0], about_y, ones)),
         Case("the same, nearer", _pair(np.zeros(3), about_x, ones, [0.0, 0.0, 2.5], about_y, ones)),
-        Case("parallel, 0.1 mm apart", _parallel(rng, 1e-4), "edge"),
-        Case("parallel, 0.1 mm deep", _parallel(rng, -1e-4), "edge"),
-        Case("edges crossed, 0.1 mm apart", _pair(
-            np.zeros(3), about_x, ones, [0.1, -0.2, np.sqrt(8) + 1e-4], about_y, ones), "edge"),
         Case("apart, and only faces of A show it", box_pairs(rng, "seen by A only")),
         Case("apart, and only faces of B show it", box_pairs(rng, "seen by B only")),
         Case("apart, and only two edges show it", box_pairs(rng, "seen by edges only")),
@@ -72,6 +68,12 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
             np.zeros(3), upright, [1.0, 2.0, 0.5], [1.5, 0.5, 0.25], axes_in_turn, [1.0, 0.5, 2.0]), "edge"),
         Case("parallel and overlapping", _parallel(rng, -0.2), "edge"),
         Case("parallel and apart", _parallel(rng, 0.2), "edge"),
+        Case("parallel, 0.1 mm apart", _parallel(rng, 1e-4), "edge"),
+        Case("parallel, 0.1 mm deep", _parallel(rng, -1e-4), "edge"),
+        Case("edges crossed, 0.1 mm apart", _pair(
+            np.zeros(3), about_x, ones, [0.1, -0.2, np.sqrt(8) + 1e-4], about_y, ones), "edge"),
+        Case("edges crossed, 0.1 mm deep", _pair(
+            np.zeros(3), about_x, ones, [-0.2, 0.1, np.sqrt(8) - 1e-4], about_y, ones), "edge"),
         Case("three pairs", box_pairs(rng, _KINDS, (3,)), "batch"),
         Case("35 pairs", box_pairs(rng, _KINDS, (35,)), "batch"),
         Case("a 2 by 14 batch", box_pairs(rng, _KINDS, (2, 14)), "batch"),
@@ -86,7 +88,7 @@ ORIENTED_BOXES_OVERLAP = Exercise(
     name="oriented_boxes_overlap",
     rows=(4, 10),
     points=3,
-    minutes=8,
+    minutes=10,
     task="Return whether two oriented boxes overlap, by the 15 axes of box_axes; touching counts.",
     arguments=_ARGUMENTS,
     results=(Value("overlap", "(...)", "", "True where they overlap", dtype="bool"),),
@@ -105,8 +107,7 @@ ORIENTED_BOXES_OVERLAP = Exercise(
             "box_axes(rotation_a, rotation_b)",
             "box_axes(rotation_a, rotation_b)[..., :6, :]",
             message="You try the six face normals only. Pairs whose edges pass each other like crossed swords "
-            "are apart, and "
-            "you say that they overlap: the nine products of edges belong to it.",
+            "are apart, and you say that they overlap: the nine products of edges belong to it.",
         ),
         _without(
             "edges only",
@@ -158,7 +159,10 @@ ORIENTED_BOXES_OVERLAP = Exercise(
             "(axes @ rotation_a)",
             "np.abs(axes @ rotation_b)",
             "(axes @ rotation_b)",
-            message="The cosines keep their signs, so the terms of a half shadow cancel. Take the size of each.",
+            message="By your verdict every pair is apart. Two things do that. Either half shadows are too short: the "
+            "cosines keep their signs, so that terms cancel, or one box is taken off the other; np.abs belongs around "
+            "each `axes @ rotation`, and the two add up. Or the comparison is the wrong way round: on every axis the "
+            "distance must be <= the two half shadows together.",
         ),
         _without(
             "sign of the distance",
@@ -177,9 +181,9 @@ ORIENTED_BOXES_OVERLAP = Exercise(
         _without(
             "ellipsoids",
             _HALF_A,
-            "np.sqrt(np.sum(((axes @ rotation_a) * half_extents_a[..., None, :]) ** 2, axis=-1))",
+            "np.sqrt(np.sum(((axes @ rotation_a) * e_a) ** 2, axis=-1))",
             _HALF_B,
-            "np.sqrt(np.sum(((axes @ rotation_b) * half_extents_b[..., None, :]) ** 2, axis=-1))",
+            "np.sqrt(np.sum(((axes @ rotation_b) * e_b) ** 2, axis=-1))",
             message="The root of the sum of squares is the half shadow of an ellipsoid inside the box. A "
             "box's corner reaches "
             "farther: the sizes of the three terms add up.",
@@ -194,7 +198,9 @@ ORIENTED_BOXES_OVERLAP = Exercise(
             "one axis is enough",
             "np.all",
             "np.any",
-            message="You say that they overlap as soon as their shadows do on *one* axis. They must on all 15.",
+            message="By your verdict every pair overlaps. Two things do that. Either one axis is enough for it: np.any "
+            "where np.all belongs, for the shadows must overlap on all 15. Or the half shadows are far too long: each "
+            "counts once, and half_extents are already half the sides.",
         ),
         _without(
             "the other way round",
@@ -218,6 +224,86 @@ ORIENTED_BOXES_OVERLAP = Exercise(
             "gap above 0, however small, is proof that they are apart.",
         ),
         _without(
+            "a fixed length less",
+            "<= half_a + half_b",
+            "<= half_a + half_b - 1e-3",
+            message="You take something off the half shadows: boxes that are 0.1 mm deep in each other are apart by "
+            "your verdict, and so are all boxes with parallel edges, for the product of these is the zero vector, "
+            "where 0 is compared with 0. Touching counts: <= half_a + half_b.",
+        ),
+        _without(
+            "A's cosines for B",
+            "axes @ rotation_b",
+            "axes @ rotation_a",
+            message="Both half shadows are made with A's cosines. B's half sides belong to B's directions: "
+            "axes @ rotation_b.",
+        ),
+        _without(
+            "B's cosines for A",
+            "axes @ rotation_a",
+            "axes @ rotation_b",
+            message="Both half shadows are made with B's cosines. A's half sides belong to A's directions: "
+            "axes @ rotation_a.",
+        ),
+        _without(
+            "half sides exchanged",
+            "rotation_a) * e_a",
+            "rotation_a) * e_b",
+            "rotation_b) * e_b",
+            "rotation_b) * e_a",
+            message="A's cosines meet B's half sides, and B's those of A: exchange the two.",
+        ),
+        _without(
+            "A's half sides for both",
+            "rotation_b) * e_b",
+            "rotation_b) * e_a",
+            message="Both half shadows are made with A's half sides. B has its own: e_b, of half_extents_b.",
+        ),
+        _without(
+            "B's half sides for both",
+            "rotation_a) * e_a",
+            "rotation_a) * e_b",
+            message="Both half shadows are made with B's half sides. A has its own: e_a, of half_extents_a.",
+        ),
+        _without(
+            "A's reach twice",
+            "<= half_a + half_b",
+            "<= half_a + half_a",
+            message="You take A's half shadow twice and B's not at all: half_a + half_b.",
+        ),
+        _without(
+            "B's reach twice",
+            "<= half_a + half_b",
+            "<= half_b + half_b",
+            message="You take B's half shadow twice and A's not at all: half_a + half_b.",
+        ),
+        _without(
+            "faces of A only",
+            "box_axes(rotation_a, rotation_b)",
+            "box_axes(rotation_a, rotation_b)[..., :3, :]",
+            message="You try the three face normals of A only. The three of B and the nine products belong to it.",
+        ),
+        _without(
+            "faces of B only",
+            "box_axes(rotation_a, rotation_b)",
+            "box_axes(rotation_a, rotation_b)[..., 3:6, :]",
+            message="You try the three face normals of B only. The three of A and the nine products belong to it.",
+        ),
+        _without(
+            "squares added",
+            "np.abs(between) <= half_a + half_b",
+            "between**2 <= half_a**2 + half_b**2",
+            message="You compare squares, but the square of a sum is not the sum of the squares: the twofold product "
+            "is missing, and boxes that overlap seem apart. Compare np.abs(between) with half_a + half_b.",
+        ),
+        _without(
+            "a verdict for each axis",
+            "np.all(np.abs(between) <= half_a + half_b, axis=-1)",
+            "np.abs(between) <= half_a + half_b",
+            message="You return a verdict for each of the 15 axes. The pair has one: it overlaps if the shadows do on "
+            "all of them, np.all(..., axis=-1).",
+        ),
+        _without(
             "almost parted is apart",
             "<= half_a + half_b",
             "<= 0.9999 * (half_a + half_b)",
@@ -227,9 +313,9 @@ ORIENTED_BOXES_OVERLAP = Exercise(
         _without(
             "the size of the sum",
             _HALF_A,
-            "np.abs(np.sum((axes @ rotation_a) * half_extents_a[..., None, :], axis=-1))",
+            "np.abs(np.sum((axes @ rotation_a) * e_a, axis=-1))",
             _HALF_B,
-            "np.abs(np.sum((axes @ rotation_b) * half_extents_b[..., None, :], axis=-1))",
+            "np.abs(np.sum((axes @ rotation_b) * e_b, axis=-1))",
             message="You add up the three terms and take the size of the sum: that is one corner of the eight. The "
             "farthest corner has the sum of the three sizes, as in your half shadow: abs first, then the sum.",
         ),
@@ -256,9 +342,10 @@ ORIENTED_BOXES_OVERLAP = Exercise(
     hints=(
         "On each axis: how far are the centres apart along it, and how far do the two half shadows reach together?",
         "axes = box_axes(...) has shape (..., 15, 3). The cosines of all axes with A's axes are axes @ rotation_a, and "
-        "your half shadow is the sum of their sizes times half_extents_a[..., None, :]. The same for B.",
+        "your half shadow is the sum of their sizes times e_a, over the last axis. The same for B.",
         "axes = box_axes(rotation_a, rotation_b)\n"
         "between = np.sum(axes * (____)[..., None, :], axis=-1)\n"
+        "e_a, e_b = half_extents_a[..., None, :], half_extents_b[..., None, :]\n"
         "half_a = np.sum(np.abs(axes @ rotation_a) * ____, axis=-1)\n"
         "half_b = ____\n"
         "return np.all(np.abs(between) <= ____, axis=-1)",

@@ -61,9 +61,10 @@ def touching() -> Pairs:
 
 
 def _beside(rng: np.random.Generator, gap: float) -> Pairs:
-    """The same a hair off, and at another height: the greatest gap is this one [m]."""
-    pair, rise = touching(), round(float(rng.uniform(-0.3, 0.4)), 3)
-    return pair | {"vertices_b": pair["vertices_b"] + [gap, rise]}
+    """Two upright edges a hair off, at another height: an edge of either shows this gap [m]."""
+    rise = round(float(rng.uniform(-0.3, 0.4)), 3)
+    upright = np.array([[2.0, 1.0], [3.0, 0.5], [4.0, 2.0], [2.0, 2.5]])
+    return touching() | {"vertices_b": upright + [gap, rise]}
 
 
 def _hair_apart(given: Mapping[str, Any], answer: Any) -> Any:
@@ -83,6 +84,12 @@ def _corner_inside(vertices_a: Array, vertices_b: Array) -> BoolArray:
         return np.asarray(np.any(np.all(along <= reach + 1e-12, axis=-1), axis=-1))
 
     return inside(vertices_a, vertices_b) | inside(vertices_b, vertices_a)
+
+
+def _either(vertices_a: Array, vertices_b: Array) -> BoolArray:
+    """Whether the shadows overlap on all axes of one of the two."""
+    gaps = polygon_gaps({"vertices_a": vertices_a, "vertices_b": vertices_b})
+    return np.asarray((gaps["A"] <= 0) | (gaps["B"] <= 0))
 
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
@@ -145,6 +152,28 @@ POLYGONS_OVERLAP = Exercise(
             "overlap without any such corner: ask the shadows, on the normals of all edges.",
         ),
         Mistake(
+            "either's axes are enough",
+            _either,
+            "You ask for overlap on the axes of A *or* on those of B. One gap on any axis is proof that they are "
+            "apart: on all axes of both the shadows must overlap, so it is & between the two.",
+        ),
+        Mistake(
+            "corners as axes",
+            slip(formulas.polygons_overlap, _AXES, "vertices_a, vertices_b"),
+            "Your axes are the corners, taken as vectors from the origin. The axes are the normals of the edges: "
+            "edge_normals(vertices_a), and B's.",
+        ),
+        Mistake(
+            "a verdict for each axis",
+            slip(
+                formulas.polygons_overlap,
+                "np.all(shadow_gap(*shadow_a, *shadow_b) <= 0, axis=-1)",
+                "shadow_gap(*shadow_a, *shadow_b) <= 0",
+            ),
+            "You return a verdict for each axis. The pair has one: it overlaps if the shadows do on all axes, "
+            "np.all(..., axis=-1).",
+        ),
+        Mistake(
             "almost touching is an overlap",
             slip(formulas.polygons_overlap, "<= 0", "<= 1e-3"),
             "You allow a gap: pairs that are 0.1 mm apart overlap by your verdict. A gap above 0, however small, is "
@@ -188,8 +217,9 @@ POLYGONS_OVERLAP = Exercise(
         Mistake(
             "one axis is enough",
             slip(formulas.polygons_overlap, "np.all", "np.any"),
-            "You say that they overlap as soon as their shadows do on *one* axis. They overlap only if the shadows do "
-            "on all of them.",
+            "By your verdict every pair overlaps. Two things do that. Either one axis is enough for it: np.any where "
+            "np.all belongs. Or a shadow is compared with itself: project(vertices_a, ...) and project(vertices_b, "
+            "...) each come once.",
         ),
         Mistake(
             "the other way round",

@@ -21,11 +21,6 @@ def _along() -> float:
     return float(np.array([2.0, 1.0]) @ np.array([0.6, 0.8]))
 
 
-def _turned_square() -> float:
-    c = np.sqrt(0.5)
-    return float(np.abs(np.array([c, -c])) @ np.ones(2))
-
-
 def _touching() -> str:
     return "yes" if formulas.shadow_gap(0.0, 2.0, 2.0, 3.0) <= 0 else "no"
 
@@ -115,16 +110,6 @@ PREDICTIONS = (
         wrong={3: "That is the sum of the coordinates."},
     ),
     Prediction(
-        "turned_square",
-        "A square with half sides of 1 m is turned by 45 degrees. How far does it reach along "
-        "x from its "
-        "centre?",
-        _turned_square,
-        "A corner now lies on the x axis, half a diagonal away: the root of 2, 1.414 m.",
-        unit="m",
-        wrong={1: "So it was before the turn.", 2: "The corner is half a diagonal away, not two half sides."},
-    ),
-    Prediction(
         "touching",
         "Intervals from 0 to 2 and from 2 to 3 share one point. Do they overlap, in this course?",
         _touching,
@@ -135,21 +120,25 @@ PREDICTIONS = (
     Prediction(
         "turned_edges",
         "The upper cube is turned by 45 degrees about z, so that its lower edge crosses A's upper edge at 45 degrees. "
-        "Its centre starts high above A's and sinks. At which height does it stop?",
+        "Its centre sinks from high above A's. At which height do the two touch in truth?",
         _stopped_height,
         "Both edges are still level, so the axis across both is still z, and half a shadow on it is still the root of "
         "2: 2.83 m.",
         unit="m",
         tolerance=0.02,
-        wrong={3.5355: "That is where the gap on the face normals closes.", 3.8284: "That is where it closed "
-            "on the face normals before the turn."},
+        wrong={
+            3.5355: "There the last gap on the six face normals closes; the axis across both edges still has one.",
+            3.8284: "There the last gap on the face normals closed before the turn.",
+            2: "They touch along their edges, which reach 1.41 m, farther than the 1 m of a face.",
+        },
     ),
     Prediction(
         "six_axes",
         "Pairs of boxes are drawn at random, near enough for their bounding balls to overlap. Of the pairs that six "
         "axes call overlapping, how many are apart?",
         _six_axes,
-        "Two edges that pass each other are no rare accident: it is how most near misses of turned boxes look.",
+        "Two edges that pass each other are no rare accident: of turned boxes that miss each other by less than a "
+        "centimetre, only the products of edges show the gap in about half of the pairs.",
         choices={"rare": "fewer than 1 in 200", "ninth": "about 1 in 9", "fifth": "more than 1 in 5"},
     ),
     Prediction(
@@ -172,6 +161,9 @@ PREDICTIONS = (
         "3 face normals of the box, 1 of the triangle, and 3 times 3 products of edges: 13.",
         tolerance=0.0,
         wrong={
+            7: "Those are four faces and three edges: each edge is crossed with each of the box's three directions.",
+            10: "The face of the triangle and the products are there; the three faces of the box come to it.",
+            12: "The box's faces and the products are there; the triangle's own face comes to it.",
             15: "A box has three directions of faces, a triangle has one.",
             9: "Those are the products of edges; the faces come to it.",
             4: "Those are the faces; the products of edges come to it.",

@@ -51,7 +51,7 @@ SHADOW_GAP = Exercise(
     name="shadow_gap",
     rows=(5, 10),
     points=1,
-    minutes=5,
+    minutes=6,
     task="Return the gap between two intervals: above 0 apart, 0 touching, below 0 the least shift that parts them, "
     "with a minus sign.",
     arguments=(
@@ -81,6 +81,16 @@ SHADOW_GAP = Exercise(
             slip(formulas.shadow_gap, "maximum", "minimum"),
             "Both numbers are right, but you take the smaller one. Two intervals are apart as soon as *one* of them "
             "is above 0.",
+        ),
+        Mistake(
+            "by the lower ends",
+            slip(
+                formulas.shadow_gap,
+                _FORMULA,
+                "np.where(lower_a < lower_b, lower_b - upper_a, lower_a - upper_b)",
+            ),
+            "Which of the two numbers is the gap does not hang on the lower ends. Where one interval lies inside the "
+            "other, the shorter way out may be past the other end: of the two numbers it is the larger one.",
         ),
         Mistake(
             "sign",
