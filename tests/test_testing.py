@@ -9,6 +9,7 @@ import pytest
 
 from course import testing
 from course.testing import (
+    FILMS,
     Count,
     Stage,
     environment_for_tests,
@@ -42,6 +43,7 @@ def test_the_tiers_hold_what_the_design_says():
         *names("standard"),
         "long tests",
         "the stage's program",
+        "films in a browser",
         "browser",
         "peers",
         "fresh clone",
@@ -65,7 +67,10 @@ def test_markers_choose_the_tests_of_a_tier():
         ("peers", "peers"),
         ("fresh clone", "fresh"),
     ):
-        assert command("all", name)[-3:] == ("-m", marker, "tests")
+        given = command("all", name)
+        assert given[given.index("-m", 1) :][:3] == ("-m", marker, "tests")
+    assert command("all", "browser")[-1] == f"--ignore={FILMS}"
+    assert command("all", "films in a browser")[-3:] == ("-m", "browser", FILMS)
 
 
 @pytest.mark.slow
