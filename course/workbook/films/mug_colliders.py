@@ -28,7 +28,9 @@ from course.workbook.stage import (
 TIMES = np.linspace(0.0, 6.0, 61)
 MIDDLE = np.array([0.0, 0.0, 0.05])  # of the mug in its own axes [m]
 LEAN = 0.5  # by which it leans while it turns about the vertical [rad]
-WINDOW = ((-0.04, -0.06, -0.06), (0.19, 0.06, 0.06))
+#: Across the line of sight of the low camera: both are as far from the eye.
+ACROSS = np.array([0.9, 0.42, 0.0]) / np.hypot(0.9, 0.42)
+WINDOW = ((-0.04, -0.06, -0.06), (0.18, 0.12, 0.06))
 #: By how much a collider is drawn larger, so that what coincides does not flicker.
 SKIN = 1.004
 KNOBS = (
@@ -60,7 +62,7 @@ def _film(kind: float, apart: float) -> Film:
     volume, visual = float(shape.volume()), mug().volume()
     tight = float(formulas.tightness(volume, visual))
     places = np.zeros((2, 3))
-    places[1, 0] = apart
+    places[1] = apart * ACROSS
     about_x = rotations.from_rotation_vector(np.array([LEAN, 0.0, 0.0]))
     spin = np.zeros((len(TIMES), 3))
     spin[:, 2] = 2 * np.pi * TIMES / TIMES[-1]
@@ -73,7 +75,7 @@ def _film(kind: float, apart: float) -> Film:
         [Pane([mug_solid(), _collider(name, apart)], places, both)],
         TIMES,
         Space("low", window=WINDOW),
-        title=f"A mug and a collider: {name}",
+        title=f"A mug without a handle, and a collider: {name}",
         caption="On the left what is seen, on the right what is asked. Move them together again: a collider is where "
         "its body is, and turns with it.",
         ending=f"The {name} is filled by the mug to {100 * tight:.0f} percent",
