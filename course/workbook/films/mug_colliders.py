@@ -91,8 +91,22 @@ def _film(kind: float, apart: float) -> Film:
 def mug_solid(color: str = "sky") -> Solid:
     """The mug about its middle, its parts each with their own edges."""
     parts = [_about_middle(part) for part in mug().parts()]
-    solids = [mesh(part.vertices, part.triangles, color=color) for part in parts]
+    solids = [mesh(part.vertices, _outer(part), color=color) for part in parts]
     return replace(joined(*solids), what="mug")
+
+
+def _outer(part: Mesh) -> Array:
+    """A part's triangles without those between two staves, which a still would show as slivers.
+
+    These lie along the mug's axis and along its radius.
+    """
+    corners = part.vertices[part.triangles]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    around = np.cross([0.0, 0.0, 1.0], corners.mean(axis=1))
+    length = np.linalg.norm(around, axis=-1)
+    across = np.abs(np.sum(normal * around, axis=-1)) > 0.8 * length
+    return np.asarray(part.triangles[~(across & (length > 1e-9))])
 
 
 def _about_middle(part: Mesh) -> Mesh:
