@@ -54,7 +54,7 @@ WATCHED = {
     "rotated_box_extents": _boxed,
     "k_dop": _boxed,
     "compound_support": _boxed,
-    "contact_state": Watched("stepped_boxes", "resting", 0.8),
+    "contact_state": Watched("stepped_boxes", "drifting", 0.8),
     "place": Watched("placed_colliders", "placed", 0.6),
     "shadow_gap": _slide,
     "polygons_overlap": _slide,

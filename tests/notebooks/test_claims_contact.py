@@ -10,6 +10,7 @@ from course.study import (
     comparisons,
     filled,
     floor_errors,
+    highest_hidden_drop,
     inside,
     mug,
     mug_collider,
@@ -31,7 +32,7 @@ def end_of(speed):
 def test_the_step_of_gravity():
     (each,) = said("01", "- g h = -9.81/60 = -#$ m/s.")
     assert rounds_to(9.81 / 60, each)
-    (half,) = said("01", "the rate turns round and is halved, $+#$ m/s.")
+    (half,) = said("01", "the rate is reversed and halved, $+#$ m/s.")
     assert rounds_to(0.5 * 9.81 / 60, half)
 
 
@@ -60,10 +61,24 @@ def test_twice_g_h_is_enough_for_half_the_speed_and_livelier_bodies_need_more():
 def test_edges_that_the_steps_make():
     (edge,) = said("01", "at 240 steps a second the edge is at # m/s")
     assert rounds_to(9.81 / 240, edge)
-    low, high = said("01", "At 60 steps a second the choice is between # and # m/s")
+    low, high = said("01", "the safe choice is between # and # m/s")
     assert rounds_to(9.81 / 60, low) and rounds_to(np.sqrt(2 * 9.81 * 0.01), high)
     (hidden,) = said("01", "with 240 a second, twice $g h$ hides # mm")
     assert rounds_to(1000 * formulas.hidden_drop(2 * 9.81 / 240, 9.81), hidden)
+
+
+def test_dots_below_the_formula_and_where_they_pass_ten_millimetres():
+    there, low, high = said(
+        "01",
+        "there they are at # mm, and pass 10 mm at # to # m/s",
+    )
+    speeds = np.array([0.4429, float(low), float(high)])
+    drops = [1000 * highest_hidden_drop(s, steps_per_second=60) for s in speeds]
+    assert rounds_to(drops[0], there) and drops[1] < 10 < drops[2]
+    said("01", "The dots never lie above the formula")
+    for s in np.geomspace(0.17, 3.0, 25):
+        lies = highest_hidden_drop(s, steps_per_second=60)
+        assert lies <= formulas.hidden_drop(s, 9.81)
 
 
 def test_comparisons_and_tightness():

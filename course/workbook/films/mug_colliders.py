@@ -28,7 +28,9 @@ from course.workbook.stage import (
 TIMES = np.linspace(0.0, 6.0, 61)
 MIDDLE = np.array([0.0, 0.0, 0.05])  # of the mug in its own axes [m]
 LEAN = 0.5  # by which it leans while it turns about the vertical [rad]
-WINDOW = ((-0.04, -0.06, -0.06), (0.19, 0.06, 0.06))
+#: Across the line of sight of the low camera: both are as far from the eye.
+ACROSS = np.array([0.9, 0.42, 0.0]) / np.hypot(0.9, 0.42)
+WINDOW = ((-0.04, -0.06, -0.06), (0.18, 0.12, 0.06))
 #: By how much a collider is drawn larger, so that what coincides does not flicker.
 SKIN = 1.004
 KNOBS = (
@@ -60,7 +62,7 @@ def _film(kind: float, apart: float) -> Film:
     volume, visual = float(shape.volume()), mug().volume()
     tight = float(formulas.tightness(volume, visual))
     places = np.zeros((2, 3))
-    places[1, 0] = apart
+    places[1] = apart * ACROSS
     about_x = rotations.from_rotation_vector(np.array([LEAN, 0.0, 0.0]))
     spin = np.zeros((len(TIMES), 3))
     spin[:, 2] = 2 * np.pi * TIMES / TIMES[-1]
@@ -73,7 +75,7 @@ def _film(kind: float, apart: float) -> Film:
         [Pane([mug_solid(), _collider(name, apart)], places, both)],
         TIMES,
         Space("low", window=WINDOW),
-        title=f"A mug and a collider: {name}",
+        title=f"A mug without a handle, and a collider: {name}",
         caption="On the left what is seen, on the right what is asked. Move them together again: a collider is where "
         "its body is, and turns with it.",
         ending=f"The {name} is filled by the mug to {100 * tight:.0f} percent",
@@ -89,8 +91,22 @@ def _film(kind: float, apart: float) -> Film:
 def mug_solid(color: str = "sky") -> Solid:
     """The mug about its middle, its parts each with their own edges."""
     parts = [_about_middle(part) for part in mug().parts()]
-    solids = [mesh(part.vertices, part.triangles, color=color) for part in parts]
+    solids = [mesh(part.vertices, _outer(part), color=color) for part in parts]
     return replace(joined(*solids), what="mug")
+
+
+def _outer(part: Mesh) -> Array:
+    """A part's triangles without those between two staves, which a still would show as slivers.
+
+    These lie along the mug's axis and along its radius.
+    """
+    corners = part.vertices[part.triangles]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    around = np.cross([0.0, 0.0, 1.0], corners.mean(axis=1))
+    length = np.linalg.norm(around, axis=-1)
+    across = np.abs(np.sum(normal * around, axis=-1)) > 0.8 * length
+    return np.asarray(part.triangles[~(across & (length > 1e-9))])
 
 
 def _about_middle(part: Mesh) -> Mesh:

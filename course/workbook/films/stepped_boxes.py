@@ -56,17 +56,20 @@ ANSWER = (
 )
 
 
-def resting(against: Any = None) -> Exhibit:
+def resting(against: Any = None, *, slip: float = 0.0) -> Exhibit:
     """A box of 8 cm is let go 15 cm above a floor, restitution 1/2.
 
     Args:
         against: plays a second one beside it: a ``contact_state`` of your own; "three"
             plays three programs that differ in one number, and tells nothing else: it
             opens the lesson.
+        slip: how fast it moves along the floor, where the knob stands at first [m/s].
     """
     if isinstance(against, str) and against == "three":
         return Exhibit(lambda: _opening())
     answer, attempt = asked_of(against)
+
+    knobs = (*KNOBS[:2], replace(KNOBS[2], value=slip))
 
     def film(speed: float, rate: float, slip: float) -> Film:
         right = _steps(formulas.contact_state, speed, rate, slip)
@@ -75,7 +78,12 @@ def resting(against: Any = None) -> Exhibit:
         other = attempt.motion(lambda: _steps(answer, speed, rate, slip))
         return _film(right, other, attempt, speed, slip)
 
-    return Exhibit(film, KNOBS, (), PRESETS, question=QUESTION, answer=ANSWER)
+    return Exhibit(film, knobs, (), PRESETS, question=QUESTION, answer=ANSWER)
+
+
+def drifting(against: Any = None) -> Exhibit:
+    """The same box with a slip: all six words have to be asked for in the right order."""
+    return resting(against, slip=0.4)
 
 
 def _steps(function: Any, speed: float, rate: float, slip: float) -> BoxSteps:
@@ -167,7 +175,8 @@ def _pane(title: str, steps: BoxSteps, slip: float) -> Pane:
     place[:, 2:8, 0], place[:, 2:8, 2] = WORDS_AT, list(ROWS.values())
     place[:, 8, 0] = MARK_AT
     place[:, 8, 2] = [ROWS[steps.said[k]] for k in step]
-    words = [labelled(standing(ball(0.001)), word) for word in STATES]
+    dot = replace(standing(ball(0.001)), what="word")
+    words = [labelled(dot, word) for word in STATES]
     mark = replace(ball(0.009, color="vermillion"), what="mark")
     return Pane(
         [

@@ -9,8 +9,10 @@ from course import formulas, rotations
 from course.study import COLLIDERS, mug, mug_collider, step_tolerance, stepped_box
 from course.workbook.films.mug_colliders import PRESETS, colliders
 from course.workbook.films.placed_colliders import EDGES, SIGNS, placed
-from course.workbook.films.stepped_boxes import ROWS, WIDE, resting
+from course.workbook.films.stepped_boxes import ROWS, WIDE, drifting, resting
 from course.workbook.stage.encoding import encoded
+from course.workbook.stage.views import CAMERAS
+from course.workbook.stage.words import description
 
 
 def ends(exhibit):
@@ -64,6 +66,25 @@ def test_the_film_that_opens_the_lesson_tells_no_more_than_it_asks():
     assert resting().question and resting().made().charts
 
 
+def test_words_are_no_bodies_in_the_alternative_text():
+    assert "6 words, a mark" in description(resting("three").made())
+    assert "ball" not in description(resting("three").made())
+
+
+def test_the_film_of_an_answer_shows_a_wrong_order_of_the_slip():
+    """Asked first, the slip hides the landing: with it there is no bounce."""
+
+    def slip_first(gap, gap_rate, slip_speed, tolerance):
+        word = str(formulas.contact_state(gap, gap_rate, slip_speed, tolerance))
+        slides = abs(gap) <= tolerance[0] and slip_speed > tolerance[1]
+        return "sliding" if slides else word
+
+    film = drifting(slip_first).made()
+    right, yours = film.numbers[1].values  # steps with the word colliding
+    assert right > 0 and yours == 0
+    assert resting().made().numbers[1].values[0] == right
+
+
 @pytest.mark.parametrize("kind", range(4))
 def test_the_collider_encloses_the_mug_and_its_numbers_are_those_of_the_shapes(kind):
     film = colliders().made(kind=kind + 1.0, apart=0.0)
@@ -84,7 +105,10 @@ def test_together_they_are_in_one_place_and_turn_alike():
     assert np.array_equal(place[:, 0], place[:, 1])
     assert np.array_equal(turn[:, 0], turn[:, 1])
     apart = np.asarray(colliders().made(apart=0.1).panes[0].position)
-    assert apart[0, 1, 0] - apart[0, 0, 0] == pytest.approx(0.1)
+    between = apart[0, 1] - apart[0, 0]
+    assert np.linalg.norm(between) == pytest.approx(0.1)
+    # across the line of sight: neither is nearer, and so drawn larger
+    assert between @ np.array(CAMERAS["low"][0]) == pytest.approx(0.0, abs=1e-12)
 
 
 def test_the_corners_of_the_box_stay_around_the_mug():

@@ -22,7 +22,7 @@ LESSON = Lesson(
     name="contact-and-colliders",
     title="Contact and colliders",
     question="At 60 steps a second gravity gives your resting box 0.16 m/s each step: is it resting or colliding?",
-    minutes=65,
+    minutes=75,
     exercises=(HIDDEN_DROP, CONTACT_STATE, PLACE, TIGHTNESS),
     predictions=PREDICTIONS,
 )

@@ -45,6 +45,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
     return [
         _case("a box that gravity presses on the floor", 0.0, -0.16, 0.0, step),
         _case("it comes down at 2 m/s", 0.001, -2.0, 0.0, step),
+        _case("it comes down askew", 0.001, -2.0, 1.5, step),
         _case("it comes down at 2 m/s, still 5 cm away", 0.05, -2.0, 0.0, step),
         _case("it leaves", 0.001, 1.0, 0.0, step),
         _case("a book slides along", -0.002, 0.0, 1.5, step),
@@ -80,6 +81,21 @@ def _by_ifs(gap, gap_rate, slip_speed, tolerance):
     if gap_rate > speed:
         return "separating"
     return "sliding" if slip_speed > speed else "resting"
+
+
+def _cut(letters: int) -> Mistake:
+    """Words written into an array whose first ones were no longer than so many letters."""
+
+    def cut(gap, gap_rate, slip_speed, tolerance):
+        said = formulas.contact_state(gap, gap_rate, slip_speed, tolerance)
+        return np.asarray(said).astype(f"U{letters}")
+
+    return Mistake(
+        f"words of {letters}",
+        cut,
+        "NumPy has cut your words: an array holds words as long as the longest with which it was made. np.select has "
+        'room for all; so has np.full(..., dtype="U11"), 11 letters.',
+    )
 
 
 _ASKED = """        gap > distance,
@@ -131,6 +147,14 @@ CONTACT_STATE = Exercise(
             message="You say colliding as soon as the rate is below 0. Gravity makes it so in every step: only what is "
             "faster than the tolerance collides.",
         ),
+        _slip(
+            "size of the rate",
+            "gap_rate < -speed",
+            "abs(gap_rate) > speed",
+            message="You take the size of the rate, so what leaves is colliding too. Compare without abs: the sign "
+            "tells coming from leaving.",
+        ),
+        *map(_cut, (1, 5, 7)),
         _slip(
             "nothing left",
             ', default="resting"',

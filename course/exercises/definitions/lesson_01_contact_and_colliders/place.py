@@ -51,6 +51,20 @@ def _distances(points: np.ndarray) -> np.ndarray:
     return np.linalg.norm(apart, axis=-1)
 
 
+def _one_by_one(points, rotation, translation):
+    return (rotation @ points[..., None])[..., 0] + translation[..., None, :]
+
+
+def _one_by_one_of_one(points, rotation, translation):
+    return (rotation @ points[..., None])[..., 0] + translation
+
+
+_MATRIX_FOR_EACH = (
+    "Right for one body. In a batch the points, (..., m, 3), have an axis more than the bodies: "
+    "rotation[..., None, :, :] and translation[..., None, :] give each body's to all of its points."
+)
+
+
 def _slip(name: str, *edits: str, message: str) -> Mistake:
     return Mistake(name, slip(formulas.place, *edits), message)
 
@@ -130,6 +144,24 @@ PLACE = Exercise(
             message="Right for one body. In a batch the translations, (..., 3), need an axis for the points, so that "
             "each body's goes to all of its points: translation[..., None, :].",
         ),
+        _slip(
+            "transposed, and one shift a point",
+            _TURNED,
+            "points @ rotation.T",
+            _RETURN,
+            "turned + translation",
+            message="Right for one body. .T on a batch reverses all axes: np.swapaxes(rotation, -1, -2) transposes "
+            "each matrix. And the translations, (..., 3), need an axis for the points: translation[..., None, :].",
+        ),
+        _slip(
+            "a batch of one axis",
+            "translation[..., None, :]",
+            "translation[:, None]",
+            message="translation[:, None] is right only for a batch of one axis: translation[..., None, :] puts the "
+            "axis for the points before the last one, whatever stands in front.",
+        ),
+        Mistake("a matrix for each point", _one_by_one, _MATRIX_FOR_EACH),
+        Mistake("a matrix for each point of one", _one_by_one_of_one, _MATRIX_FOR_EACH),
     ),  # fmt: skip
     hints=(
         "Turn first, then shift. The columns of the rotation are where the body's three axes point now.",

@@ -73,18 +73,22 @@ def _lift() -> float:
     return (GRAVITY + 2.0) / STEPS
 
 
+_NEVER_RESTS = (
+    "A little below g h: gravity's share of a step is more, and it never rests."
+)
+
 PREDICTIONS = (
     Prediction(
         "resting_or_colliding",
-        "The gap of the box is 0, and in each step gravity makes its rate -0.16 m/s before the floor answers. Is the "
-        "box resting or colliding?",
+        "The gap of the box is 0, and in each step gravity makes its rate -0.16 m/s before the floor answers. Is it "
+        "resting, is it colliding, or does nobody know from these two numbers?",
         _resting_or_colliding,
         "With a tolerance of 0.05 m/s it is called colliding, with 0.33 m/s resting, in the very same step. A number "
         "of the program decides, and it has to be at least g h = 0.16 m/s for a box that rests to be called so.",
         choices={
             "resting": "resting: its height does not change",
             "colliding": "colliding: it touches, and it comes closer",
-            "nobody": "the two numbers alone do not say it",
+            "nobody": "nobody knows from these two numbers",
         },
         later="See",
     ),
@@ -123,42 +127,56 @@ PREDICTIONS = (
         },
     ),
     Prediction(
-        "at_120",
-        "The program takes 120 steps a second in place of 60. Which is the least tolerance of speed with which a box "
-        "that stands on the floor is called resting?",
-        _at_120,
-        "g h, with half the step: 9.81/120 = 0.082 m/s.",
-        unit="m/s",
-        wrong={0.1635: "That is for 60 steps a second.", 0.327: "Shorter steps: gravity has less time."},
-    ),
-    Prediction(
         "air_in_the_hull",
-        "The convex hull of the mug is the tightest convex collider that there is for it. Which share of it is mug?",
+        "A mug without a handle stands in its convex hull, the tightest collider without hollows. Which share of "
+        "the hull is mug?",
         _air_in_the_hull,
         "27 percent: the hull closes the mug like a lid, and nearly all inside of a mug is air.",
         choices={"quarter": "about a quarter", "half": "about a half", "most": "more than two thirds"},
     ),
     Prediction(
-        "fixed_tolerance",
-        "An engine has a fixed tolerance of 0.2 m/s. At how many steps a second, or fewer, does a box that was put "
-        "down stop being at rest?",
-        _fixed_tolerance,
-        "g h = 0.2 m/s at h = 0.2/9.81 s: 49 steps a second. At 30 steps a second it never rests.",
-        unit="1/s",
+        "at_120",
+        "The program takes 120 steps a second in place of 60. Which is the least tolerance of speed with which a box "
+        "that stands on the floor is called resting?",
+        _at_120,
+        "g h, with half the step: 9.81/120 = 0.08175 m/s, rounded up 0.082.",
+        unit="m/s",
+        tolerance=0.0037,  # from 0.0817 to 0.0823: 0.08 is below the edge
         wrong={
+            0.08: _NEVER_RESTS,
+            0.081: _NEVER_RESTS,
+            0.083: "That is enough, but not the least.",
+            0.16: "That is for 60 steps a second.",
+            0.1635: "That is for 60 steps a second.",
+            0.164: "That is for 60 steps a second.",
+            0.327: "Shorter steps: gravity has less time.",
+        },
+    ),
+    Prediction(
+        "fixed_tolerance",
+        "A program like that of the film has a fixed tolerance of 0.2 m/s. At which number of steps a second, and at "
+        "all that are fewer, is a box that was put down never at rest? The largest whole number is asked for.",
+        _fixed_tolerance,
+        "g h = 0.2 m/s at h = 0.2/9.81 s: 49.05 steps a second. With 49 the step is a little too long.",
+        unit="1/s",
+        tolerance=0.002,  # 49.05, where the two are equal, is right as well
+        wrong={
+            50: "At 50 steps a second g h is 0.196 m/s, which is within 0.2: it rests.",
             60: "At 60 steps a second g h is 0.16 m/s, which is within 0.2.",
             30: "It fails there, but it fails sooner.",
         },
     ),
     Prediction(
         "no_bounce",
-        "Another engine calls everything below 1 m/s rest. A ball is let go: from how high at most does it land "
+        "An engine calls everything below 1 m/s rest. A ball is let go: from how high at most does it land "
         "without a bounce?",
         _no_bounce,
         "s^2/(2 g) = 1/19.62 = 0.051 m, more than five centimetres.",
         unit="m",
         wrong={
             0.102: "Twice too high: while it falls the speed grows from 0.",
+            51: "That is the drop in millimetres. Asked is metres: 0.051 m.",
+            5.1: "That is the drop in centimetres. Asked is metres: 0.051 m.",
             1: "That is a speed. After a fall from 1 m it is 4.4 m/s.",
         },
     ),
@@ -177,7 +195,13 @@ PREDICTIONS = (
         _lift,
         "In the lift everything falls at 9.81 + 2 m/s^2: (9.81 + 2)/60 = 0.197 m/s.",
         unit="m/s",
+        tolerance=0.0015,  # from 0.1966 to 0.1971: whoever rounds down is below the edge
         wrong={
+            0.2: "That is enough, but not the least.",
+            0.196: "A little below the edge: it never rests.",
+            0.16: "So it is in a lift that stands still.",
+            0.164: "So it is in a lift that stands still.",
+            0.13: "Upward: the box is pressed more, not less.",
             0.1635: "So it is in a lift that stands still.",
             0.1302: "Upward: the box is pressed more, not less.",
         },

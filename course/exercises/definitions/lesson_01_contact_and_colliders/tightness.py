@@ -44,6 +44,10 @@ def _slip(name: str, new: str, message: str) -> Mistake:
     return Mistake(name, slip(formulas.tightness, _FORMULA, new), message)
 
 
+def _of_one_number(collider_volume, visual_volume):
+    return float(visual_volume) / float(collider_volume)
+
+
 TIGHTNESS = Exercise(
     name="tightness",
     rows=(1,),
@@ -87,6 +91,16 @@ TIGHTNESS = Exercise(
             "of lengths",
             "(visual_volume / collider_volume) ** (1 / 3)",
             "The cube root compares lengths. Asked is the share of the volume.",
+        ),
+        _slip(
+            "whole number",
+            "visual_volume // collider_volume",
+            "// keeps the whole part only, and of a share below 1 that is 0. One slash divides.",
+        ),
+        Mistake(
+            "float",
+            _of_one_number,
+            "Right for one body. float() takes one number: leave it out, and arrays are divided as well.",
         ),
     ),  # fmt: skip
     hints=(
