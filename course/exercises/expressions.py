@@ -41,7 +41,11 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
         )
     except (sympy.SympifyError, TypeError, AttributeError):
         expression = None
-    if not isinstance(expression, sympy.Expr) or expression.is_Matrix:
+    if getattr(expression, "is_Matrix", False):
+        raise TypeError(
+            "expected a SymPy expression; got a vector or a matrix. Asked is one number"
+        )
+    if not isinstance(expression, sympy.Expr):
         raise TypeError(f"expected a SymPy expression; got {came}")
     _require_known(expression, symbols)
     expression = expression.replace(sympy.Piecewise, _without_endless_branches)

@@ -10,12 +10,14 @@ from course.study import (
     LOST_BELOW,
     far_meeting,
     feet_apart,
+    nearly_touching,
     rods_side_by_side,
     safe_until,
     spacing,
     sphere_pairs,
     sphere_verdict_bytes,
     tenths,
+    with_margin,
     wrong_far_out,
 )
 
@@ -37,22 +39,32 @@ def test_how_wrong_so_many_bytes_are():
 
 
 def test_where_verdicts_go_wrong_far_out():
-    line, first = said(
+    line, fine, coarse = said(
         "04",
-        "up to the line at # km no verdict is wrong, as computed. The first wrong ones "
-        "come at # km",
+        "up to the line at # km no verdict is wrong, as computed: $\\sqrt3\\cdot#$ mm are "
+        "less than 1 cm, $\\sqrt3\\cdot#$ mm are more",
     )
     assert rounds_to(safe_until(0.01) / 1000, line)
+    for place, step in ((65e3, fine), (66e3, coarse)):
+        assert rounds_to(1e3 * spacing(place), step)
+    assert np.sqrt(3) * spacing(65e3) < 0.01 < np.sqrt(3) * spacing(66e3)
+    (first,) = said("04", "the first wrong ones come with the next step, at # km.")
+    assert rounds_to(2.0**17 / 1000, first)
+    assert list(wrong_far_out(VERDICT, [1.30e5, 1.32e5]) > 0) == [False, True]
     places = 10.0 ** np.arange(1, 9.1, 0.25)
     shares = wrong_far_out(VERDICT, places)
-    found = places[np.flatnonzero(shares)[0]]
-    assert round(found / 1e4) * 10 == int(first)
-    at_1000, at_10000 = said("04", "At 1,000 km # percent are, at 10,000 km # percent")
+    at_1000, at_10000 = said(
+        "04",
+        "At 1,000 km # percent are wrong (not 21: the nearest pairs are left out), at "
+        "10,000 km # percent",
+    )
     for place, number in ((1e6, at_1000), (1e7, at_10000)):
         assert rounds_to(100 * wrong_far_out(VERDICT, [place])[0], number)
     assert np.all(shares[places > 9e7] > 0.47), "a coin would do as well"
     assert np.all(wrong_far_out(VERDICT, places, first_from_a=True) == 0.0)
-    (power,) = said("04", "with 8 bytes its line lies at $3.5\\cdot10^{#}$ m")
+    (power,) = said(
+        "04", "With 8 bytes throughout the line lies at $3.5\\cdot10^{#}$ m"
+    )
     assert safe_until(0.01, 8) == pytest.approx(3.5 * 10 ** int(power), rel=0.01)
 
 
@@ -62,7 +74,7 @@ def test_where_the_spheres_of_the_question_are_stopped():
         "04",
         "at $10^8$ m the true gap is # m when $B$ stops. Stored, the distance of the "
         "centres goes from 16 m to 8 m at once, and 8 is less than 9. With $B$ aside by "
-        "5 m it ends # m too late instead",
+        "5 m it ends # m deep in $A$ instead",
     )
     for lane, number, sign in ((0.0, early, 1), (5.0, late, -1)):
         found = far_meeting(1e8, lane, times, 4, VERDICT)
@@ -78,8 +90,33 @@ def test_how_many_tenths_touch():
     assert np.sum(~VERDICT(x_a, r_a, x_b, r_b)) == int(apart)
     less = np.sum((x_a - x_b) ** 2, axis=-1) < (r_a + r_b) ** 2
     assert np.sum(less) == int(strict)
+    assert with_margin(VERDICT, 1e-9)(x_a, r_a, x_b, r_b).all()
     (share,) = said("04", "beyond $#\\cdot10^{-16}$ of the sum of the radii")
     assert rounds_to(1e16 * DECIDED, share)
+
+
+def test_where_touching_is_decided_wrongly():
+    low, high = said(
+        "04",
+        "wrong verdicts lie at gaps from about $#\\cdot10^{-16}$ to $#\\cdot10^{-16}$, "
+        "nearly all above 0",
+    )
+    pairs = nearly_touching(4000)
+    gap = 1e16 * pairs.gap / (pairs.radius_a + pairs.radius_b)
+    wrong = gap[VERDICT(*pairs.arguments) != pairs.overlap]
+    assert rounds_to(wrong.min(), low) and rounds_to(wrong.max(), high)
+    assert np.mean(wrong > 0) > 0.9
+
+
+def test_up_to_which_radii_2_bytes_serve():
+    least, most, far, step = said(
+        "04", "here of # to # m. At # m steps of 2 bytes are # cm."
+    )
+    pairs = sphere_pairs(10_000, 1e6, seed=4)
+    for radii in (pairs.radius_a, pairs.radius_b):
+        assert float(least) < radii.min() and radii.max() < float(most)
+    assert rounds_to(100 * spacing(float(far), 2), step)
+    assert wrong_far_out(VERDICT, [1e6], size=2, first_from_a=True)[0] == 0.0
 
 
 def test_how_wrong_feet_alone_are():

@@ -83,7 +83,7 @@ def _film(
 ) -> Film:
     made = [right if isinstance(m, Stopped) else m for m in motions]
     titles = ("places in 8 bytes each", "places in 4 bytes each")
-    steps = tuple(round(1e3 * spacing(far, s), 3) + 0.0 for s in (8, 4))
+    steps = tuple(spacing(far, s) for s in (8, 4))
     names = ("8 bytes", "4 bytes")
     gaps = dict(zip(names, (m.gap for m in made), strict=True))
     stored = dict(zip(names, (m.stored_gap for m in made), strict=True))
@@ -100,9 +100,9 @@ def _film(
             Curves("true gap", "m", gaps, limits=(-10.0, 22.0), colors=colors),
             Curves("gap of the stored places", "m", stored, limits=(-10.0, 26.0), colors=colors),
         ],
-        numbers=[
+        numbers=[] if opening else [
             Number("true gap where B stops", tuple(round(float(m.gap[-1]), 2) + 0.0 for m in made), "m"),
-            Number("step of the numbers", steps, "mm"),
+            Number("step of the numbers", steps, "m"),
         ],
     )  # fmt: skip
 

@@ -30,7 +30,7 @@ LESSON = Lesson(
     name="overlap-tests",
     title="Overlap tests",
     question="At 100,000 km from the origin float32 moves in steps of 8 m: do these spheres touch?",
-    minutes=70,
+    minutes=75,
     exercises=(
         FOOT_SHARE,
         SPHERES_OVERLAP,

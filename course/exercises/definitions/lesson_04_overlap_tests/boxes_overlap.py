@@ -112,13 +112,15 @@ BOXES_OVERLAP = Exercise(
         ),
         _wrong(
             "A below B only",
-            "You only ask whether A begins before B ends. B may as well lie below A: there is a second condition.",
+            "You only ask whether A begins before B ends. It does so too where A lies wholly below B: there is a "
+            "second condition.",
             f"{_FIRST} & {_SECOND}",
             _FIRST,
         ),
         _wrong(
             "B below A only",
-            "You only ask whether B begins before A ends. A may as well lie below B: there is a second condition.",
+            "You only ask whether B begins before A ends. It does so too where B lies wholly below A: there is a "
+            "second condition.",
             f"{_FIRST} & {_SECOND}",
             _SECOND,
         ),
@@ -165,6 +167,26 @@ BOXES_OVERLAP = Exercise(
             "Each of the two conditions alone lets boxes through that are apart. Both must hold: &, not |.",
             " & ",
             " | ",
+        ),
+        _wrong(
+            "both comparisons turned",
+            "Both comparisons are turned: no two boxes fulfil both >=. Each one begins before the other ends: <=.",
+            f"{_FIRST} & {_SECOND}",
+            "(lower_a >= upper_b) & (lower_b >= upper_a)",
+        ),
+        _wrong(
+            "and",
+            "`and`, `if` and a <= b <= c want one True or False, and you have one for each axis. & joins two arrays "
+            "of verdicts place by place: (... <= ...) & (... <= ...).",
+            " & ",
+            " and ",
+        ),
+        _wrong(
+            "a verdict for each axis",
+            "You give three verdicts a pair, one for each axis. The boxes overlap where all three are true: "
+            "np.all(..., axis=-1).",
+            f"np.all({_FIRST} & {_SECOND}, axis=-1)",
+            f"{_FIRST} & {_SECOND}",
         ),
         _wrong(
             "one verdict for the batch",

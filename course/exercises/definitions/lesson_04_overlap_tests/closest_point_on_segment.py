@@ -55,6 +55,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("far before its start", _given([-9.0, -5, 3], a, b), "edge"),
         Case("at its start", _given(a, a, b), "edge"),
         Case("the segment is only a point", _given(place(rng), a, a), "edge"),
+        Case("a segment of 0.1 mm", _given(a + [3e-5, 0, 2], a, a + [1e-4, 0, 0]), "edge"),
         Case("three of them", _drawn(rng, (3,)), "batch"),
         Case("twelve of them", _drawn(rng, (12,)), "batch"),
         Case("a 2 by 6 batch", _drawn(rng, (2, 6)), "batch"),
@@ -133,6 +134,31 @@ CLOSEST_POINT_ON_SEGMENT = Exercise(
             "divided by the square of the length.",
             _SAFE,
             "np.sqrt(np.where(square == 0, 1.0, square))",
+        ),
+        _wrong(
+            "short ones taken for points",
+            "You divide by something else than the square of the length where that is small. A segment of 0.1 mm is "
+            "no point: only a square of exactly 0 must be replaced.",
+            _SAFE,
+            "np.maximum(square, 1e-6)",
+        ),
+        _wrong(
+            "below a metre",
+            "Where the squared length is below 1 m^2 you divide by 1. Only a square of exactly 0 must be replaced.",
+            _SAFE,
+            "np.where(square < 1, 1.0, square)",
+        ),
+        _wrong(
+            "the share",
+            "You return the share, a number without unit. Asked is the place: start + share * way.",
+            "start + np.clip(share, 0.0, 1.0) * way",
+            "np.clip(share, 0.0, 1.0)[..., 0]",
+        ),
+        _wrong(
+            "the share, with its axis",
+            "You return the share, a number without unit. The place that is asked for is start + share * way.",
+            "start + np.clip(share, 0.0, 1.0) * way",
+            "np.clip(share, 0.0, 1.0)",
         ),
         _wrong(
             "not divided",

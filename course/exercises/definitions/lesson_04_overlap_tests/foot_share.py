@@ -67,6 +67,13 @@ FOOT_SHARE = Exercise(
             f"{_SQUARE} ** 0.5",
         ),
         _wrong(
+            "length by length",
+            "That is how long p is, in lengths of b. It counts only how far p lies *along* b, and a dot product "
+            "measures that.",
+            _FORMULA,
+            f"((p_1**2 + p_2**2 + p_3**2) / {_SQUARE}) ** 0.5",
+        ),
+        _wrong(
             "upside down",
             "That is one over the share. The further p lies along b, the larger s must be.",
             _FORMULA,

@@ -33,18 +33,6 @@ def _box_of_rod() -> float:
     return float(bounds.upper[0] - bounds.lower[0])
 
 
-def _sign_of_gap() -> str:
-    ball = np.zeros(3), 1.0, np.array([1.48, 0.0, 0.0]), 0.5
-    gap = np.linalg.norm(ball[0] - ball[2]) - ball[1] - ball[3]
-    return "overlap" if round(float(gap), 2) == -0.02 else "apart"
-
-
-def _stored_error() -> float:
-    from course.study import spacing
-
-    return 2 * 0.5 * spacing(1e7)
-
-
 def _two_bytes() -> str:
     from course.study import far_places as far
 
@@ -59,7 +47,7 @@ def _first_wrong() -> str:
     from course.study import safe_until
 
     limit = safe_until(0.01)
-    return "1" if limit < 5e3 else "66" if limit < 1e6 else "10000"
+    return "1" if limit < 5e3 else "65" if limit < 1e6 else "10000"
 
 
 def _tenths_touch() -> str:
@@ -122,18 +110,6 @@ PREDICTIONS = (
         wrong={60: "So many products are summed.", 1: "That is the sum without axis=-1.", 3: "That is what is summed."},
     ),
     Prediction(
-        "sign_of_gap",
-        "From lesson 01: the gap of two colliders is -0.02 m. What does that say?",
-        _sign_of_gap,
-        "Above 0 apart, 0 touching, below 0 penetrating: here by 2 cm.",
-        choices={
-            "apart": "they are 2 cm apart",
-            "overlap": "they are 2 cm deep in each other",
-            "approach": "they approach each other",
-        },
-        wrong={"approach": "Whether they approach is the sign of the gap's *rate*."},
-    ),
-    Prediction(
         "box_of_rod",
         "From lesson 02: a capsule of radius 0.5 m runs from (0, 0, 0) to (3, 4, 0). How long is its upright bounding "
         "box along x?",
@@ -145,17 +121,6 @@ PREDICTIONS = (
             3.5: "The radius sticks out at both ends.",
             5: "That is the length of the segment.",
         },
-    ),
-    Prediction(
-        "stored_error",
-        "Two places 10,000 km from the origin are stored in 4 bytes, where the step is 1 m. By how much can the "
-        "difference of their x be wrong, at most?",
-        _stored_error,
-        "Each is rounded to the nearest step, so it is off by up to half a metre. At worst both are, in opposite "
-        "directions: 1 m.",
-        unit="m",
-        tolerance=0.01,
-        wrong={0.5: "So much for one of the two.", 2: "Each is off by half a step at most, not by a whole one."},
     ),
     Prediction(
         "two_bytes",
@@ -176,8 +141,8 @@ PREDICTIONS = (
         "verdict right for sure? (A coordinate is off by up to half a step; there are three.)",
         _first_wrong,
         "The distance is off by up to the root of 3 times a step, 1.73 steps. Steps of 3.9 mm are fine, of 7.8 mm not; "
-        "those begin at 2^16 m.",
-        choices={"1": "1 km", "66": "66 km", "10000": "10,000 km"},
+        "those begin at 2^16 m = 65.5 km.",
+        choices={"1": "1 km", "65": "65 km", "10000": "10,000 km"},
         wrong={"10000": "The step there is 1 m.", "1": "The step there is a sixteenth of a millimetre."},
     ),
     Prediction(
@@ -201,6 +166,7 @@ PREDICTIONS = (
         wrong={
             36.4: "From there on the step is 1/64 s, still smaller than 1/60 s.",
             145.6: "That is one power of 2 too many.",
+            262144: "So many seconds; asked are hours.",
         },
     ),
 )  # fmt: skip

@@ -29,6 +29,7 @@ _ARGUMENTS = (
 )
 _NEAREST = "closest_point_on_segment(center, start, end)"
 _GAP = "np.linalg.norm(center - nearest, axis=-1) - radius - capsule_radius"
+_ENDS = "np.sum((center - start) ** 2, axis=-1), np.sum((center - end) ** 2, axis=-1)"
 _ON_LINE = (
     "start + np.sum((center - start) * (end - start), axis=-1, keepdims=True) / "
     "np.maximum(np.sum((end - start) ** 2, axis=-1, keepdims=True), 1e-300) * (end - start)"
@@ -134,6 +135,26 @@ SPHERE_CAPSULE_GAP = Exercise(
             "root has to be taken.",
             "np.linalg.norm(center - nearest, axis=-1)",
             "np.sum((center - nearest) ** 2, axis=-1)",
+        ),
+        _wrong(
+            "difference of squares",
+            "You take the difference of two squares, in m^2. It has the sign of the gap, but a gap is a length: the "
+            "distance, less both radii.",
+            _GAP,
+            "np.sum((center - nearest) ** 2, axis=-1) - (radius + capsule_radius) ** 2",
+        ),
+        _wrong(
+            "the nearer end",
+            "You measure to the nearer *end* of the segment. Beside the segment its nearest point lies between them.",
+            _NEAREST,
+            f"np.where(np.less(*({_ENDS}))[..., None], start, end)",
+        ),
+        _wrong(
+            "endless, and 0/0",
+            "You measure to the whole line: the capsule goes on beyond its ends. And where its segment is only a point "
+            "you divide 0 by 0. Your closest_point_on_segment has an answer to both.",
+            _NEAREST,
+            _ON_LINE.replace(", 1e-300", ", 0.0"),
         ),
         _wrong(
             "endless",

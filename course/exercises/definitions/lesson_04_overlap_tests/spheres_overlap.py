@@ -48,6 +48,8 @@ def _with_gap(rng: np.random.Generator, gap: float) -> Given:
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
     x = place(rng)
+    # A millionth of what they reach: np.isclose takes this for touching.
+    apart = 9000.009 * unit_vector(np.random.default_rng(4))
     return [
         Case("3 and 1 m, centres 5 m apart", _pair([1.0, 2, 0], 3.0, [4.0, 6, 0], 1.0)),
         Case("3 and 2.5 m, the same centres", _pair([1.0, 2, 0], 3.0, [4.0, 6, 0], 2.5)),
@@ -58,6 +60,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("the same centre", _pair(x, 0.4, x, 1.3), "edge"),
         Case("one lies deep in the other", _pair(x, 5.0, x + 2.0 * unit_vector(rng), 0.2), "edge"),
         Case("a point on a sphere", _pair([2.0, 3, 6], 0.0, [0.0, 0, 0], 7.0), "edge"),
+        Case("5,000 and 4,000 m, 9 mm apart", _pair(x, 5e3, x + apart, 4e3), "edge"),
         Case("three pairs", _drawn(rng, (3,)), "batch"),
         Case("thirty pairs", _drawn(rng, (30,)), "batch"),
         Case("a 2 by 12 batch", _drawn(rng, (2, 12)), "batch"),
@@ -73,7 +76,7 @@ SPHERES_OVERLAP = Exercise(
     rows=(9,),
     points=2,
     minutes=5,
-    task="Return whether two spheres overlap, without a square root; touching counts.",
+    task="Return whether two spheres overlap; touching counts, and no square root is needed.",
     arguments=_ARGUMENTS,
     results=(Value("overlap", "(...)", "", "True where they overlap", dtype="bool"),),
     reference=formulas.spheres_overlap,
@@ -121,6 +124,31 @@ SPHERES_OVERLAP = Exercise(
             "Your answer is reversed: it is True for pairs that are apart.",
             "<=",
             ">",
+        ),
+        _wrong(
+            "turned",
+            "The comparison is turned: they overlap where the distance is at *most* what they reach, <=.",
+            "<=",
+            ">=",
+        ),
+        _wrong(
+            "a tolerance",
+            "You call spheres of 5,000 and 4,000 m touching that are 9 mm apart. np.isclose and the like allow for a "
+            "part of the numbers' own size; asked is <= alone.",
+            _REACH,
+            f"{_REACH} * (1 + 1e-5)",
+        ),
+        _wrong(
+            "square of the sum",
+            "You add the three differences and square their sum. (a + b)^2 is not a^2 + b^2: first square, then add.",
+            _SQUARE,
+            "np.sum(apart, axis=-1) ** 2",
+        ),
+        _wrong(
+            "centres added",
+            "You add the two centres. The way from one to the other is their difference.",
+            "center_a - center_b",
+            "center_a + center_b",
         ),
         _wrong(
             "along each axis",
