@@ -72,7 +72,7 @@ def _film(turn: float, tilt: float) -> Film:
     which = np.arange(len(TIMES)) // 2
     told = ", ".join(f"{k}: {r:.2f}" for k, r in zip(SIDES, ratio, strict=True))
     return Film(
-        [_pane(seen, around, which, rotation @ END)],
+        [_pane(seen, around, np.round(ratio, 2), which, rotation @ END)],
         TIMES,
         Space("corner", window=WINDOW),
         title="A dumbbell in 6, 14, 18 and 26 sides",
@@ -86,9 +86,10 @@ def _film(turn: float, tilt: float) -> Film:
 
 
 def _pane(
-    seen: Mesh, around: list[AABB | KDOP], which: IntArray, end: Array
-) -> Pane:
+    seen: Mesh, around: list[AABB | KDOP], ratio: Array, which: IntArray, end: Array
+) -> Pane:  # fmt: skip
     edges = [edges_of(shape) for shape in around]
+    over = np.broadcast_to([0.0, 0.0, 0.31], (len(which), 1, 3))
     most = max(len(e) for e in edges)
     # Those with fewer edges repeat their first corner: a line without length.
     wide = np.stack([
@@ -99,6 +100,7 @@ def _pane(
         end[None],
         segments=[
             Segments("edges of the collider", wide[:, :, 0], wide[:, :, 1], color="vermillion"),
+            Segments("volume over the dumbbell's", over, over, ratio[which][:, None], unit="×", color="vermillion"),
         ],
     )  # fmt: skip
 
