@@ -42,9 +42,15 @@ class BoxedBody:
 
     @property
     def corners(self) -> Array:
-        """The corners of the box, (t, 8, 3) [m]."""
+        """The corners of the box, (t, 8, 3) [m]; all in its middle where it has no inside."""
         middle, half = 0.5 * (self.upper + self.lower), 0.5 * (self.upper - self.lower)
+        half = np.where(self.crossed[:, None], 0.0, half)
         return np.asarray(middle[:, None] + CORNERS * half[:, None])
+
+    @property
+    def crossed(self) -> Array:
+        """Whether a lower end lies above its upper one: such a box has no inside, (t,)."""
+        return np.asarray(np.any(self.lower > self.upper, axis=-1))
 
     @property
     def outside(self) -> Array:

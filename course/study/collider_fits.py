@@ -137,7 +137,7 @@ def fit_costs(*, peers: bool = True) -> WorkPrecision:
         method("sphere, Ritter's", lambda x: bounding_sphere(x, method="ritter"), 4 * n),
         method("sphere, smallest", bounding_sphere, sphere_looks(points)),
         method("AABB", bounding_box, 3 * n),
-        Method("k-DOP", lambda k: (k_dop(points, int(k)), int(k) * n // 2), (14, 18, 26), "sides"),
+        Method("k-DOP, 14, 18, 26 sides", lambda k: (k_dop(points, int(k)), int(k) * n // 2), (14, 18, 26), "sides"),
         method("OBB, principal axes", oriented_box, 6 * n),
         method("capsule", capsule_around, capsule_looks(points)),
         method("convex hull", hull_around, hull_looks(points)),

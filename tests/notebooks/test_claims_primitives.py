@@ -47,7 +47,7 @@ def test_the_dumbbell_in_many_sides():
     six, fourteen, eighteen, between = said(
         "02",
         "the box has # times its volume; 14 sides have #, and 18 sides have #, because three of their directions stand "
-        "square to that diagonal. In between, 26 sides still have #.",
+        "square to that diagonal. In the pose in which the film opens, 26 sides still have #.",
     )
     numbers = [n.values[0] for n in growing_dop().made(**diagonal).numbers]
     for value, written in zip(numbers, (six, fourteen, eighteen), strict=False):
@@ -60,10 +60,10 @@ def test_what_kinds_cost(costs):
     (corners,) = said("02", "turned in space, has # corners")
     assert int(corners) == n
     air, looks = said("02", "to # at 26 sides and # looks a point")
-    assert rounds_to(costs["k-DOP", 26]["error"], air)
-    assert costs["k-DOP", 26]["count"] == int(looks) * n
+    assert rounds_to(costs["k-DOP, 14, 18, 26 sides", 26]["error"], air)
+    assert costs["k-DOP, 14, 18, 26 sides", 26]["count"] == int(looks) * n
     looks, air, hull = said(
-        "02", "The capsule takes # looks a point and comes to #, close to the hull's #,"
+        "02", "takes # looks a point and comes to #, close to the hull's #,"
     )
     assert costs["capsule", 1]["count"] == int(looks) * n
     assert rounds_to(costs["capsule", 1]["error"], air)
@@ -135,3 +135,9 @@ def test_a_fifth_of_the_points_makes_the_box_half_as_large_again():
     _, principal, faces = study.crowded_boxes([0.2, 0.95])
     assert principal[0] == pytest.approx(1.5, abs=0.06)
     assert principal[1] == pytest.approx(2.0, abs=0.02) and np.allclose(faces, 1.0)
+
+
+def test_few_degrees_make_a_thin_rod_s_box_large():
+    said_, half = said("02", "#° already make the box ten times as large, and #° give half of the top")  # fmt: skip
+    five, fifteen, top = study.turned_rod([float(said_), float(half), 45.0]).growth
+    assert five == pytest.approx(10, rel=0.05) and fifteen / top == pytest.approx(0.5, abs=0.02)  # fmt: skip

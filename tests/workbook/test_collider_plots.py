@@ -20,8 +20,11 @@ def test_the_turned_box_tells_where_its_corners_lie():
     ax = plots.turned_box([3.0, 2.0], np.degrees(np.arccos(0.8)))
     text = alternative_text(ax.get_figure())
     assert "x = 1.2, -3.6, -1.2, 3.6 m" in text
-    said = sorted(t.get_text() for t in ax.texts if t.get_text().startswith("x ="))
-    assert said == ["x = -1.2", "x = -3.6", "x = 1.2", "x = 3.6"]
+    assert "Highest lies 3 r_1 + 2 r_2, at y = 3.4 m" in text
+    said = sorted(t.get_text() for t in ax.texts if "x =" in t.get_text())
+    assert said == [
+        "$3 r_1 + 2 r_2$\nx = 1.2, y = 3.4", "$3 r_1 - 2 r_2$\nx = 3.6", "x = -1.2", "x = -3.6",
+    ]  # fmt: skip
 
 
 def test_all_kinds_are_drawn_with_their_volume_and_their_numbers():

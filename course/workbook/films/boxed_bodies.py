@@ -52,6 +52,10 @@ TITLES = {
 }
 
 
+#: What is said of a box whose ends change places.
+CROSSED = "no box, a lower end lies above its upper one"
+
+
 def boxed(against: Any = None, exercise: str = "rotated_box_extents") -> Exhibit:
     """A bar, or for a compound a hammer, turns in space in the box along the axes.
 
@@ -84,7 +88,7 @@ def _film(
     volume = {n: m.volume for n, m in zip(names, motions, strict=True)}
 
     def pane(title: str, motion: BoxedBody) -> Pane:
-        return _pane(title, motion, solid)
+        return _pane(f"{title}: {CROSSED}" if motion.crossed.any() else title, motion, solid)  # fmt: skip
 
     return Film(
         attempt.panes(title, pane, right, other) if attempt else [pane(title, right)],
@@ -92,7 +96,7 @@ def _film(
         Space("corner", window=WINDOW),
         title="A body that turns, and the box along the axes around it",
         caption="The box is drawn anew at every moment, along the axes of the world. It should hold the body and touch "
-        "it on every side.",
+        "it on every side. Where a lower end lies above its upper one there is no box.",
         ending=_ending(motions, attempt, other),
         charts=[
             Curves("sticks out by", "m", outside, colors=colors),
@@ -127,6 +131,8 @@ def _ending(motions: list[BoxedBody], attempt: Attempt | None, other: Any) -> st
         return attempt.sentence(other)
     last = motions[-1]
     whose = "Your box" if len(motions) == 2 else "The box"
+    if last.crossed.any():
+        return f"{whose} has no inside: a lower end lies above its upper one"
     if (out := float(last.outside.max())) > 1e-6:
         return f"{whose} lets the body stick out by {out:.2f} m"
     if (away := float(last.loose.max())) > 1e-6:

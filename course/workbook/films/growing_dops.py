@@ -26,6 +26,8 @@ SIDES = (6, 14, 18, 26)
 EACH = 2.0  # how long each number of sides is seen [s]
 #: What is seen, whatever the knobs say: two opposite corners [m].
 WINDOW = ((-0.33, -0.33, -0.33), (0.33, 0.33, 0.33))
+#: The end of the dumbbell: its origin in the picture, which goes with the hand [m].
+END = np.array([0.25, 0.0, 0.0])
 KNOBS = (
     Knob("turn", "turned about z by", 30.0, -90.0, 90.0, 1.0, "°"),
     Knob("tilt", "tilted out of the plane by", 25.0, -90.0, 90.0, 1.0, "°"),
@@ -70,7 +72,7 @@ def _film(turn: float, tilt: float) -> Film:
     which = np.arange(len(TIMES)) // 2
     told = ", ".join(f"{k}: {r:.2f}" for k, r in zip(SIDES, ratio, strict=True))
     return Film(
-        [_pane(seen, around, which)],
+        [_pane(seen, around, np.round(ratio, 2), which, rotation @ END)],
         TIMES,
         Space("corner", window=WINDOW),
         title="A dumbbell in 6, 14, 18 and 26 sides",
@@ -83,18 +85,22 @@ def _film(turn: float, tilt: float) -> Film:
     )  # fmt: skip
 
 
-def _pane(seen: Mesh, around: list[AABB | KDOP], which: IntArray) -> Pane:
+def _pane(
+    seen: Mesh, around: list[AABB | KDOP], ratio: Array, which: IntArray, end: Array
+) -> Pane:  # fmt: skip
     edges = [edges_of(shape) for shape in around]
+    over = np.broadcast_to([0.0, 0.0, 0.31], (len(which), 1, 3))
     most = max(len(e) for e in edges)
     # Those with fewer edges repeat their first corner: a line without length.
     wide = np.stack([
         np.concatenate([e, np.broadcast_to(e[:1, :1], (most - len(e), 2, 3))]) for e in edges
     ])[which]  # fmt: skip
     return Pane(
-        [mesh(seen.vertices, seen.triangles, color="blue", smooth=True)],
-        np.zeros((1, 3)),
+        [mesh(seen.vertices - end, seen.triangles, color="blue", smooth=True)],
+        end[None],
         segments=[
             Segments("edges of the collider", wide[:, :, 0], wide[:, :, 1], color="vermillion"),
+            Segments("volume over the dumbbell's", over, over, ratio[which][:, None], unit="×", color="vermillion"),
         ],
     )  # fmt: skip
 

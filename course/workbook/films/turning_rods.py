@@ -6,7 +6,7 @@ import numpy as np
 
 from course import rotations
 from course.arrays import Array
-from course.study.turned_rods import TurnedRod, turned_rod
+from course.study.turned_rods import TurnedRod, about_z, turned_rod
 from course.workbook.stage import (
     Exhibit,
     Film,
@@ -83,15 +83,18 @@ def _film(angle: float, thickness: float, *, told: bool = True) -> Film:
 
 
 def _pane(rod: TurnedRod) -> Pane:
-    about_z = np.zeros((len(TIMES), 1, 3))
-    about_z[:, 0, 2] = np.radians(rod.degrees)
+    turns = np.zeros((len(TIMES), 1, 3))
+    turns[:, 0, 2] = np.radians(rod.degrees)
     x, y = rod.extents[:, 0], rod.extents[:, 1]
+    # The rod's origin is its end, which goes with the hand that turns it.
+    end = np.array([rod.half_extents[0], 0.0, 0.0])
+    place = about_z(rod.degrees) @ end
     growth = np.round(rod.growth, 1)[:, None]
     over = np.stack([0 * y, y + 0.09, 0 * y], axis=-1)[:, None]
     return Pane(
-        [box(rod.half_extents, color="blue")],
-        np.zeros((1, 3)),
-        rotations.from_rotation_vector(about_z),
+        [box(rod.half_extents, center=-end, color="blue")],
+        place[:, None],
+        rotations.from_rotation_vector(turns),
         segments=[
             Segments("box along the axes", *outline(x, y), color="vermillion"),
             Segments("volume, box over rod", over, over, growth, unit="×", color="vermillion"),

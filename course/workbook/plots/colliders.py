@@ -29,8 +29,9 @@ def turned_box(half_extents: ArrayLike, degrees: float, *, ax: Axes | None = Non
         degrees: by which it is turned.
     """
     e = np.asarray(half_extents, dtype=float)
+    signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * e @ [[c, s], [-s, c]]
+    corners = signs * e @ [[c, s], [-s, c]]
     reach = np.abs(corners).max(axis=0)
     with style():
         ax = axes(ax, size=(5.6, 4.6))
@@ -38,26 +39,43 @@ def turned_box(half_extents: ArrayLike, degrees: float, *, ax: Axes | None = Non
         line(ax, np.concatenate([corners, corners[:1]]), "blue", lw=2.2)
         box = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 1]]) * reach
         line(ax, box, "vermillion", ls="--", lw=1.8, label="box along the axes")
-        for x, y in corners:
+        for (x, y), sign in zip(corners, signs, strict=True):
             ax.plot(x, y, "o", color=PALETTE["blue"], ms=5)
             aside = np.isclose(abs(x), reach[0])  # outside of the box, off its sides
             ha = ("left" if x > 0 else "right") if aside else "center"
             va = "center" if aside else "bottom" if y > 0 else "top"
             off = (7 * np.sign(x), 0) if aside else (0, 5 * np.sign(y))
-            ax.annotate(f"x = {x:.1f}", (x, y), off, textcoords="offset points", ha=ha, va=va)  # fmt: skip
+            said = _corner_said(e, sign, x, y)
+            ax.annotate(said, (x, y), off, textcoords="offset points", ha=ha, va=va)  # fmt: skip
         for axis, name in (([c, s], "$r_1$"), ([-s, c], "$r_2$")):
             arrow(ax, (0, 0), axis, "black", label=name, beyond=0.35)
         ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
-        ax.set_xlim(-1.6 * reach[0], 1.6 * reach[0])
-        ax.margins(y=0.14)
+        ax.set_xlim(-1.9 * reach[0], 1.9 * reach[0])
+        ax.margins(y=0.2)
         ax.legend(loc="upper center", bbox_to_anchor=(0.5, 1.15))
     places = ", ".join(f"{x:.1f}" for x in corners[:, 0])
+    high, right = corners[0, 1], corners[3, 0]
     describe(
         ax,
         f"A rectangle of {2 * e[0]:g} m by {2 * e[1]:g} m, turned by {degrees:.1f} degrees about its middle, in the "
-        f"box along x and y around it. Its corners lie at x = {places} m, each on a side of the box.",
+        f"box along x and y around it. Its corners lie at x = {places} m, each on a side of the box. "
+        f"Highest lies {_combined(e, signs[0])}, at y = {high:.1f} m, "
+        f"and farthest right {_combined(e, signs[3])}, at x = {right:.1f} m.",
     )
     return ax
+
+
+def _combined(e: Array, sign: Array) -> str:
+    """A corner as the sum that it is, "3 r_1 - 2 r_2"."""
+    return f"{e[0]:g} r_1 {'+' if sign[1] > 0 else '-'} {e[1]:g} r_2"
+
+
+def _corner_said(e: Array, sign: Array, x: float, y: float) -> str:
+    """A corner's place along x; of the two with plus r_1 also which corner it is, and how high the first is."""
+    if sign[0] < 0:
+        return f"x = {x:.1f}"
+    name = f"${_combined(e, sign)}$"
+    return f"{name}\nx = {x:.1f}" + (f", y = {y:.1f}" if sign[1] > 0 else "")
 
 
 def collider_kinds(kinds: Sequence[Outlined], parts: Sequence[Array]) -> list[Axes]:

@@ -30,7 +30,7 @@ LESSON = Lesson(
     name="collision-primitives",
     title="Collision primitives",
     question="Turn a rod, 1 m by 1 cm, by 45 degrees: why does its AABB grow 51-fold?",
-    minutes=70,
+    minutes=75,
     exercises=(BOX_GROWTH, SUPPORT, ROTATED_BOX_EXTENTS, K_DOP, COMPOUND_SUPPORT),
     predictions=PREDICTIONS,
 )

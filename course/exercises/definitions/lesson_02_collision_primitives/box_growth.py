@@ -115,6 +115,34 @@ BOX_GROWTH = Exercise(
             message="That is an area, a quarter of the box's. Divide it by the rod's own, e_1 e_2.",
         ),
         _slip(
+            "degrees",
+            _BARS,
+            "c, s = abs(sp.cos(sp.pi * theta / 180)), abs(sp.sin(sp.pi * theta / 180))",
+            message="You turn theta from degrees to radians, but it is in radians already: sp.cos and sp.sin take it "
+            "as it is.",
+        ),
+        _slip(
+            "minus along x",
+            _FORMULA,
+            "(e_1 * c - e_2 * s) * (e_1 * s + e_2 * c) / (e_1 * e_2)",
+            message="With its bars each term is how far one side reaches. The farthest corner has both terms added, "
+            "along x as along y: there is no minus.",
+        ),
+        _slip(
+            "minus along y",
+            _FORMULA,
+            "(e_1 * c + e_2 * s) * (e_1 * s - e_2 * c) / (e_1 * e_2)",
+            message="With its bars each term is how far one side reaches. The farthest corner has both terms added, "
+            "along y as along x: there is no minus.",
+        ),
+        _slip(
+            "one side squared",
+            _FORMULA,
+            "(e_1 * c + e_2 * s) ** 2 / (e_1 * e_2)",
+            message="You take the reach along x for both sides of the box. Along y the sine and the cosine change "
+            "places.",
+        ),
+        _slip(
             "three sides",
             _FORMULA,
             "(e_1 * c + e_2 * s) ** 2 * (e_1 * s + e_2 * c) / (e_1**2 * e_2)",
@@ -123,9 +151,9 @@ BOX_GROWTH = Exercise(
     ),
     hints=(
         "How far does the box reach along x, and how far along y? Take each from the corner that reaches farthest, "
-        "whose signs you may choose.",
+        "whose signs you may choose. SymPy writes a size sp.Abs(x).",
         "Along x the corner (±e_1, ±e_2) lands at ±e_1 cos(theta) ∓ e_2 sin(theta). The largest of the four has both "
-        "terms above 0: SymPy writes sizes as sp.Abs(x), or abs(x). Multiply both half sides and divide by e_1 e_2.",
+        "terms above 0: sp.Abs, around each of them. Multiply both half sides and divide by e_1 e_2.",
         "c, s = abs(sp.cos(theta)), abs(sp.sin(theta))\n"
         "box_growth = (e_1 * c + ____) * (____) / (e_1 * e_2)",
     ),

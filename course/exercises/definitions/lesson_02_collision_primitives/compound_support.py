@@ -126,6 +126,25 @@ COMPOUND_SUPPORT = Exercise(
             "np.sum(rotation * own[..., :, None], axis=-2) + translation",
         ),
         _slip(
+            "points of the world, direction of the part",
+            "You place the points in the world, but ask them along the direction as it is in the part's own axes. "
+            "Points and direction must be told in the same axes: placed points go with `direction` itself.",
+            "own = support(points, inward)",
+            "own = support(np.sum(rotation[..., None, :, :] * points[..., None, :], axis=-1), inward)",
+            _PLACED,
+            "own + translation",
+        ),
+        Mistake(
+            "corner of the box",
+            lambda points, rotation, translation, direction: np.max(
+                np.sum(rotation[..., None, :, :] * points[..., None, :], axis=-1)
+                + translation[..., None, :],
+                axis=(-3, -2),
+            ),
+            "You take the largest of each coordinate by itself: that is a corner of the AABB, and not a point of the "
+            "compound. One point has to be farthest along the direction, with all of its coordinates.",
+        ),
+        _slip(
             "not turned back",
             "The farthest point of a part is still in the part's own axes. Turn it with R before you move it.",
             _PLACED,

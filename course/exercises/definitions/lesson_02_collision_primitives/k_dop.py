@@ -100,6 +100,33 @@ K_DOP = Exercise(
             f"np.abs({_ALONG})",
         ),
         _slip(
+            "numbers of the points",
+            "np.argmin and np.argmax give *which* point is at the end, a number of the list. Asked is its place along "
+            "the direction: np.min and np.max.",
+            _RETURNED,
+            "np.argmin(along, axis=-2), np.argmax(along, axis=-2)",
+        ),
+        _slip(
+            "over the directions",
+            "You take the least and the largest of each *point*'s places, over the directions. Each direction has its "
+            "own interval: go over the points, axis=-2 of (..., n, h).",
+            _RETURNED,
+            "np.min(along, axis=-1), np.max(along, axis=-1)",
+        ),
+        _slip(
+            "one array",
+            "The numbers are right, but they are stacked in one array. Return two: `return lower, upper`.",
+            f"return {_RETURNED}",
+            f"return np.stack([{_RETURNED}])",
+        ),
+        _slip(
+            "largest size both ways",
+            "You take the largest size of a place for both ends, minus and plus. The points need not lie evenly about "
+            "the origin: find the least and the largest place, with their signs.",
+            _RETURNED,
+            "-np.max(np.abs(along), axis=-2), np.max(np.abs(along), axis=-2)",
+        ),
+        _slip(
             "width",
             "The second number is the width. Asked is the place of the upper end.",
             "np.max(along, axis=-2)",

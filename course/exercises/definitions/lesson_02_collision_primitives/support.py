@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from course import formulas
-from course.exercises.definition import Case, Exercise, Mistake, Value
+from course.arrays import Array
+from course.exercises.definition import Case, Exercise, Mistake, Property, Value
 from course.exercises.definitions.lesson_02_collision_primitives.shared import (
     DIRECTION,
     POINTS,
@@ -17,6 +18,9 @@ from course.exercises.definitions.lesson_02_collision_primitives.shared import (
 from course.exercises.slips import slip
 
 _ALONG = "np.sum(points * direction[..., None, :], axis=-1)"
+_BEST = "np.argmax(along, axis=-1)[..., None, None]"
+_TAKEN = "np.take_along_axis(points, best, axis=-2)[..., 0, :]"
+_TIED = "(along == np.max(along, axis=-1, keepdims=True))[..., None]"
 
 
 def _cases(rng: np.random.Generator) -> Sequence[Case]:
@@ -29,6 +33,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("a long direction", {**(x := drawn(rng, (), 9)), "direction": 1e3 * x["direction"]}),
         Case("a single point", {"points": alone["points"][:1], "direction": alone["direction"]}, "edge"),
         Case("every place below 0", _below(rng), "edge"),
+        Case("a box along x, where four points are as far", _box_along_x(rng), "edge"),
         Case("three sets of five", drawn(rng, (3,), 5), "batch"),
         Case("three sets of three", drawn(rng, (3,), 3), "batch"),
         Case("a 2 by 4 batch", drawn(rng, (2, 4), 7), "batch"),
@@ -40,6 +45,33 @@ def _below(rng: np.random.Generator) -> dict[str, Any]:
     case = drawn(rng, (), 6)
     against = -20.0 * np.sign(case["direction"])
     return {"points": case["points"] + against, "direction": case["direction"]}
+
+
+def _box_along_x(rng: np.random.Generator) -> dict[str, Any]:
+    """The corners of a box along the axes, asked along x: exact numbers, so that four are as far."""
+    signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1.0)])
+    corners = np.array([4.0, -3.0, 2.0]) + signs * rng.permutation([0.5, 1.0, 1.5])
+    return {"points": corners, "direction": np.array([2.0, 0.0, 0.0])}
+
+
+def _off_the_points(given: Mapping[str, Any], answer: Any) -> Array:
+    """How far the answer is from the nearest point of its set [m]."""
+    away = np.linalg.norm(given["points"] - np.asarray(answer)[..., None, :], axis=-1)
+    return np.asarray(np.min(away, axis=-1))
+
+
+def _short_of_the_farthest(given: Mapping[str, Any], answer: Any) -> Array:
+    """By how much the farthest point of the set is ahead of the answer [m]."""
+    d = given["direction"] / np.linalg.norm(given["direction"], axis=-1, keepdims=True)
+    most = np.max(np.sum(given["points"] * d[..., None, :], axis=-1), axis=-1)
+    return np.asarray(most - np.sum(np.asarray(answer) * d, axis=-1))
+
+
+#: Judged by what holds of every right answer: of several that are as far, any one will do.
+PROPERTIES = (
+    Property("a point of the set", _off_the_points, "Your answer is none of the points of the set."),
+    Property("the farthest", _short_of_the_farthest, "Its place along the direction is not the largest of the set."),
+)  # fmt: skip
 
 
 def _corner(points: Any, direction: Any) -> Any:
@@ -59,6 +91,9 @@ SUPPORT = Exercise(
     results=(Value("farthest", "(..., 3)", "m", "one of the points of each set"),),
     reference=formulas.support,
     cases=_cases,
+    judged_by="properties",
+    sample=lambda points, direction: 0.0 * direction,
+    properties=PROPERTIES,
     mistakes=(
         Mistake(
             "against",
@@ -79,8 +114,88 @@ SUPPORT = Exercise(
         Mistake(
             "corner of the box",
             _corner,
-            "You choose each coordinate by itself: that is a corner of the box around the points, and none of the "
-            "points need be there. One point has to be farthest, with all of its coordinates.",
+            "You choose each coordinate by itself: that is a corner of the AABB, and not a point of the set. One "
+            "point has to be farthest, with all of its coordinates.",
+        ),
+        Mistake(
+            "largest coordinates",
+            lambda points, direction: np.max(points, axis=-2),
+            "You take the largest of each coordinate by itself: that is a corner of the AABB, and not a point of the "
+            "set. The direction does not occur in it.",
+        ),
+        Mistake(
+            "one direction for all sets",
+            slip(formulas.support, "direction[..., None, :]", "direction"),
+            "Right for one set. In a batch each set has its own direction, and all points of a set need it: write "
+            "direction[..., None, :], with an axis for the points.",
+        ),
+        Mistake(
+            "matrix product",
+            slip(formulas.support, _ALONG, "points @ direction"),
+            "Right for one set. In a batch @ takes the directions for the columns of a matrix: every set is asked "
+            "along all of them. Write np.sum(points * direction[..., None, :], axis=-1).",
+        ),
+        Mistake(
+            "axis at the end",
+            slip(formulas.support, "direction[..., None, :]", "direction[..., None]"),
+            "direction[..., None] stands the direction up as a column: each *point* is multiplied by one of its "
+            "numbers. The new axis belongs before the coordinates: direction[..., None, :].",
+        ),
+        Mistake(
+            "farthest from the tip",
+            slip(
+                formulas.support,
+                _ALONG,
+                "np.linalg.norm(points - direction[..., None, :], axis=-1)",
+            ),
+            "You measure how far the points are from the tip of d, as if d were a place. A direction is none: the "
+            "place along d is the dot product x.d.",
+        ),
+        Mistake(
+            "nearest to the tip",
+            slip(
+                formulas.support,
+                _ALONG,
+                "-np.linalg.norm(points - direction[..., None, :], axis=-1)",
+            ),
+            "You take the point nearest to the tip of d, as if d were a place. A direction is none: the place along d "
+            "is the dot product x.d, and the largest is asked.",
+        ),
+        Mistake(
+            "number of the point",
+            lambda points, direction: np.argmax(
+                np.sum(points * np.asarray(direction)[..., None, :], axis=-1), axis=-1
+            ),
+            "That is the number of the farthest point in its set. Asked is the point: take it out of points with this "
+            "number, as the cell above does.",
+        ),
+        Mistake(
+            "place times direction",
+            lambda points, direction: (
+                np.asarray(direction)
+                * np.max(
+                    np.sum(points * np.asarray(direction)[..., None, :], axis=-1),
+                    axis=-1,
+                )[..., None]
+            ),
+            "You multiply the largest place by the direction: that lies on the line through the origin, and is no "
+            "point of the set. Return the point whose place is largest.",
+        ),
+        Mistake(
+            "sum of all that are as far",
+            slip(formulas.support, _TAKEN, f"np.sum(points * {_TIED}, axis=-2)"),
+            "Right where one point alone is farthest. If several are equally far, you add them up: any one of them "
+            "is right, and their sum is not.",
+        ),
+        Mistake(
+            "mean of all that are as far",
+            slip(
+                formulas.support,
+                _TAKEN,
+                f"np.sum(points * {_TIED}, axis=-2) / np.sum({_TIED}, axis=-2)",
+            ),
+            "Right where one point alone is farthest. If several are equally far, you take their mean, which is no "
+            "point of the set: any one of them is right.",
         ),
         Mistake(
             "products one by one",
@@ -111,7 +226,7 @@ SUPPORT = Exercise(
             "one set's answer for all",
             slip(
                 formulas.support,
-                "np.argmax(along, axis=-1)[..., None, None]",
+                _BEST,
                 "np.argmax(along.reshape(-1, along.shape[-1])[0]) + np.zeros((*along.shape[:-1], 1, 1), dtype=int)",
             ),
             "Right for one set. In a batch you take the number of the first set's farthest point for all sets: "
@@ -119,7 +234,8 @@ SUPPORT = Exercise(
         ),
     ),  # fmt: skip
     hints=(
-        "The place of a point along d is its dot product with d, as in lesson 00. Which point has the largest?",
+        "The place of a point along d is its dot product with d, as in lesson 00. Which point has the largest? Of "
+        "several that are equally far, any one will do.",
         "np.argmax(along, axis=-1) gives the number of the farthest point of each set. To take it out of a batch: "
         "np.take_along_axis(points, best, axis=-2), where best has as many axes as points.",
         "along = np.sum(points * direction[..., None, :], axis=-1)\n"

@@ -1,0 +1,158 @@
+"""Wrong answers that readers of lesson 02 gave: each fails with every seed, and what is said of it is true."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from course.exercises.definition import find_exercise
+from course.exercises.explanation import verdict_message
+from course.exercises.inputs import answers_of
+from course.exercises.verdict import judge
+from course.formulas import support
+
+#: Seconds together: left out of the minute's run.
+pytestmark = pytest.mark.slow
+
+
+def told(name, function, seed=None):
+    """What is said of an answer; "passed" where it passes."""
+    exercise = find_exercise(name)[1]
+    cases = exercise.draw(seed)
+    verdict = judge(exercise, cases, answers_of(function, exercise, cases))
+    said = str(verdict_message(exercise, verdict)).replace("\n", " ")
+    return "passed" if verdict.passed else " ".join(said.split())
+
+
+# support
+
+
+def places(points, direction):
+    return np.sum(points * direction[..., None, :], axis=-1)
+
+
+def farthest(score):
+    def answer(points, direction):
+        best = np.argmax(score(points, direction), axis=-1)[..., None, None]
+        return np.take_along_axis(points, best, axis=-2)[..., 0, :]
+
+    return answer
+
+
+def tied(points, direction):
+    p = places(points, direction)
+    return (p == p.max(-1, keepdims=True))[..., None]
+
+
+def sum_of_ties(points, direction):
+    return np.sum(points * tied(points, direction), axis=-2)
+
+
+def mean_of_ties(points, direction):
+    m = tied(points, direction)
+    return np.sum(points * m, axis=-2) / np.sum(m, axis=-2)
+
+
+def from_the_tip(points, direction):
+    return np.linalg.norm(points - direction[..., None, :], axis=-1)
+
+
+# k_dop
+
+
+def ends(least, largest, axis):
+    def answer(points, directions):
+        along = points @ directions.T
+        return least(along, axis=axis), largest(along, axis=axis)
+
+    return answer
+
+
+def stacked(points, directions):
+    return np.stack(ends(np.min, np.max, -2)(points, directions))
+
+
+def both_ways(points, directions):
+    most = np.max(np.abs(points @ directions.T), axis=-2)
+    return -most, most
+
+
+# compound_support
+
+
+def placed(points, rotation, translation):
+    turned = points @ np.swapaxes(rotation, -1, -2)
+    return turned + translation[..., None, :]
+
+
+def corner_of_all(points, rotation, translation, direction):
+    return np.max(placed(points, rotation, translation), axis=(-3, -2))
+
+
+# box_growth
+
+
+def growth(first, second):
+    def answer(e_1, e_2, theta):
+        c, s = abs(sp.cos(theta)), abs(sp.sin(theta))
+        return first(e_1, e_2, c, s) * second(e_1, e_2, c, s) / (e_1 * e_2)
+
+    return answer
+
+
+def along_x(e_1, e_2, c, s):
+    return e_1 * c + e_2 * s
+
+
+def along_y(e_1, e_2, c, s):
+    return e_1 * s + e_2 * c
+
+
+def less(e_1, e_2, c, s):
+    return e_1 * c - e_2 * s
+
+
+def in_degrees(e_1, e_2, theta):
+    return growth(along_x, along_y)(e_1, e_2, theta * sp.pi / 180)
+
+
+ANSWERS = {
+    "sum of ties": ("support", sum_of_ties, "If several are equally far, you add them"),
+    "mean of ties": ("support", mean_of_ties, "you take their mean"),
+    "one direction for all": (
+        "support", farthest(lambda x, d: np.sum(x * d, axis=-1)), "direction[..., None, :]"),
+    "a matrix product": ("support", farthest(lambda x, d: x @ d), "takes the directions for the columns"),
+    "a column": (
+        "support", farthest(lambda x, d: np.sum(x * d[..., None], axis=-1)), "stands the direction up as a column"),
+    "far from the tip": ("support", farthest(from_the_tip), "as if d were a place"),
+    "near the tip": (
+        "support", farthest(lambda x, d: -from_the_tip(x, d)), "nearest to the tip of d"),
+    "place times direction": (
+        "support", lambda x, d: np.max(places(x, d), axis=-1)[..., None] * d, "largest place by the direction"),
+    "the number": ("support", lambda x, d: np.argmax(places(x, d), axis=-1), "the number of the farthest point"),
+    "largest coordinates": ("support", lambda x, d: np.max(x, axis=-2), "a corner of the AABB"),
+    "numbers of points": ("k_dop", ends(np.argmin, np.argmax, -2), "which point is at the end"),
+    "over the directions": ("k_dop", ends(np.min, np.max, -1), "axis=-2 of (..., n, h)"),
+    "one array": ("k_dop", stacked, "return lower, upper"),
+    "both ways": ("k_dop", both_ways, "the largest size of a place for both ends"),
+    "corner of the compound": ("compound_support", corner_of_all, "a corner of the AABB"),
+    "degrees": ("box_growth", in_degrees, "it is in radians already"),
+    "minus": ("box_growth", growth(less, along_y), "there is no minus"),
+    "squared": ("box_growth", growth(along_x, along_x), "the reach along x for both sides"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", [None, 1, 2, 3])
+@pytest.mark.parametrize("answer", ANSWERS)
+def test_it_fails_and_is_told_why(answer, seed):
+    name, function, why = ANSWERS[answer]
+    said = told(name, function, seed)
+    assert why in said, said
+    assert "dtype int" not in said and "Right for one, wrong for many" not in said
+
+
+def test_of_points_that_are_as_far_any_one_will_do():
+    def last(points, direction):
+        return support(points[..., ::-1, :], direction)
+
+    for seed in (None, 1, 2, 3):
+        assert told("support", last, seed) == "passed"
