@@ -22,14 +22,17 @@ DIGIT = 11
 
 @compiled
 def overlap(a: Array, i: int, b: Array, j: int) -> bool:
-    """Whether box i of a and box j of b have a point in common: l_a <= u_b and l_b <= u_a on each axis."""
+    """Whether box i of a and box j of b have a point in common: l_a <= u_b and l_b <= u_a on each axis.
+
+    All six comparisons, joined by &: a processor guesses wrongly where ``and`` ends them.
+    """
     return (
-        a[i, 0] <= b[j, 3]
-        and b[j, 0] <= a[i, 3]
-        and a[i, 1] <= b[j, 4]
-        and b[j, 1] <= a[i, 4]
-        and a[i, 2] <= b[j, 5]
-        and b[j, 2] <= a[i, 5]
+        (a[i, 0] <= b[j, 3])
+        & (b[j, 0] <= a[i, 3])
+        & (a[i, 1] <= b[j, 4])
+        & (b[j, 1] <= a[i, 4])
+        & (a[i, 2] <= b[j, 5])
+        & (b[j, 2] <= a[i, 5])
     )
 
 

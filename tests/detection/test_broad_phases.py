@@ -12,6 +12,11 @@ from course.shapes import AABB, Sphere
 PHASES = {
     "all_pairs": detection.all_pairs,
     "sweep_and_prune": detection.sweep_and_prune,
+    "bvh": detection.bvh,
+    "uniform_grid": detection.uniform_grid,
+    "kd_tree": detection.kd_tree,
+    "bsp_tree": detection.bsp_tree,
+    "sphere_tree": detection.sphere_tree,
 }
 each_phase = pytest.mark.parametrize("phase", PHASES.values(), ids=PHASES)
 
