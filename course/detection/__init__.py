@@ -1,6 +1,7 @@
 """Which of many boxes overlap: the broad phases, each the same question answered another way."""
 
 from course.detection.brute_force import all_pairs
+from course.detection.choosing import broad_phase, method_for
 from course.detection.grid import uniform_grid
 from course.detection.hierarchy import BVH, bvh
 from course.detection.partitions import Partition, bsp_tree, kd_tree
@@ -13,9 +14,11 @@ __all__ = [
     "Partition",
     "SphereTree",
     "all_pairs",
+    "broad_phase",
     "bsp_tree",
     "bvh",
     "kd_tree",
+    "method_for",
     "sphere_tree",
     "sweep_and_prune",
     "uniform_grid",

@@ -17,6 +17,7 @@ PHASES = {
     "kd_tree": detection.kd_tree,
     "bsp_tree": detection.bsp_tree,
     "sphere_tree": detection.sphere_tree,
+    "broad_phase": detection.broad_phase,
 }
 each_phase = pytest.mark.parametrize("phase", PHASES.values(), ids=PHASES)
 
