@@ -71,7 +71,7 @@ def pairs_by(search: Callable[[Array], IntArray], boxes: AABB) -> IntArray:
     pairs = pairs[overlapping(bounds, pairs[:, 0], pairs[:, 1])]
     endless = [
         np.column_stack([np.full(others.size, i), others])
-        for i in np.flatnonzero(~finite)
+        for i in np.flatnonzero(~finite).tolist()
         for others in [_partners(bounds, finite, i)]
     ]
     return in_order(np.concatenate([pairs, *endless]))

@@ -69,12 +69,12 @@ def _gridded(bounds: Array, *, cell_size: float | None) -> IntArray:
         found, _ = grid_pairs(bounds, width * ROUNDED_UP)
         return sorted_pairs(found, len(bounds))
     wide = np.flatnonzero(widths > width)
-    found = [wide[_met(bounds[wide], None)]]
+    parts = [wide[_met(bounds[wide], None)]]
     if small.size:
-        found.append(small[grid_pairs(bounds[small], width * ROUNDED_UP)[0]])
+        parts.append(small[grid_pairs(bounds[small], width * ROUNDED_UP)[0]])
         asked, met = _met(bounds[wide], bounds[small]).T
-        found.append(np.column_stack([small[asked], wide[met]]))
-    return sorted_pairs(np.concatenate(found).astype(np.int32), len(bounds))
+        parts.append(np.column_stack([small[asked], wide[met]]))
+    return sorted_pairs(np.concatenate(parts).astype(np.int32), len(bounds))
 
 
 def _met(wide: Array, asked: Array | None) -> IntArray:

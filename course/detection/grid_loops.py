@@ -13,14 +13,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import Array, IntArray
+from course.arrays import Array
 from course.detection.hierarchy_walks import in_tree_order
-from course.detection.pair_loops import DIGIT, overlap, radix_order, room_for
+from course.detection.pair_loops import (
+    DIGIT,
+    Whole,
+    new_list,
+    overlap,
+    radix_order,
+    room_for,
+)
 from course.jit import compiled
 
 
 @compiled
-def cell_numbers(bounds: Array, cell_size: float) -> tuple[IntArray, int, int]:
+def cell_numbers(bounds: Array, cell_size: float) -> tuple[Whole, int, int]:
     """The number of the cell of each box's lower corner, (n,), and how much it grows by a row and by a layer."""
     n = bounds.shape[0]
     origin, most = np.zeros(3), np.zeros(3, dtype=np.int64)
@@ -49,7 +56,7 @@ def bits_of(number: int) -> int:
 
 
 @compiled
-def grid_pairs(bounds: Array, cell_size: float) -> tuple[IntArray, int]:
+def grid_pairs(bounds: Array, cell_size: float) -> tuple[Whole, int]:
     """The pairs of boxes no wider than a cell, (m, 2), each once, in no order; how many were tested.
 
     Args:
@@ -60,7 +67,7 @@ def grid_pairs(bounds: Array, cell_size: float) -> tuple[IntArray, int]:
     cells, row, layer = cell_numbers(bounds, cell_size)
     order = radix_order(cells, bits_of(cells.max()))
     packed, cells = in_tree_order(bounds, order), cells[order]
-    found, count = np.empty((2 * n + 16, 2), dtype=np.int32), 0
+    found, count = new_list(n), 0
     tests = 0
     rows = np.array([row, layer - row, layer, layer + row])
     finger = np.zeros(4, dtype=np.int64)

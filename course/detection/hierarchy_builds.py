@@ -23,8 +23,8 @@ import math
 
 import numpy as np
 
-from course.arrays import Array, IntArray
-from course.detection.pair_loops import radix_order
+from course.arrays import Array
+from course.detection.pair_loops import Whole, radix_order
 from course.jit import compiled
 
 MEDIAN, SURFACE_AREA, MORTON = 0, 1, 2
@@ -44,7 +44,7 @@ def spread_bits(x: int) -> int:
 
 
 @compiled
-def morton_codes(centers: Array) -> IntArray:
+def morton_codes(centers: Array) -> Whole:
     """The Morton code of each point (n, 3): its cell's three whole numbers, bit by bit in turn.
 
     The cells are 2^21 an axis, cubes that the longest axis sets.
@@ -63,7 +63,7 @@ def morton_codes(centers: Array) -> IntArray:
 
 
 @compiled
-def longest_axis(centers: Array, order: IntArray, begin: int, end: int) -> int:
+def longest_axis(centers: Array, order: Whole, begin: int, end: int) -> int:
     """The axis along which the centres of a range reach farthest."""
     best, axis = -1.0, 0
     for k in range(3):
@@ -76,7 +76,7 @@ def longest_axis(centers: Array, order: IntArray, begin: int, end: int) -> int:
 
 
 @compiled
-def split_median(centers: Array, order: IntArray, begin: int, end: int) -> int:
+def split_median(centers: Array, order: Whole, begin: int, end: int) -> int:
     """Permute a range so that its first half lies below its second along the longest axis.
 
     Source: C. A. R. Hoare, "Algorithm 65: FIND", 1961.
@@ -127,7 +127,7 @@ def empty(box: Array) -> None:
 
 @compiled
 def best_plane(
-    bounds: Array, counts: IntArray, areas: Array, box: Array
+    bounds: Array, counts: Whole, areas: Array, box: Array
 ) -> tuple[float, int]:
     """The bin before which a plane costs least, A_left n_left + A_right n_right, and that cost.
 
@@ -152,7 +152,7 @@ def best_plane(
 
 @compiled
 def split_surface_area(
-    bounds: Array, centers: Array, order: IntArray, begin: int, end: int
+    bounds: Array, centers: Array, order: Whole, begin: int, end: int
 ) -> int:
     """Permute a range by the best of the planes between bins; where all centres coincide, halve it."""
     reach, counts = np.empty((BINS, 6)), np.zeros(BINS, dtype=np.int64)
@@ -186,7 +186,7 @@ def split_surface_area(
 
 
 @compiled
-def split_morton(codes: IntArray, begin: int, end: int) -> int:
+def split_morton(codes: Whole, begin: int, end: int) -> int:
     """Where the highest bit changes that a sorted range has not in common; equal codes are halved.
 
     A search by halves: what stands before that place is nearer to the first code than to
@@ -206,9 +206,7 @@ def split_morton(codes: IntArray, begin: int, end: int) -> int:
 
 
 @compiled
-def build(
-    bounds: Array, method: int, leaf_size: int
-) -> tuple[IntArray, IntArray, IntArray]:
+def build(bounds: Array, method: int, leaf_size: int) -> tuple[Whole, Whole, Whole]:
     """A tree over boxes (n, 6).
 
     Returns:
@@ -249,7 +247,7 @@ def build(
 
 
 @compiled
-def fit(bounds: Array, order: IntArray, right: IntArray, ranges: IntArray) -> Array:
+def fit(bounds: Array, order: Whole, right: Whole, ranges: Whole) -> Array:
     """The bounds of all nodes, (nodes, 6), from the leaves up: children come after their parents."""
     reach = np.empty((right.size, 6))
     for node in range(right.size - 1, -1, -1):

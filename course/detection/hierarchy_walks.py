@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import Array, IntArray
-from course.detection.pair_loops import overlap, room_for
+from course.arrays import Array
+from course.detection.pair_loops import Whole, new_list, overlap, room_for
 from course.jit import compiled
 
 
 @compiled
-def nodes_after(right: IntArray) -> IntArray:
+def nodes_after(right: Whole) -> Whole:
     """The node at which a walk goes on that leaves out what is below a node: one past its last."""
     after = np.empty_like(right)
     for node in range(right.size - 1, -1, -1):
@@ -25,7 +25,7 @@ def nodes_after(right: IntArray) -> IntArray:
 
 
 @compiled
-def in_tree_order(bounds: Array, order: IntArray) -> Array:
+def in_tree_order(bounds: Array, order: Whole) -> Array:
     """The boxes in the order of the leaves, so that a leaf's lie side by side."""
     packed = np.empty((order.size, 6))
     for r in range(order.size):
@@ -38,13 +38,13 @@ def query_pairs(
     asked: Array,
     bounds: Array,
     reach: Array,
-    order: IntArray,
-    right: IntArray,
-    ranges: IntArray,
-) -> tuple[IntArray, int]:
+    order: Whole,
+    right: Whole,
+    ranges: Whole,
+) -> tuple[Whole, int]:
     """Which boxes of a tree each of q asked overlaps, (m, 2), in their order; how many nodes were tested."""
     after, packed = nodes_after(right), in_tree_order(bounds, order)
-    found, count, tests = np.empty((16, 2), dtype=np.int32), 0, 0
+    found, count, tests = new_list(0), 0, 0
     for q in range(asked.shape[0]):
         node = 0
         while node < right.size:
@@ -64,14 +64,14 @@ def query_pairs(
 
 @compiled
 def self_pairs(
-    bounds: Array, reach: Array, order: IntArray, right: IntArray, ranges: IntArray
-) -> tuple[IntArray, int]:
+    bounds: Array, reach: Array, order: Whole, right: Whole, ranges: Whole
+) -> tuple[Whole, int]:
     """The pairs of a tree's own boxes, (m, 2), each once, in no order; how many nodes were tested.
 
     Each leaf asks the nodes that come after it, so that no two leaves meet twice.
     """
     after, packed = nodes_after(right), in_tree_order(bounds, order)
-    found, count = np.empty((2 * order.size + 16, 2), dtype=np.int32), 0
+    found, count = new_list(order.size), 0
     tests = 0
     for leaf in range(right.size):
         if right[leaf] >= 0:
@@ -103,7 +103,7 @@ def self_pairs(
 
 @compiled
 def surface_area_cost(
-    reach: Array, right: IntArray, ranges: IntArray, node_cost: float
+    reach: Array, right: Whole, ranges: Whole, node_cost: float
 ) -> float:
     """Sum of A(node)/A(root) times node_cost, of leaves times how many boxes they hold."""
     total = 0.0

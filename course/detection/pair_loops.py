@@ -9,10 +9,16 @@ A kernel module (``course.jit``): import it where it is called.
 
 from __future__ import annotations
 
-import numpy as np
+from typing import Any
 
-from course.arrays import Array, IntArray
+import numpy as np
+from numpy.typing import NDArray
+
+from course.arrays import Array
 from course.jit import compiled
+
+#: Whole numbers of any width, as the kernels of all broad phases take and give them.
+Whole = NDArray[Any]
 
 #: Above this length a row of partners is sorted by NumPy, below it by insertion.
 SHORT = 32
@@ -37,7 +43,13 @@ def overlap(a: Array, i: int, b: Array, j: int) -> bool:
 
 
 @compiled
-def room_for(found: IntArray, count: int) -> IntArray:
+def new_list(n: int) -> Whole:
+    """Room for the first pairs of n boxes, (capacity, 2)."""
+    return np.empty((2 * n + 16, 2), dtype=np.int32)
+
+
+@compiled
+def room_for(found: Whole, count: int) -> Whole:
     """The list itself if one more pair fits behind the first ``count``, else a copy twice as long."""
     if count < found.shape[0]:
         return found
@@ -47,7 +59,7 @@ def room_for(found: IntArray, count: int) -> IntArray:
 
 
 @compiled
-def sort_row(row: IntArray) -> None:
+def sort_row(row: Whole) -> None:
     """Sort a few whole numbers in place, by insertion where they are few."""
     if row.size > SHORT:
         row[:] = np.sort(row)
@@ -61,7 +73,7 @@ def sort_row(row: IntArray) -> None:
 
 
 @compiled
-def sorted_pairs(found: IntArray, n: int) -> IntArray:
+def sorted_pairs(found: Whole, n: int) -> Whole:
     """Pairs of n boxes, each found once and either way round, as (m, 2) with i < j, sorted.
 
     A counting sort by i; then each i sorts its own few partners.
@@ -89,7 +101,7 @@ def sorted_pairs(found: IntArray, n: int) -> IntArray:
 
 
 @compiled
-def radix_order(keys: IntArray, bits: int) -> IntArray:
+def radix_order(keys: Whole, bits: int) -> Whole:
     """The stable order of whole numbers from 0 below 2^bits, by their digits, the lowest first.
 
     Source: Knuth, *The Art of Computer Programming*, volume 3, section 5.2.5.

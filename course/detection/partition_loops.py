@@ -15,8 +15,8 @@ import math
 
 import numpy as np
 
-from course.arrays import Array, IntArray
-from course.detection.pair_loops import overlap, room_for
+from course.arrays import Array
+from course.detection.pair_loops import Whole, new_list, overlap, room_for
 from course.jit import compiled
 
 #: A cell with so many boxes is not cut.
@@ -43,7 +43,7 @@ def interval(bounds: Array, i: int, nx: float, ny: float, nz: float) -> tuple[fl
 
 @compiled
 def median_plane(
-    bounds: Array, cell: IntArray, nx: float, ny: float, nz: float
+    bounds: Array, cell: Whole, nx: float, ny: float, nz: float
 ) -> tuple[float, float]:
     """The plane across n through the median of a cell's middles: its offset, and its cost.
 
@@ -67,7 +67,7 @@ def median_plane(
 
 
 @compiled
-def principal_axis(bounds: Array, cell: IntArray) -> tuple[float, float, float]:
+def principal_axis(bounds: Array, cell: Whole) -> tuple[float, float, float]:
     """The direction along which a cell's centres vary most, by the power method; x where they do not."""
     n = cell.size
     centers, mean = np.empty((n, 3)), np.zeros(3)
@@ -90,7 +90,7 @@ def principal_axis(bounds: Array, cell: IntArray) -> tuple[float, float, float]:
 
 
 @compiled
-def best_plane(bounds: Array, cell: IntArray, depth: int, oblique: bool) -> Array:
+def best_plane(bounds: Array, cell: Whole, depth: int, oblique: bool) -> Array:
     """The plane (n, d) that cuts a cell, and its cost, (5,).
 
     Of a kd-tree the axes take turns, x, y, z, and the next one serves where a cut is no
@@ -115,9 +115,7 @@ def best_plane(bounds: Array, cell: IntArray, depth: int, oblique: bool) -> Arra
 
 
 @compiled
-def cut(
-    bounds: Array, oblique: bool
-) -> tuple[Array, IntArray, IntArray, IntArray, int]:
+def cut(bounds: Array, oblique: bool) -> tuple[Array, Whole, Whole, Whole, int]:
     """A partition of space by the boxes (n, 6) in it.
 
     Returns:
@@ -161,7 +159,7 @@ def cut(
 
 
 @compiled
-def sides(bounds: Array, cell: IntArray, plane: Array) -> tuple[IntArray, IntArray]:
+def sides(bounds: Array, cell: Whole, plane: Array) -> tuple[Whole, Whole]:
     """The boxes of a cell that reach to the left of a plane, and those that reach to its right."""
     left, right = np.empty_like(cell), np.empty_like(cell)
     m, n = 0, 0
@@ -177,7 +175,7 @@ def sides(bounds: Array, cell: IntArray, plane: Array) -> tuple[IntArray, IntArr
 
 
 @compiled
-def cell_of(planes: Array, right: IntArray, x: float, y: float, z: float) -> int:
+def cell_of(planes: Array, right: Whole, x: float, y: float, z: float) -> int:
     """The leaf whose cell holds a point."""
     node = 0
     while right[node] >= 0:
@@ -190,10 +188,10 @@ def cell_of(planes: Array, right: IntArray, x: float, y: float, z: float) -> int
 
 @compiled
 def cell_pairs(
-    bounds: Array, planes: Array, right: IntArray, ranges: IntArray, held: IntArray
-) -> IntArray:
+    bounds: Array, planes: Array, right: Whole, ranges: Whole, held: Whole
+) -> Whole:
     """The pairs that overlap, (m, 2), each in the cell it belongs to, in no order."""
-    found, count = np.empty((2 * bounds.shape[0] + 16, 2), dtype=np.int32), 0
+    found, count = new_list(bounds.shape[0]), 0
     for leaf in range(right.size):
         if right[leaf] >= 0:
             continue

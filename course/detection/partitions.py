@@ -94,10 +94,10 @@ class Partition:
         bounds = bounds_of(boxes)
         if size_of(bounds) >= HUGE:
             raise failure("boxes", f"coordinates below {HUGE:g}", written(size_of(bounds)))  # fmt: skip
-        *arrays, tests = cut(bounds, bool(oblique))
-        for array in arrays:
+        planes, right, ranges, held, tests = cut(bounds, bool(oblique))
+        for array in (planes, right, ranges, held):
             array.setflags(write=False)
-        return cls(boxes, *arrays, int(tests))
+        return cls(boxes, planes, right, ranges, held, int(tests))
 
     def pairs(self) -> IntArray:
         """The pairs of the boxes that overlap or touch, sorted."""

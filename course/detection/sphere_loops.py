@@ -9,9 +9,9 @@ import math
 
 import numpy as np
 
-from course.arrays import Array, IntArray
+from course.arrays import Array
 from course.detection.hierarchy_walks import in_tree_order, nodes_after
-from course.detection.pair_loops import overlap, room_for
+from course.detection.pair_loops import Whole, new_list, overlap, room_for
 from course.jit import compiled
 
 #: Radii are a little larger than computed, so that rounding loses no pair.
@@ -29,7 +29,7 @@ def farthest_corner(x: float, y: float, z: float, bounds: Array, i: int) -> floa
 
 @compiled
 def fit_spheres(
-    bounds: Array, reach: Array, order: IntArray, right: IntArray, ranges: IntArray
+    bounds: Array, reach: Array, order: Whole, right: Whole, ranges: Whole
 ) -> Array:
     """A sphere a node, (nodes, 4): about the middle of its bounds, as large as its boxes' corners ask.
 
@@ -71,11 +71,11 @@ def spheres_overlap(spheres: Array, i: int, j: int) -> bool:
 
 @compiled
 def sphere_pairs(
-    bounds: Array, spheres: Array, order: IntArray, right: IntArray, ranges: IntArray
-) -> tuple[IntArray, int]:
+    bounds: Array, spheres: Array, order: Whole, right: Whole, ranges: Whole
+) -> tuple[Whole, int]:
     """The pairs of a tree's own boxes, (m, 2), each once, in no order; how many spheres were tested."""
     after, packed = nodes_after(right), in_tree_order(bounds, order)
-    found, count = np.empty((2 * order.size + 16, 2), dtype=np.int32), 0
+    found, count = new_list(order.size), 0
     tests = 0
     for leaf in range(right.size):
         if right[leaf] >= 0:

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.arrays import Array, IntArray
-from course.detection.pair_loops import overlap, room_for
+from course.arrays import Array
+from course.detection.pair_loops import Whole, new_list, overlap, room_for
 from course.jit import compiled
 
 
 @compiled
-def insertion_sort(keys: Array, order: IntArray) -> int:
+def insertion_sort(keys: Array, order: Whole) -> int:
     """Sort an order by its keys, in place; the number of swaps of neighbours that takes.
 
     Nearly sorted already, as from one frame to the next, it takes time n + swaps.
@@ -30,7 +30,7 @@ def insertion_sort(keys: Array, order: IntArray) -> int:
 
 
 @compiled
-def sweep(bounds: Array, order: IntArray, axis: int) -> tuple[IntArray, int]:
+def sweep(bounds: Array, order: Whole, axis: int) -> tuple[Whole, int]:
     """The pairs met by a sweep along an axis, and how many were tested on the two others.
 
     Args:
@@ -43,7 +43,7 @@ def sweep(bounds: Array, order: IntArray, axis: int) -> tuple[IntArray, int]:
     sorted_bounds = np.empty((n, 6))
     for k in range(n):
         sorted_bounds[k] = bounds[order[k]]
-    found = np.empty((2 * n + 16, 2), dtype=np.int32)
+    found = new_list(n)
     for k in range(n):
         end = sorted_bounds[k, axis + 3]
         later = k + 1
