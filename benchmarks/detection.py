@@ -156,6 +156,8 @@ def _fcl(frames: list[Array], side: float) -> Peer:
 
     shape = fcl.Box(side, side, side)
     objects = [fcl.CollisionObject(shape) for _ in range(COUNT)]
+    for thing, place in zip(objects, frames[0], strict=True):
+        thing.setTranslation(place)
     manager = fcl.DynamicAABBTreeCollisionManager()
     manager.registerObjects(objects)
     manager.setup()

@@ -48,12 +48,11 @@ def bvh(boxes: AABB) -> IntArray:
 
 
 def _paired(bounds: Array) -> IntArray:
-    from course.detection.hierarchy_builds import fit
     from course.detection.hierarchy_walks import self_pairs
     from course.detection.pair_loops import sorted_pairs
 
     tree = _built(bounds, METHODS.index("morton"), LEAF_SIZE)
-    found, _ = self_pairs(bounds, fit(bounds, *tree), *tree)
+    found, _ = self_pairs(bounds, _fitted(bounds, *tree), *tree)
     return sorted_pairs(found, len(bounds))
 
 
@@ -67,6 +66,15 @@ def _built(
     for array in tree:
         array.setflags(write=False)
     return tree
+
+
+def _fitted(bounds: Array, order: IntArray, right: IntArray, ranges: IntArray) -> Array:
+    """The bounds of the nodes, as ``BVH`` has them; nobody writes to them."""
+    from course.detection.hierarchy_builds import fit
+
+    reach = fit(bounds, order, right, ranges)
+    reach.setflags(write=False)
+    return reach
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +123,7 @@ class BVH:
         most = whole_number("leaf_size", leaf_size, minimum=1)
         large = size_of(bounds) >= HUGE
         tree = _built(bounds * SCALE if large else bounds, number, most)
-        return cls(boxes, *tree, bounds)._fitted(bounds)
+        return cls(boxes, *tree, _fitted(bounds, *tree))
 
     def refit(self, boxes: AABB) -> BVH:
         """The same tree around boxes that have moved: its bounds from the leaves up, in n steps.
@@ -129,14 +137,8 @@ class BVH:
         """
         bounds = _finite(boxes)
         shaped("boxes", boxes.lower, self.boxes.lower.shape)
-        return replace(self, boxes=boxes)._fitted(bounds)
-
-    def _fitted(self, bounds: Array) -> BVH:
-        from course.detection.hierarchy_builds import fit
-
-        reach = fit(bounds, self.order, self.right, self.ranges)
-        reach.setflags(write=False)
-        return replace(self, reach=reach)
+        tree = (self.order, self.right, self.ranges)
+        return replace(self, boxes=boxes, reach=_fitted(bounds, *tree))
 
     @property
     def children(self) -> IntArray:

@@ -262,8 +262,4 @@ def fit(bounds: Array, order: Whole, right: Whole, ranges: Whole) -> Array:
 
 
 def warm() -> None:
-    """Call the kernels once (``course.jit``)."""
-    bounds = np.arange(36.0).reshape(6, 6)
-    for method in (MEDIAN, SURFACE_AREA, MORTON):
-        order, right, ranges = build(bounds, method, 1)
-        fit(bounds, order, right, ranges)
+    """Called by others only (``course.jit``); ``course.detection.hierarchy_walks`` compiles it."""

@@ -122,11 +122,13 @@ def surface_area_cost(
 
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
-    from course.detection.hierarchy_builds import MEDIAN, build, fit
+    from course.detection.hierarchy import BVH
+    from course.shapes import AABB
 
-    bounds = np.arange(36.0).reshape(6, 6)
-    order, right, ranges = build(bounds, MEDIAN, 1)
-    reach = fit(bounds, order, right, ranges)
-    self_pairs(bounds, reach, order, right, ranges)
-    query_pairs(bounds, bounds, reach, order, right, ranges)
-    surface_area_cost(reach, right, ranges, 1.0)
+    lower = np.arange(18.0).reshape(6, 3)
+    boxes = AABB(lower, lower + 2)
+    for method in ("median", "surface_area", "morton"):
+        tree = BVH.build(boxes, method=method, leaf_size=1)
+    tree.pairs()
+    tree.query(boxes)
+    tree.cost()
