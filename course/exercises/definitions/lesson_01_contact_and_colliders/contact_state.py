@@ -93,8 +93,8 @@ def _cut(letters: int) -> Mistake:
     return Mistake(
         f"words of {letters}",
         cut,
-        "NumPy has cut your words: an array holds words as long as the longest with which it was made. np.select has "
-        'room for all; so has np.full(..., dtype="U11"), 11 letters.',
+        f"NumPy has cut your words to {letters} letters: an array holds words as long as the longest it was made "
+        'with. np.select has room for all; so has np.full(..., dtype="U11").',
     )
 
 

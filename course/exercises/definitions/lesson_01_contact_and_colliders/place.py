@@ -161,7 +161,11 @@ PLACE = Exercise(
             "axis for the points before the last one, whatever stands in front.",
         ),
         Mistake("a matrix for each point", _one_by_one, _MATRIX_FOR_EACH),
-        Mistake("a matrix for each point of one", _one_by_one_of_one, _MATRIX_FOR_EACH),
+        Mistake(
+            "a matrix for each point of one",
+            _one_by_one_of_one,
+            f"{_MATRIX_FOR_EACH} Yours lacks both.",
+        ),
     ),  # fmt: skip
     hints=(
         "Turn first, then shift. The columns of the rotation are where the body's three axes point now.",
