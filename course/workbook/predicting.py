@@ -95,8 +95,8 @@ def _wanted(prediction: Prediction) -> str:
 
 def _given(prediction: Prediction, answer: Any) -> Any:
     if prediction.choices:
-        if isinstance(answer, int | float):
-            answer = f"{answer:.15g}"  # of a choice that is a number, without quotes
+        if isinstance(answer, int) and str(answer) in prediction.choices:
+            return str(answer)  # a choice that is a number, without its quotes
         if not isinstance(answer, str) or answer not in prediction.choices:
             raise ValueError(f"expected {_wanted(prediction)}; got {written(answer)}")
         return answer

@@ -127,3 +127,13 @@ def test_a_vector_is_no_share():
     b = sp.Matrix(sp.symbols("b_1:4"))
     with pytest.raises(TypeError, match="got a vector or a matrix"):
         evaluator(b / 3, ["b_1", "b_2", "b_3"])
+
+
+def test_a_choice_that_is_a_number_needs_no_quotes():
+    from course.exercises.definition import find_prediction
+    from course.workbook.predicting import _given
+
+    prediction = find_prediction("first_wrong")[1]
+    assert _given(prediction, 65) == prediction.outcome() == "65"
+    with pytest.raises(ValueError, match="got 66"):
+        _given(prediction, 66)
