@@ -82,7 +82,7 @@ def test_what_looks_miss(shots, hits):
 
 
 def test_many_looks_find_what_the_sweep_finds(shots, hits):
-    (both,) = said("06", "Both find the same # hits.")
+    (both,) = said("06", "Both find the same # hits:")
     assert int(both.replace(",", "")) == hits.sum()
     assert np.array_equal(by_looks(shots, 5000)[0], hits)
 
@@ -93,6 +93,15 @@ def test_the_tail_falls_by_four_for_each_doubling(shots, hits):
     counts = [np.sum(hits & ~by_looks(shots, k)[0]) for k in (64, 128, 256)]
     for one, next_one in zip(counts[:-1], counts[1:], strict=True):
         assert abs(next_one - one / 4) < 3 * np.sqrt(one / 4)
+
+
+def test_what_is_said_of_the_looks_for_one_percent(shots, hits):
+    from course.exercises.definitions.lesson_06_moving_objects import PREDICTIONS
+
+    (asked,) = (p for p in PREDICTIONS if p.name == "looks_for_one_percent")
+    assert "miss 10 in 100; 200 looks miss 0.65." in asked.explanation
+    shares = [100 * missed_share(by_looks(shots, k)[0], hits) for k in (60, 200)]
+    assert rounds_to(shares[0], "10") and rounds_to(shares[1], "0.65")
 
 
 def said_text():

@@ -59,3 +59,12 @@ def test_thrown_balls_stop_where_they_touch():
     assert np.all(throw.gap[times < throw.stop] > 0)
     past = thrown(start, v, 5 * w, times)
     assert np.isinf(past.stop) and past.gap.min() > 0
+
+
+@pytest.mark.parametrize("speed", [30.0, 900.0])
+def test_enough_looks_are_just_enough(speed):
+    from course.study import enough_looks, passing_share
+
+    rate = enough_looks(speed)
+    some, none = passing_share(speed, np.array([0.95, 1.001]) * rate)
+    assert some > 0 == none

@@ -70,6 +70,9 @@ _PIECES = (
 )  # fmt: skip
 #: As it is asked; cut off at 0 with a division by 0 at rest; and not cut off, which differs in the first three.
 _FORMS = ("", "np.clip(1 - seen / way, 0, 1)", "1 - seen / way")
+_BESIDES = dict(zip(_FORMS, (
+    "", " Besides, at rest you divide by 0.", " Besides, it may leave 0 to 1, and at rest you divide by 0.",
+), strict=True))  # fmt: skip
 
 
 def _wrong_piece(name: str, old: str, new: str, message: str, form: str) -> Mistake:
@@ -77,7 +80,7 @@ def _wrong_piece(name: str, old: str, new: str, message: str, form: str) -> Mist
     return Mistake(
         f"{name}, {form}" if form else name,
         slip(formulas.miss_probability, *edits),
-        message + (" Besides, at rest you divide by 0." if form else ""),
+        message + _BESIDES[form],
     )
 
 

@@ -171,7 +171,7 @@ SWEPT_SPHERES_TIME = Exercise(
             "root = (-b - np.sqrt(np.abs(inside_root))) / np.where(a > 0, a, 1.0)",
             "c / below",
             "root",
-            message=_BARS,
+            message=f"{_BARS} The time that you give them is that of no touch.",
         ),
         _wrong(
             "a time that is not below 0",
