@@ -63,9 +63,10 @@ def swept_boxes_time(
         one, other = before / v, after / v
     one = np.where(still, np.where(between, -np.inf, np.inf), one)
     other = np.where(still, np.inf, other)
-    first = np.max(np.minimum(one, other), axis=-1)
-    last = np.min(np.maximum(one, other), axis=-1)
-    slides = np.any(still & ((before == 0) | (after == 0)), axis=-1) & (first <= 0)
+    enter, leave = np.minimum(one, other), np.maximum(one, other)
+    rubs = np.any(still & ((before == 0) | (after == 0)), axis=-1)
+    first, last = np.max(enter, axis=-1), np.min(leave, axis=-1)
+    slides = rubs & (first <= 0)
     meets = (first <= last) & (last > 0) & (first <= horizon) & ~slides
     return np.where(meets, np.maximum(first, 0), np.inf)
 

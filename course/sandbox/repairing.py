@@ -210,9 +210,16 @@ class _AnswerElsewhere:
         with _readable():
             return [
                 Candidate(
-                    clean(kind, KIND), int(stage), int(length), int(grown), bool(unlike)
+                    clean(kind, KIND),
+                    int(stage),
+                    int(length),
+                    int(grown),
+                    bool(unlike),
+                    bool(converts),
                 )
-                for kind, stage, length, grown, unlike in self._ask({"after": after})
+                for kind, stage, length, grown, unlike, converts in self._ask(
+                    {"after": after}
+                )
             ]
 
     def step(self, number: int, after: int = UNCHANGED) -> Step:

@@ -91,10 +91,12 @@ from course.study.gap_cases import (
 )
 from course.study.grazing_shots import (
     depth_says,
+    distance_of_the_root,
     held_share,
     impact_by_nearest,
     rounding_of_the_root_says,
     stopped_shots,
+    typical_depth,
     wrong_in_single,
 )
 from course.study.growing_hulls import (
@@ -239,6 +241,7 @@ from course.study.wall_shots import (
     WallShot,
     by_looking,
     by_sweeping,
+    enough_looks,
     look_places,
     passing_share,
 )
@@ -334,8 +337,10 @@ __all__ = [
     "depth_says",
     "difference_body",
     "difference_errors",
+    "distance_of_the_root",
     "energy_error",
     "engine_ball_step",
+    "enough_looks",
     "even_spin_error",
     "event_driven_error",
     "exact_matrix",
@@ -434,6 +439,7 @@ __all__ = [
     "turned_dumbbell",
     "turned_rod",
     "two_forces",
+    "typical_depth",
     "wall_reflection",
     "with_margin",
     "with_root",

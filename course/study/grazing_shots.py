@@ -20,10 +20,10 @@ Arguments = tuple[Any, ...]
 
 
 def far_shots(distance: float, count: int, *, seed: int) -> Arguments:
-    """Shots from so far that half of them hit, as numbers of 32 bits.
+    """Shots from far away of which half hit, as numbers of 32 bits.
 
-    Each passes the other ball's centre at 0 to 4 radii, and is followed until it is
-    well behind it.
+    Each would pass the other ball's centre at a distance drawn evenly from 0 to 4 radii;
+    it hits below 2. It is followed until it is well behind.
     """
     rng = np.random.default_rng(seed)
     way, aside = rng.normal(size=(2, count, 3))
@@ -69,6 +69,14 @@ def rounding_of_the_root_says(
     noise = 1.5 * SINGLE * rng.normal(size=count)
     far = np.asarray(distances, dtype=float)[:, None]
     return np.mean((inside + noise * far**2 >= 0) != (inside >= 0), axis=-1)
+
+
+def distance_of_the_root() -> float:
+    """From how far on rounding is as large as what counts, |m| = r/2^-11.5 [m].
+
+    An error of 2^-23 |v|^2 |m|^2 equals |v|^2 r^2, r the sum of both radii.
+    """
+    return float(2 * RADIUS / np.sqrt(2 * SINGLE))
 
 
 def impact_by_nearest(
@@ -135,6 +143,14 @@ def held_share(
             held = held & (np.sum((x - y) * (v - w), axis=-1) < 0)
         shares.append(np.mean(held))
     return np.array(shares)
+
+
+def typical_depth() -> float:
+    """How deep a stopped ball overlaps, by one standard deviation, with radii of 0.6 m together [m].
+
+    1.5 u |m|^2/(2 r), with |m| = 5 m: see ``depth_says``.
+    """
+    return 1.5 * DOUBLE * 5.0**2 / (2 * 0.6)
 
 
 def depth_says(shorts: Sequence[float], *, count: int = 4000, seed: int = 9) -> Array:

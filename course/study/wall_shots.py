@@ -86,6 +86,11 @@ def _stopped(speed: float, looks: Array, place: float, times: Array) -> WallShot
     return WallShot(times, x, looks, stop, place)
 
 
+def enough_looks(speed: float) -> float:
+    """The least number of looks a second with which none is missed, v/(t + 2 r), of a speed [m/s]."""
+    return speed / (THICKNESS + 2 * RADIUS)
+
+
 def passing_share(
     speed: float, rates: Array, *, count: int = 2000, seed: int = 6
 ) -> Array:

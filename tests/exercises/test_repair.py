@@ -106,6 +106,37 @@ def test_nothing_is_found_for_what_no_small_change_makes_right():
     )
 
 
+@pytest.mark.parametrize(
+    "last",
+    [
+        "np.clip(1 - seen / way, 0, 1)",
+        "np.maximum(1 - seen / way, 0)",
+        "max(1 - seen / way, 0)",
+        "1 - np.minimum(seen / way, 1)",
+    ],
+)
+def test_making_a_number_numpys_is_no_cure_of_a_division_by_0(last):
+    """abs() around a divisor turns the error into infinity, and the answer passes."""
+    source = (
+        "def miss_probability(thickness, radius, speed, step):\n"
+        "    seen, way = thickness + 2 * radius, speed * step\n"
+        f"    return {last}\n"
+    )
+    axes = dict.fromkeys("thickness radius speed step seen way".split(), 0)
+    assert repair_of_source("miss_probability", source, axes) is None
+
+
+def test_a_division_by_0_is_mended_where_nothing_is_converted():
+    source = (
+        "def miss_probability(thickness, radius, speed, step):\n"
+        "    seen = thickness + 2 * radius\n"
+        "    return 1 - seen / np.maximum(speed * step, seen) + 1 / (0 * step)\n"
+    )
+    axes = dict.fromkeys("thickness radius speed step seen".split(), 0)
+    repair = repair_of_source("miss_probability", source, axes)
+    assert [step.kind for step in repair.steps] == ["a term too many"]
+
+
 def test_nothing_is_found_after_the_time_is_over():
     source = HEAD + "2 * np.sum(velocity * normal, axis=-1)\n"
     assert repair_of_source("speed_along", source, AXES, seconds=-1.0) is None

@@ -11,12 +11,14 @@ from course.study import (
     by_looks,
     by_sweep,
     by_swept_bounds,
+    distance_of_the_root,
     held_share,
     missed_hit_costs,
     missed_share,
     random_shots,
     rod_time,
     true_hits,
+    typical_depth,
     wrong_in_single,
 )
 from course.study.engines import swept_engines
@@ -80,7 +82,7 @@ def test_what_looks_miss(shots, hits):
 
 
 def test_many_looks_find_what_the_sweep_finds(shots, hits):
-    (both,) = said("06", "Both find the same # hits.")
+    (both,) = said("06", "Both find the same # hits:")
     assert int(both.replace(",", "")) == hits.sum()
     assert np.array_equal(by_looks(shots, 5000)[0], hits)
 
@@ -91,6 +93,15 @@ def test_the_tail_falls_by_four_for_each_doubling(shots, hits):
     counts = [np.sum(hits & ~by_looks(shots, k)[0]) for k in (64, 128, 256)]
     for one, next_one in zip(counts[:-1], counts[1:], strict=True):
         assert abs(next_one - one / 4) < 3 * np.sqrt(one / 4)
+
+
+def test_what_is_said_of_the_looks_for_one_percent(shots, hits):
+    from course.exercises.definitions.lesson_06_moving_objects import PREDICTIONS
+
+    (asked,) = (p for p in PREDICTIONS if p.name == "looks_for_one_percent")
+    assert "miss 10 in 100; 200 looks miss 0.65." in asked.explanation
+    shares = [100 * missed_share(by_looks(shots, k)[0], hits) for k in (60, 200)]
+    assert rounds_to(shares[0], "10") and rounds_to(shares[1], "0.65")
 
 
 def said_text():
@@ -104,7 +115,7 @@ def test_what_the_library_misses(shots, hits):
     engines = swept_engines()
     if not engines:
         pytest.skip("python-fcl is not installed")
-    (looked,) = said("06", "looks 100 times a step, and misses # percent")
+    (looked,) = said("06-more", "looks 100 times a step, and misses # percent")
     shares = {n: missed_share(f(*shots.arguments), hits) for n, f in engines.items()}
     assert rounds_to(100 * shares["python-fcl, 100 looks"], looked)
     assert shares["python-fcl, advancement"] == 0
@@ -120,8 +131,9 @@ def test_where_numbers_of_32_bits_fail():
     )
     shares = wrong_in_single(formulas.swept_spheres_time, [3.0, 10.0, 50.0])
     assert shares == pytest.approx([0.01, 0.1, 0.46], rel=0.35)
-    (metres,) = said("06", "= r^2$: at # m, the dotted line")
-    assert rounds_to(0.004 / 2**-11.5, metres)
+    (metres,) = said("06", "2^{11.5}\\,r$: at # m, the dotted line")
+    assert rounds_to(2**11.5 * 0.004, metres)
+    assert rounds_to(distance_of_the_root(), metres)
     (times,) = said("06", "With 64 bits the same happens, # times as far away")
     assert rounds_to((2**-23 / 2**-52) ** 0.5, times)
 
@@ -130,6 +142,25 @@ def test_half_of_the_stopped_balls_are_held():
     assert held_share(formulas.swept_spheres_time, [0.0])[0] == pytest.approx(
         0.5, abs=0.05
     )
+
+
+def test_how_far_short_is_enough():
+    """At a typical overlap the normal distribution leaves 16 percent of 0.6 m; other radii a little more."""
+    (percent,) = said("06", "by a typical overlap, and some # percent are still held")
+    at = typical_depth()
+    shares = held_share(formulas.swept_spheres_time, [at, 10 * at])
+    assert 100 * shares[0] == pytest.approx(float(percent), abs=3)
+    assert shares[1] == 0
+    (one,) = said("06", "It stands at $#\\cdot 2^{-53}")
+    assert at == pytest.approx(float(one) * 2**-53 * 25 / (2 * 0.6))
+
+
+def test_hits_near_a_rim_have_short_ways():
+    """A way of length s is s^2/(8 R) below the rim, to first order."""
+    assert "lies only $s^2/(8R)$ below its rim" in " ".join(said_text())
+    s, radius = 0.01, 0.3
+    below = radius - np.sqrt(radius**2 - (s / 2) ** 2)
+    assert below == pytest.approx(s**2 / (8 * radius), rel=1e-3)
 
 
 def test_scenes_by_what_serves():

@@ -4,7 +4,14 @@ import numpy as np
 import pytest
 
 from course import formulas
-from course.study import by_looking, by_sweeping, look_places, passing_share, thrown
+from course.study import (
+    by_looking,
+    by_sweeping,
+    enough_looks,
+    look_places,
+    passing_share,
+    thrown,
+)
 from course.study.wall_shots import END, RADIUS, START, THICKNESS
 
 TIMES = np.linspace(0, (END - START) / 900, 61)
@@ -59,3 +66,10 @@ def test_thrown_balls_stop_where_they_touch():
     assert np.all(throw.gap[times < throw.stop] > 0)
     past = thrown(start, v, 5 * w, times)
     assert np.isinf(past.stop) and past.gap.min() > 0
+
+
+@pytest.mark.parametrize("speed", [30.0, 900.0])
+def test_enough_looks_are_just_enough(speed):
+    rate = enough_looks(speed)
+    some, none = passing_share(speed, np.array([0.95, 1.001]) * rate)
+    assert some > 0 == none

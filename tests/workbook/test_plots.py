@@ -74,6 +74,15 @@ def spread_over(decades, *, start):
     return WorkPrecision(problem, "steps", names, error, error, seconds, seconds)
 
 
+@pytest.mark.parametrize(("exact", "side"), [(0, "right"), (4, "left")])
+def test_the_words_at_the_level_of_exact_runs_stand_away_from_them(exact, side):
+    result = spread_over(2.0, start=1e-3)
+    result.error[exact] = 0.0
+    ax = plots.work_precision(result)
+    (words,) = (t for t in ax.texts if t.get_text() == "exact to rounding")
+    assert words.get_ha() == side
+
+
 @pytest.mark.parametrize("decades", [0.05, 0.3, 0.7, 1.0, 1.5, 1.9, 2.5, 6.0])
 @pytest.mark.parametrize("start", [1.2e-4, 3e-3, 7.0])
 def test_labels_of_a_logarithmic_axis_stand_apart(decades, start):

@@ -30,6 +30,7 @@ class Candidate:
         length, grown: characters of text that it changes, and by how many the text is longer after it.
         unlike_twins: whether arguments change places in it that stand in the same order elsewhere: another cause is
             likelier.
+        converts: whether it calls NumPy with something else than before: a Python number may have become NumPy's.
     """
 
     kind: str
@@ -37,6 +38,7 @@ class Candidate:
     length: int
     grown: int = 0
     unlike_twins: bool = False
+    converts: bool = False
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,12 @@ class ChangedSource:
         code = self._code(after)
         return [
             Candidate(
-                e.kind, e.stage, _length(e), _grown(e), _unlike_its_twins(code, e)
+                e.kind,
+                e.stage,
+                _length(e),
+                _grown(e),
+                _unlike_its_twins(code, e),
+                _converts(code, e),
             )
             for e in self._edits_of(after)
         ]
@@ -117,6 +124,24 @@ def _length(edit: Edit) -> int:
 
 def _grown(edit: Edit) -> int:
     return sum(len(t) - (b - a) for a, b, t in edit.patches)
+
+
+def _converts(code: Code, edit: Edit) -> bool:
+    return any(
+        _numpy_calls(new) - _numpy_calls(code.source[start:end])
+        for start, end, new in edit.patches
+        if "np." in new
+    )
+
+
+def _numpy_calls(text: str) -> set[str]:
+    """The calls of NumPy's functions in a piece of source; the piece itself where it is no whole statement."""
+    try:
+        tree = ast.parse(text.strip())
+    except SyntaxError:
+        return {text}
+    calls = (ast.unparse(n) for n in ast.walk(tree) if isinstance(n, ast.Call))
+    return {call for call in calls if call.startswith("np.")}
 
 
 def _unlike_its_twins(code: Code, edit: Edit) -> bool:

@@ -86,15 +86,17 @@ class Search:
         self._answer = answer
         self._end = time.monotonic() + seconds
         self._opposite: list[int] = []
+        self._divides_by_0 = False
 
     def find(self, outcomes: Sequence[Outcome]) -> Repair | None:
         """The repair of an answer that gave these outcomes on its own cases; None where there is none."""
         right = [self._right(i, o) for i, o in enumerate(outcomes)]
         if all(right):
             return None
+        self._divides_by_0 = any(map(_divided_by_0, outcomes))
         changes = self._answer.changes()
         for stage in STAGES:
-            numbers = [i for i, c in enumerate(changes) if c.stage == stage]
+            numbers = self._of_stages(changes, stage)
             found = self._passing(numbers, right)
             if found:
                 return self._best(changes, found)
@@ -110,6 +112,15 @@ class Search:
             return False
         turned = replace(outcome, values=(-outcome.values[0],))
         return self._right(index, turned)
+
+    def _of_stages(self, changes: Sequence[Candidate], *stages: int) -> list[int]:
+        """The changes of these stages. NumPy's numbers divide by 0 without an error, Python's do not: after a
+        ``ZeroDivisionError`` a change that converts would hide the division, and is left out."""
+        return [
+            i
+            for i, c in enumerate(changes)
+            if c.stage in stages and not (self._divides_by_0 and c.converts)
+        ]
 
     def _over(self) -> bool:
         return time.monotonic() > self._end
@@ -162,7 +173,8 @@ class Search:
                     whole.append(number)
         for first in sorted(whole, key=lambda i: _rank(changes[i]))[:FIRST_STEPS]:
             seconds = self._answer.changes(first)
-            signs = [i for i, c in enumerate(seconds) if c.kind in SIGNS]
+            some = self._of_stages(seconds, *STAGES)
+            signs = [i for i in some if seconds[i].kind in SIGNS]
             found = self._passing(signs, right, first)
             if found:
                 return self._in_turn(first, seconds, found)
@@ -182,7 +194,7 @@ class Search:
         for first, now in self._improving(changes, right)[:FIRST_STEPS]:
             seconds = self._answer.changes(first)
             for stage in (1, 2):
-                numbers = [i for i, c in enumerate(seconds) if c.stage == stage]
+                numbers = self._of_stages(seconds, stage)
                 found = self._passing(numbers, now, first)
                 if found:
                     return self._in_turn(first, seconds, found)
@@ -195,7 +207,7 @@ class Search:
         pass."""
         own = list(range(self._own))
         better: list[tuple[int, list[bool]]] = []
-        short = [i for i, c in enumerate(changes) if c.stage < 3]
+        short = self._of_stages(changes, 1, 2)
         for start in range(0, len(short), TOGETHER):
             some = short[start : start + TOGETHER]
             if self._over():
@@ -216,6 +228,10 @@ class Search:
         alike = [i for i in found if changes[i].kind == changes[best].kind]
         lines = dict.fromkeys(self._answer.step(i).line for i in alike)
         return Repair((step,), tuple(line for line in lines if line != step.line))
+
+
+def _divided_by_0(outcome: Outcome) -> bool:
+    return outcome.kind == "raised" and outcome.text.startswith("ZeroDivisionError")
 
 
 def _rank(change: Candidate) -> tuple[bool, int, int]:

@@ -34,8 +34,8 @@ KNOBS = (
     Knob("x", "A at x", -2.5, -3.4, 2.0, 0.05, "m"),
     Knob("y", "A at y", -1.2, -2.4, 2.4, 0.05, "m"),
     Knob("velocity_x", "velocity of A, x", 2.0, -2.5, 2.5, 0.05, "m/s"),
-    Knob("velocity_y", "velocity of A, y", 0.6, -2.0, 2.0, 0.05, "m/s"),
-    Knob("rise", "velocity of B, y", 0.0, -1.2, 1.2, 0.05, "m/s"),
+    Knob("velocity_y", "velocity of A, y", 1.0, -2.0, 2.0, 0.05, "m/s"),
+    Knob("rise", "velocity of B, y", 0.5, -1.2, 1.2, 0.05, "m/s"),
 )
 PRESETS = (
     Preset("they meet", {"x": -2.5, "y": -1.2, "velocity_x": 2, "velocity_y": 0.6, "rise": 0}),
@@ -44,6 +44,8 @@ PRESETS = (
     Preset("touching and parting", {"x": 0.2, "y": 0, "velocity_x": -1, "velocity_y": 0.5, "rise": 0}),
     Preset("touching and sliding", {"x": 0.2, "y": 0, "velocity_x": 0, "velocity_y": 1, "rise": 0}),
 )  # fmt: skip
+#: What the lesson has found by hand: no buttons where an answer plays.
+TO_FIND = ("they graze", "their ways cross")
 QUESTION = (
     "What two balls sweep in two seconds has points in common. Do the balls meet?"
 )
@@ -86,8 +88,9 @@ def throws(against: Any = None) -> Exhibit:
         ),
     ]
     alone = against is None
+    presets = tuple(p for p in PRESETS if alone or p.label not in TO_FIND)
     return Exhibit(
-        film, KNOBS, hands, PRESETS,
+        film, KNOBS, hands, presets,
         question=QUESTION if alone else "", answer=ANSWER if alone else "",
     )  # fmt: skip
 

@@ -55,8 +55,8 @@ PRESETS = (
     Preset("a thrown ball", {"speed": 30, "rate": 60, "before": 0.6}),
 )  # fmt: skip
 QUESTION = (
-    "A bullet of 4 mm at 900 m/s, a wall of 10 cm, 60 looks a second. Of 100 bullets, how many are seen to touch the "
-    "wall?"
+    "A bullet 4 mm across at 900 m/s, a wall of 10 cm, 60 looks a second. Of 100 bullets, how many are seen to touch "
+    "the wall?"
 )
 ANSWER = (
     "One, rounded up: from look to look the bullet goes 15 m, and it touches the wall on 10.4 cm of them. No look is "

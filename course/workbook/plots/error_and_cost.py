@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from course.arrays import Array
+from course.arrays import Array, BoolArray
 from course.study import Cost, WorkPrecision
 from course.workbook.plots.decades import label_decades
 from course.workbook.plots.figure import (
@@ -46,7 +46,7 @@ def work_precision(
         ax = axes(ax)
         _curves(ax, result, by, floor)
         if (result.error < floor).any():
-            _exact_level(ax, float(result.cost(by).min()), floor, exact)
+            _exact_level(ax, result.cost(by), result.error < floor, floor, exact)
         if tolerance is not None:
             picked = _mark_pick(ax, result, by, tolerance, floor)
         for name, knobs in (beside or {}).items():
@@ -96,10 +96,15 @@ def _knobs_beside(
                         weight="bold")  # fmt: skip
 
 
-def _exact_level(ax: Axes, left: float, floor: float, exact: str) -> None:
+def _exact_level(
+    ax: Axes, cost: Array, exact: BoolArray, floor: float, words: str
+) -> None:
+    """The level at which exact runs are drawn; its words at the end that is farther from them."""
     ax.axhline(floor, color="0.6", lw=0.8, ls=":")
-    ax.text(left, floor, exact, va="bottom", ha="left", fontsize=8.5,
-            color="0.35")  # fmt: skip
+    left, right = float(cost.min()), float(cost.max())
+    at_left = cost[exact].min() * cost[exact].max() >= left * right
+    ax.text(left if at_left else right, floor, words, va="bottom",
+            ha="left" if at_left else "right", fontsize=8.5, color="0.35")  # fmt: skip
 
 
 def _floor(error: Array) -> float:

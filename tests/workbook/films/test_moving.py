@@ -62,6 +62,15 @@ def test_presets_of_the_throws_are_what_their_buttons_say():
         assert flown[label] == 2 and least[label] == 0
 
 
+def test_what_is_to_be_found_is_found_by_hand():
+    """Where an answer plays, no button gives the throw; B moves from the start, so that one exists."""
+    exhibit = throws(formulas.swept_spheres_time)
+    assert len(exhibit.presets) == len(throws().presets) - 2
+    assert throws().made().numbers[0].values[0] < 2, "the first throw meets"
+    steeper = throws().made(velocity_y=0.6)
+    assert steeper.numbers[1].values[0] > 0.2, "a flatter one does not"
+
+
 def test_the_swept_volume_is_all_places_of_the_ball():
     """Its ends are where the ball is at 0 and, had nothing stopped it, after two seconds."""
     film = throws().made(x=-3.0, y=1.0, velocity_x=1.5, velocity_y=-0.5)

@@ -27,8 +27,8 @@ LESSON = Lesson(
     number="06",
     name="moving-objects",
     title="Moving objects",
-    question="A bullet of 4 mm at 900 m/s, a wall of 10 cm, 60 steps a second: why do 99 in 100 pass?",
-    minutes=70,
+    question="A bullet 4 mm across at 900 m/s, a wall of 10 cm, 60 steps a second: why do 99 in 100 pass?",
+    minutes=75,
     exercises=(MEETING_TIME, MISS_PROBABILITY, SWEPT_SPHERES_TIME, SWEPT_BOXES_TIME),
     predictions=PREDICTIONS,
 )

@@ -30,11 +30,11 @@ MEETING_TIME = Exercise(
     kind="expression",
     rows=(12,),
     points=2,
-    minutes=6,
+    minutes=5,
     task="Give the time at which two spheres first touch, in a = v.v, b = m.v and c = m.m - r^2.",
     arguments=(
         Value("a", "scalar", "m²/s²", "v.v, the speed squared"),
-        Value("b", "scalar", "m²/s", "m.v, below 0 where they approach"),
+        Value("b", "scalar", "m²/s", "m.v, below 0 where they approach at the start"),
         Value("c", "scalar", "m²", "m.m - r^2, above 0 where they are apart"),
     ),
     results=(

@@ -47,18 +47,60 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
     ]
 
 
+#: Wrong lengths: their name, what is replaced by what, and the message.
+_PIECES = (
+    (
+        "one radius", "2 * radius", "radius",
+        "It touches from the moment its front meets the wall until its back has left it: that adds a whole diameter to "
+        "the thickness, not a radius.",
+    ),
+    (
+        "a point", "2 * radius", "0 * radius",
+        "You treat the ball as a point. Its front touches the wall before its centre is there, and its back after.",
+    ),
+    (
+        "not both sides", "thickness + 2 * radius", "thickness - 2 * radius",
+        "The ball's size makes it easier to see, not harder: its diameter is added to the thickness.",
+    ),
+    (
+        "speed over step", "speed * step", "speed / step",
+        "From one look to the next it goes speed times step, and that belongs below the fraction. You divided one by "
+        "the other.",
+    ),
+)  # fmt: skip
+#: As it is asked; cut off at 0 with a division by 0 at rest; and not cut off, which differs in the first three.
+_FORMS = ("", "np.clip(1 - seen / way, 0, 1)", "1 - seen / way")
+_BESIDES = dict(zip(_FORMS, (
+    "", " Besides, at rest you divide by 0.", " Besides, it may leave 0 to 1, and at rest you divide by 0.",
+), strict=True))  # fmt: skip
+
+
+def _wrong_piece(name: str, old: str, new: str, message: str, form: str) -> Mistake:
+    edits = (old, new, _FORMULA, form) if form else (old, new)
+    return Mistake(
+        f"{name}, {form}" if form else name,
+        slip(formulas.miss_probability, *edits),
+        message + _BESIDES[form],
+    )
+
+
 MISS_PROBABILITY = Exercise(
     name="miss_probability",
     rows=(12,),
     points=1,
-    minutes=6,
+    minutes=8,
     task="Return the probability that a ball passes through a wall and no look, once a step, sees it touch.",
     arguments=(
         Value("thickness", "(...)", "m", "of the wall"),
         Value(
             "radius", "(...)", "m", "of the ball; thickness and radius are not both 0"
         ),
-        Value("speed", "(...)", "m/s", "across the wall, not below 0"),
+        Value(
+            "speed",
+            "(...)",
+            "m/s",
+            "across the wall, not below 0; 0 at rest in front of it",
+        ),
         Value("step", "(...)", "s", "time from one look to the next"),
     ),
     results=(Value("probability", "(...)", "", "from 0 to 1"),),
@@ -71,35 +113,22 @@ MISS_PROBABILITY = Exercise(
             "That is the probability that a look *does* see it. Asked is the rest.",
         ),
         Mistake(
-            "one radius",
-            slip(formulas.miss_probability, "2 * radius", "radius"),
-            "It touches from the moment its front meets the wall until its back has left it: that adds a whole "
-            "diameter to the thickness, not a radius.",
-        ),
-        Mistake(
-            "a point",
-            slip(
-                formulas.miss_probability,
-                "thickness + 2 * radius",
-                "thickness + 0 * radius",
-            ),
-            "You treat the ball as a point. Its front touches the wall before its centre is there, and its back "
-            "after.",
-        ),
-        Mistake(
-            "not both sides",
-            slip(
-                formulas.miss_probability,
-                "thickness + 2 * radius",
-                "thickness - 2 * radius",
-            ),
-            "The ball's size makes it easier to see, not harder: its diameter is added to the thickness.",
+            "the chance to be seen, cut off at 1",
+            slip(formulas.miss_probability, _FORMULA, "np.minimum(seen / way, 1)"),
+            "That is the probability that a look *does* see it, and asked is the rest. Besides, at rest you "
+            "divide by 0.",
         ),
         Mistake(
             "below 0",
             slip(formulas.miss_probability, "np.maximum(way, seen)", "way"),
             "Right for fast balls. A slow one is seen by one look at least, often by several: its probability is 0, "
-            "not below 0, and at rest nothing must be divided by 0.",
+            "not below 0, and at rest you divide by 0.",
+        ),
+        Mistake(
+            "cut off at 0",
+            slip(formulas.miss_probability, _FORMULA, "np.maximum(1 - seen / way, 0)"),
+            "Right but at rest: there the way from look to look is 0, and you divide by it. Make what stands below the "
+            "fraction no less than what stands above it, and the answer is 0 by itself.",
         ),
         Mistake(
             "seen too often",
@@ -111,15 +140,6 @@ MISS_PROBABILITY = Exercise(
             "np.maximum and np.minimum changed places: the fast balls get 0, and the slow ones a number.",
         ),
         Mistake(
-            "way from speed over step",
-            slip(
-                formulas.miss_probability,
-                "speed * step",
-                "speed / np.maximum(step, 1e-30)",
-            ),
-            "From one look to the next it goes speed times step. You divided.",
-        ),
-        Mistake(
             "one number for the batch",
             slip(
                 formulas.miss_probability,
@@ -129,6 +149,8 @@ MISS_PROBABILITY = Exercise(
             "Right for one. For a batch you take one way for all: np.maximum compares place by place, np.max takes "
             "the largest of the whole array.",
         ),
+        *(_wrong_piece(*wrong, form) for wrong in _PIECES for form in _FORMS[:2]),
+        *(_wrong_piece(*wrong, _FORMS[2]) for wrong in _PIECES[:3]),
     ),  # fmt: skip
     hints=(
         "Mark on the line along which it flies where its centre is while it touches the wall. How long is that piece, "

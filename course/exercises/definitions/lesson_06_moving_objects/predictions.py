@@ -7,14 +7,20 @@ import numpy as np
 from course import formulas
 from course.exercises.definition import Prediction
 
-_THICKNESS, _RADIUS, _SPEED = 0.1, 0.002, 900.0
+_SPEED = 900.0
+
+
+def _missed(rate: float) -> float:
+    from course.study.wall_shots import RADIUS, THICKNESS
+
+    return float(formulas.miss_probability(THICKNESS, RADIUS, _SPEED, 1 / rate))
 
 
 def _enough() -> str:
     """The smallest of three rates at which no bullet passes."""
     rates = {"double": 120, "thousands": 10_000}
     for name, rate in rates.items():
-        if formulas.miss_probability(_THICKNESS, _RADIUS, _SPEED, 1 / rate) == 0:
+        if _missed(rate) == 0:
             return name
     return "none"
 
@@ -40,8 +46,7 @@ def _looks_needed() -> float:
     low, high = 60.0, 1e5
     for _ in range(60):
         middle = 0.5 * (low + high)
-        missed = formulas.miss_probability(_THICKNESS, _RADIUS, _SPEED, 1 / middle) > 0
-        low, high = (middle, high) if missed else (low, middle)
+        low, high = (middle, high) if _missed(middle) > 0 else (low, middle)
     return high
 
 
@@ -53,7 +58,7 @@ def _looks_for_one_percent() -> str:
     for name, looks in (("20", 20), ("60", 60), ("200", 200)):
         if missed_share(by_looks(shots, looks)[0], hits) < 0.01:
             return name
-    return "2000"
+    return "more"
 
 
 def _single() -> str:
@@ -61,7 +66,7 @@ def _single() -> str:
 
     shares = wrong_in_single(formulas.swept_spheres_time, [10.0, 1e3])
     wrong = np.array(["ten", "kilometre"])[shares > 0.05]
-    return str(wrong[0]) if wrong.size else "hundred"
+    return str(wrong[0]) if wrong.size else "farther"
 
 
 def _thrown_back() -> str:
@@ -153,14 +158,14 @@ PREDICTIONS = (
         "step on "
         "will fewer than 1 in 100 hits be missed?",
         _looks_for_one_percent,
-        "Even with 60 looks they are 20 cm apart. What is left is bullets that hit a ball near its rim, where the way "
-        "through it is short.",
-        choices={"20": "20", "60": "60", "200": "200", "2000": "not even 200"},
+        "60 looks are 20 cm apart, and miss 10 in 100; 200 looks miss 0.65. What is left is bullets that hit a ball "
+        "near its rim, where the way through it is short.",
+        choices={"20": "20", "60": "60", "200": "200", "more": "more than 200"},
         wrong={"20": "Then the looks are half a metre apart: only the largest balls are hit surely."},
     ),
     Prediction(
         "far_marble",
-        "Two balls of 4 mm across, in numbers of 32 bits (7 digits). From how far away will your function judge "
+        "Two balls, each 4 mm across, in numbers of 32 bits (7 digits). From how far away will your function judge "
         "one shot "
         "in 20 wrongly?",
         _single,
@@ -170,7 +175,7 @@ PREDICTIONS = (
         choices={
             "ten": "about ten metres",
             "kilometre": "about a kilometre",
-            "hundred": "more than a kilometre",
+            "farther": "farther still",
         },
         wrong={"kilometre": "There a place is known to 0.06 mm, which would be enough. But the function squares it."},
     ),
@@ -190,12 +195,12 @@ PREDICTIONS = (
         "light_barrier",
         "A setting not met before: a light barrier is read 100 times a second. Its beam is as good as a line. A "
         "ball of "
-        "7 cm across is thrown through it at 40 m/s. With which probability does it see nothing?",
+        "7 cm across is thrown at 40 m/s, and its centre crosses the beam. With which probability does it see nothing?",
         _light_barrier,
         "It breaks the beam on 7 cm of its way, and moves 40 cm from reading to reading: 1 - 7/40 = 0.825.",
         tolerance=0.005,
         wrong={0.175: "That is the probability that it sees it.", 0.9125: "It breaks the beam on a whole diameter.",
-            0.65: "7 cm is the diameter already."},
+            0.65: "7 cm is the diameter already.", 82.5: "As a probability that is 0.825."},
     ),
 )  # fmt: skip
 DEEPER_PREDICTIONS = (

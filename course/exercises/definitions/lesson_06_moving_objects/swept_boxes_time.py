@@ -152,7 +152,7 @@ SWEPT_BOXES_TIME = Exercise(
     name="swept_boxes_time",
     rows=(12,),
     points=3,
-    minutes=12,
+    minutes=8,
     task="Return when two moving axis-aligned boxes first touch: 0 where they overlap, or touch and approach; "
     "inf where "
     "they never do within the horizon.",
@@ -175,17 +175,38 @@ SWEPT_BOXES_TIME = Exercise(
         ),
         _wrong(
             "the first axis",
-            "first = np.max",
-            "first = np.min",
+            "np.max(enter, axis=-1)",
+            "np.min(enter, axis=-1)",
             message="You take the *earliest* axis. On that axis the shadows overlap, on another they may still be "
             "apart: boxes meet when the last axis comes in.",
         ),
         _wrong(
             "the last to leave",
-            "last = np.min",
-            "last = np.max",
+            "np.min(leave, axis=-1)",
+            "np.max(leave, axis=-1)",
             message="As soon as *one* axis has been left they are apart again: the end is the earliest of the three, "
             "not the latest.",
+        ),
+        _wrong(
+            "the first axis, and the last to leave",
+            "np.max(enter, axis=-1), np.min(leave, axis=-1)",
+            "np.min(enter, axis=-1), np.max(leave, axis=-1)",
+            message="np.max and np.min changed places. Boxes meet when the *last* axis comes in, and are apart again "
+            "as soon as the *first* is left.",
+        ),
+        _wrong(
+            "neither sorted",
+            "np.minimum(one, other), np.maximum(one, other)",
+            "one, other",
+            message="Which of the two times of an axis is the entry depends on the sign of v there: the smaller one "
+            "is, the larger is the end. You take them as they come, which is wrong where v < 0.",
+        ),
+        _wrong(
+            "a tiny speed",
+            "v = velocity_a - velocity_b",
+            "v = np.where(velocity_a == velocity_b, 1e-12, velocity_a - velocity_b)",
+            message="On an axis on which nothing moves you let something move slowly. Shadows that touch there then "
+            "seem to approach or to part; that axis has to be asked by itself.",
         ),
         _wrong(
             "entries not sorted",
@@ -221,6 +242,22 @@ SWEPT_BOXES_TIME = Exercise(
             message="Where the end lies in the past, last <= 0, they have met before the start and are parting.",
         ),
         _wrong(
+            "those that part, at times before the start",
+            "(first <= last) & (last > 0)",
+            "(first <= last)",
+            "np.maximum(first, 0)",
+            "first",
+            message="You let boxes meet before the start. Where last <= 0 they are parting: inf. Where they overlap at "
+            "the start, first < 0, the answer is 0.",
+        ),
+        _wrong(
+            "asked at the start",
+            "(first <= last) & (last > 0)",
+            "(first <= last) & (first >= 0)",
+            message="Boxes that overlap at the start have first < 0, and their answer is 0. Those that have parted "
+            "already are told by last <= 0.",
+        ),
+        _wrong(
             "touching and parting",
             "last > 0",
             "last >= 0",
@@ -235,8 +272,8 @@ SWEPT_BOXES_TIME = Exercise(
         ),
         _wrong(
             "sliding and grazing",
-            " & (first <= 0)",
-            "",
+            "rubs & (first <= 0)",
+            "rubs",
             message="Those that slide along while they touch do not meet. But boxes that come from farther away at a "
             "gap of 0 on an axis on which nothing moves graze, and meet.",
         ),
@@ -275,25 +312,27 @@ SWEPT_BOXES_TIME = Exercise(
         ),
         _wrong(
             "one verdict for the batch",
-            "np.max(np.minimum(one, other), axis=-1)",
-            "np.max(np.minimum(one, other))",
+            "np.max(enter, axis=-1)",
+            "np.max(enter)",
             message="Right for one pair, not for a batch: np.max without axis=-1 takes the latest entry of all pairs.",
+        ),
+        _wrong(
+            "one verdict for the batch, at both ends",
+            "np.max(enter, axis=-1), np.min(leave, axis=-1)",
+            "np.max(enter), np.min(leave)",
+            message="Right for one pair, not for a batch: without axis=-1 the latest entry and the earliest end are "
+            "those of all pairs together.",
         ),
     ),  # fmt: skip
     hints=(
         "Axis by axis: between which two times do the shadows overlap? Then all three at once: from the last entry to "
         "the first end.",
-        "On an axis the shadows overlap while v t lies between l_B - u_A and u_B - l_A. Divide both by v: the smaller "
-        "is the entry, the larger the end. Where v = 0 it is from -inf to inf, or never. Then compare: the last entry "
-        "must not be after the first end, and the end not in the past.",
-        "with np.errstate(divide='ignore', invalid='ignore'):\n"
-        "    one, other = before / v, ____\n"
-        "one = np.where(still, np.where(____, -np.inf, np.inf), one)\n"
-        "other = np.where(still, np.inf, other)\n"
-        "first = np.max(np.minimum(one, other), axis=-1)\n"
-        "last = ____\n"
-        "slides = np.any(still & ((before == 0) | (after == 0)), axis=-1) & (____ <= 0)\n"
-        "meets = (first <= last) & (____ > 0) & (first <= horizon) & ~slides\n"
-        "return np.where(meets, np.maximum(first, 0), np.inf)",
+        "first is the last of the three entries, last the first of the three ends. They meet if first is not after "
+        "last, last is not in the past, first is within the horizon, and they do not slide. Then the time is first, or "
+        "0 where that is in the past.",
+        "first, last = np.max(enter, axis=-1), ____\n"
+        "slides = rubs & (____ <= 0)\n"
+        "meets = (first <= ____) & (____ > 0) & (first <= horizon) & ~slides\n"
+        "return np.where(meets, np.maximum(first, ____), np.inf)",
     ),
 )

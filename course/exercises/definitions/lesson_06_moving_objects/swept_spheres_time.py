@@ -26,6 +26,10 @@ _ARGUMENTS = (
     Value("velocity_b", "(..., 3)", "m/s", "its velocity"),
     HORIZON,
 )
+_BARS = (
+    "The bars make a root of what has none. Below 0 under the root the spheres pass each other: ask for inside >= 0 as "
+    "well; np.maximum(inside, 0) only keeps NumPy quiet."
+)
 _LAST = "np.where(time <= horizon, time, np.inf)"
 
 
@@ -87,7 +91,7 @@ SWEPT_SPHERES_TIME = Exercise(
     name="swept_spheres_time",
     rows=(12,),
     points=3,
-    minutes=11,
+    minutes=14,
     task="Return when two moving spheres first touch: 0 where they overlap, or touch and approach; inf where they "
     "never do within the horizon.",
     arguments=_ARGUMENTS,
@@ -111,9 +115,8 @@ SWEPT_SPHERES_TIME = Exercise(
             "seen from the other side",
             "velocity_a - velocity_b",
             "velocity_b - velocity_a",
-            message="m runs from B to A, so v must be A's velocity as seen from B, v_A - v_B. You turned one of "
-            "the two "
-            "round, and those that part seem to meet.",
+            message="m runs from B to A, so v must be A's velocity as seen from B, v_A - v_B. You turned one of the "
+            "two round, and those that part seem to meet.",
         ),
         _wrong(
             "one radius",
@@ -151,6 +154,35 @@ SWEPT_SPHERES_TIME = Exercise(
             "b < 0",
             message="Below 0 under the root there is no root: the spheres pass each other. You let them meet at the "
             "nearest approach.",
+        ),
+        _wrong(
+            "the sign under the root taken off",
+            "(b < 0) & (inside_root >= 0)",
+            "b < 0",
+            "np.maximum(inside_root, 0)",
+            "np.abs(inside_root)",
+            message=_BARS,
+        ),
+        _wrong(
+            "the sign under the root taken off, as the first root",
+            "(b < 0) & (inside_root >= 0)",
+            "b < 0",
+            "below = np.where(meets, -b + np.sqrt(np.maximum(inside_root, 0)), 1.0)",
+            "root = (-b - np.sqrt(np.abs(inside_root))) / np.where(a > 0, a, 1.0)",
+            "c / below",
+            "root",
+            message=f"{_BARS} The time that you give them is that of no touch.",
+        ),
+        _wrong(
+            "a time that is not below 0",
+            "(b < 0) & (inside_root >= 0)",
+            "(a > 0) & (inside_root >= 0)",
+            "below = np.where(meets, -b + np.sqrt(np.maximum(inside_root, 0)), 1.0)",
+            "root = (-b - np.sqrt(np.maximum(inside_root, 0))) / np.where(a > 0, a, 1.0)",
+            "np.where(meets, c / below, np.inf)",
+            "np.where(meets & (root >= 0), root, np.inf)",
+            message="t >= 0 is not the question whether they approach. Those that touch and slide along have b = 0 and "
+            "c = 0, so that t = 0, and nothing is going to happen: ask b < 0.",
         ),
         _wrong(
             "grazing left out",
