@@ -145,6 +145,7 @@ from course.study.mug_colliders import (
     mug_costs,
     probes,
 )
+from course.study.number_steps import NumberSteps, steps_of_numbers
 from course.study.parallel_rods import LOST_BELOW, feet_apart, rods_side_by_side
 from course.study.precision import Cost, Method, Problem, WorkPrecision, work_precision
 from course.study.shadow_cases import (
@@ -247,6 +248,8 @@ from course.study.wall_shots import (
 )
 
 __all__ = [
+    "NumberSteps",
+    "steps_of_numbers",
     "BallTracks",
     "BilliardBreak",
     "BouncingErrors",

@@ -3,6 +3,7 @@
 import matplotlib.pyplot as plt
 import pytest
 
+from course import study
 from course.workbook import plots
 from course.workbook.plots.figure import alternative_text
 
@@ -24,7 +25,7 @@ def test_the_foot_is_where_the_parabola_is_least():
 
 
 def test_steps_are_marked_where_they_are_asked_for():
-    ax = plots.number_steps(marked=1e7)
+    ax = plots.number_steps(study.steps_of_numbers(marked=1e7))
     text = alternative_text(ax.get_figure())
     assert "At 1e+07 m numbers of 4 bytes have steps of 1 m" in text
     labels = [t.get_text() for t in ax.get_legend().get_texts()]

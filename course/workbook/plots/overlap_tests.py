@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from course.arrays import ArrayLike
-from course.study import spacing
+from course.study import NumberSteps
 from course.workbook.numbers import show
 from course.workbook.plots.decades import label_decades
 from course.workbook.plots.figure import (
@@ -18,12 +18,8 @@ from course.workbook.plots.figure import (
     style,
 )
 
-#: How a size of number is drawn: bytes, colour, dashes, up to which place there are such numbers [m].
-SIZES = (
-    (2, "orange", ":", 6.5e4),
-    (4, "vermillion", "-", 1e12),
-    (8, "blue", "--", 1e12),
-)
+#: How a size of number is drawn: bytes, colour, dashes.
+SIZES = ((2, "orange", ":"), (4, "vermillion", "-"), (8, "blue", "--"))
 
 
 def foot_of_point(point: ArrayLike, end: ArrayLike) -> tuple[Axes, Axes]:
@@ -82,29 +78,23 @@ def foot_of_point(point: ArrayLike, end: ArrayLike) -> tuple[Axes, Axes]:
     return left, right
 
 
-def number_steps(*, marked: float = 1e8, ax: Axes | None = None) -> Axes:
-    """The step to the next number over the place, for 2, 4 and 8 bytes.
-
-    Args:
-        marked: a place that is marked, with its step in 4 bytes [m].
-    """
+def number_steps(steps: NumberSteps, *, ax: Axes | None = None) -> Axes:
+    """The step to the next number over the place, for 2, 4 and 8 bytes (``study.steps_of_numbers``)."""
     with style():
         ax = axes(ax, size=(6.6, 4.2))
         told = []
-        for size, color, dashes, last in SIZES:
-            place = np.geomspace(1.0, last, 600)
-            steps = [spacing(x, size) for x in place]
+        for size, color, dashes in SIZES:
             label = f"{size} bytes"
             line(
                 ax,
-                np.stack([place, steps], axis=-1),
+                steps.curves[size],
                 color,
                 ls=dashes,
                 lw=2,
                 label=label,
             )
-            told.append(f"{label}: {show(steps[0], 3)} m at 1 m")
-        step = spacing(marked)
+            told.append(f"{label}: {show(steps.curves[size][0, 1], 3)} m at 1 m")
+        marked, step = steps.marked, steps.marked_step
         ax.plot(marked, step, "o", color="black")
         ax.annotate(
             f"{show(step, 3)} m", (marked, step), (-40, 8), textcoords="offset points"
