@@ -37,7 +37,7 @@ HIDDEN_DROP = Exercise(
     task="Give the height from which a body at rest falls until its speed is s, in s and g.",
     arguments=(
         Value("s", "scalar", "m/s", "tolerance of speed"),
-        Value("g", "scalar", "m/s^2", "gravity"),
+        Value("g", "scalar", "m/s²", "gravity"),
     ),
     results=(Value("hidden_drop", "(...)", "m", "the drop whose landing is hidden"),),
     reference=formulas.hidden_drop,

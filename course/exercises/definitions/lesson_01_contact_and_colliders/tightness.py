@@ -55,8 +55,8 @@ TIGHTNESS = Exercise(
     minutes=4,
     task="Return the share of a collider's volume that the body it stands for fills: 1 means no air.",
     arguments=(
-        Value("collider_volume", "(...)", "m^3", "of a collider around the visual"),
-        Value("visual_volume", "(...)", "m^3", "of what is seen"),
+        Value("collider_volume", "(...)", "m³", "of a collider around the visual"),
+        Value("visual_volume", "(...)", "m³", "of what is seen"),
     ),
     results=(Value("tightness", "(...)", "", "from 0 to 1"),),
     reference=formulas.tightness,
