@@ -33,7 +33,7 @@ from course.sandbox.running import Sandbox
 pytestmark = pytest.mark.slow
 
 #: One in so many is looked at in a minute's run, and in an everyday one where the rest is long.
-DAILY, OFTEN, FOURTH = 40, 12, 4
+DAILY, OFTEN, EIGHTH = 40, 12, 8
 PACKAGES = re.compile("numba|cvxpy|plt|scipy|sp\\.|doctest|inspect|k3d|pandas")
 
 
@@ -45,33 +45,34 @@ def some(names, *, few=(), rest=pytest.mark.slow, one_in=DAILY):
     ]
 
 
+#: Half a thousand kernels and more take a quarter of an hour: all of them where this says so.
+WHOLE = os.environ.get("COURSE_KERNELS") == "whole"
+
+
 def often(names):
-    """One in DAILY in a minute's run, one in FOURTH in an everyday one, the rest in the long tests."""
+    """One in DAILY in a minute's run, one in EIGHTH every day, as many in the long tests; all if asked for."""
     return [
         pytest.param(
             name,
             marks=()
             if _number(name) % DAILY == 0
             else pytest.mark.slow
-            if _number(name) % FOURTH == 1
+            if _number(name) % EIGHTH == 1
             else pytest.mark.long,
         )
         for name in names
+        if WHOLE or _number(name) % DAILY == 0 or _number(name) % EIGHTH in (1, 5)
     ]
 
 
-#: Half a thousand kernels and more take a quarter of an hour: all of them where this says so.
-WHOLE = os.environ.get("COURSE_KERNELS") == "whole"
-
-
 def kernels(names):
-    """One name in OFTEN every day, one in FOURTH in the long tests, all where asked for."""
+    """One name in OFTEN every day, one in EIGHTH in the long tests, all where asked for."""
     names = list(names)
     few = some(names, few=pytest.mark.slow, rest=pytest.mark.long, one_in=OFTEN)
     return [
         param
         for name, param in zip(names, few, strict=True)
-        if WHOLE or _number(name) % OFTEN == 0 or _number(name) % FOURTH == 1
+        if WHOLE or _number(name) % OFTEN == 0 or _number(name) % EIGHTH == 1
     ]
 
 
