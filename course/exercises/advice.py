@@ -33,6 +33,8 @@ COMBINED_NUMBERS = (
 )
 
 CONSTANT = "It gives the same in every case: does it use its arguments?"
+#: A verdict may be the same in a dozen cases and another in the next: no more is said than was seen.
+ONE_VERDICT = "It says {} in all the cases that were tried."
 INDEXES_A_NUMBER = (
     "What has [...] behind it there is a plain number. Where an axis is wanted, np.asarray(s)[..., None] "
     "serves numbers and arrays alike."
@@ -86,7 +88,9 @@ def general_advice(
     """Slips that need no planting: only in batches, constant, only at edges; a line each."""
     values = all(o.kind == "value" for o in outcomes)
     if values and len(outcomes) > 1 and _constant(outcomes):
-        return (CONSTANT,)
+        said = outcomes[0].values[0]
+        is_bool = said.dtype.kind == "b"
+        return (ONE_VERDICT.format(bool(said.flat[0])) if is_bool else CONSTANT,)
     advice = [*_other_order(exercise, outcomes, expected)]
     kinds = {c.kind for c, w in zip(cases, wrongs, strict=True) if w is not None}
     stopped = _why_it_stops(cases, outcomes, also_wrong=bool(kinds - {"batch"}))

@@ -116,7 +116,9 @@ def test_mutants_are_the_slips_one_expects():
 def test_keys_are_unique_and_each_mutant_is_python():
     for exercise in EXERCISES:
         mutants = mutants_of(exercise.reference)
-        assert len({m.key for m in mutants}) == len(mutants) > 5
+        # One division of two arguments, alone, has eight.
+        least = 7 if exercise.name == "tightness" else 10
+        assert len({m.key for m in mutants}) == len(mutants) > least
         for mutant in mutants:
             compile(mutant.source, "<mutant>", "exec")
 

@@ -442,3 +442,23 @@ def test_no_answer_is_said_to_be_wrong_in_few_cases_only_where_batches_fail_too(
     assert reason.startswith(
         "Wrong only in: five drawn contacts; five contacts, strongly coupled;"
     )
+
+
+def test_of_a_bool_that_never_changes_no_more_is_said_than_was_seen():
+    """It uses its arguments, and with other inputs it changes: nothing is said of that."""
+    exercise = find_exercise("hulls_overlap")[1]
+
+    def two_slips(vertices_a, normals_a, edges_a, vertices_b, normals_b, edges_b):
+        products = np.cross(vertices_b[:, None], edges_b[None]).reshape(-1, 3)
+        axes = np.concatenate([normals_a, normals_b, products])
+        a, b = (formulas.project(v, axes) for v in (vertices_a, -vertices_b))
+        return np.all(formulas.shadow_gap(*a, *b) <= 0)
+
+    cases = exercise.draw()
+    outcomes = answers_of(two_slips, exercise, cases)
+    assert not any(o.values[0].any() for o in outcomes)
+    later = exercise.draw(1)
+    assert any(o.values[0].any() for o in answers_of(two_slips, exercise, later))
+    reason = " ".join(judge(exercise, cases, outcomes).reason)
+    assert "It says False in all the cases that were tried." in reason
+    assert "does it use its arguments" not in reason

@@ -51,12 +51,18 @@ def _distances(points: np.ndarray) -> np.ndarray:
     return np.linalg.norm(apart, axis=-1)
 
 
+def _each_by_its_own(points, rotation):
+    """(rotation @ points[..., None])[..., 0], with its error, to a last bit that does not hang on memory."""
+    _ = rotation @ points[..., None]
+    return np.sum(rotation * points[..., None, :], axis=-1)
+
+
 def _one_by_one(points, rotation, translation):
-    return (rotation @ points[..., None])[..., 0] + translation[..., None, :]
+    return _each_by_its_own(points, rotation) + translation[..., None, :]
 
 
 def _one_by_one_of_one(points, rotation, translation):
-    return (rotation @ points[..., None])[..., 0] + translation
+    return _each_by_its_own(points, rotation) + translation
 
 
 _MATRIX_FOR_EACH = (
