@@ -138,9 +138,16 @@ def _picture(
         "where they begin and end", _in_space(np.stack(corners, axis=1)), on_axis(ends, 0.0), color="grey"
     )  # fmt: skip
     middle = [0.5 * (np.roll(p, -1, axis=0) + p) for p in (found.a, found.b)]
+    return _pane(found, place, np.concatenate(middle), [feet, *lines, *gaps])
+
+
+def _pane(
+    found: PolygonShadows, place: tuple[float, float], middle: Array, segments: list[Segments]
+) -> Pane:  # fmt: skip
+    """The polygons with the normals at the middles of their edges, and the axis with its shadows."""
     best = np.arange(len(found.axes)) == found.best
     # Which edge a row belongs to: its name stands beyond the tip of its normal.
-    beyond = np.concatenate(middle) + 0.42 * found.axes
+    beyond = middle + 0.42 * found.axes
     return Pane(
         [
             flat(found.a, "blue", "A", place),
@@ -150,10 +157,10 @@ def _picture(
         _in_space(np.concatenate([[place, (0.0, 0.0)], beyond])),
         title="an axis that turns",
         arrows=[
-            Arrows("normals of the edges", _in_space(found.axes), at=_in_space(np.concatenate(middle)), scale=0.25,
+            Arrows("normals of the edges", _in_space(found.axes), at=_in_space(middle), scale=0.25,
                    color=tuple("vermillion" if b else "black" for b in best)),
         ],
-        segments=[feet, *lines, *gaps],
+        segments=segments,
     )  # fmt: skip
 
 

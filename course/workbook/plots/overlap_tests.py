@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 
-from course.arrays import ArrayLike
+from course.arrays import Array, ArrayLike
 from course.study import NumberSteps
 from course.workbook.numbers import show
 from course.workbook.plots.decades import label_decades
@@ -34,40 +34,14 @@ def foot_of_point(point: ArrayLike, end: ArrayLike) -> tuple[Axes, Axes]:
     least = float(p @ b / (b @ b))
     _, (left, right) = side_by_side(2, size=(9.6, 3.8))
     with style():
-        line(left, s[[0, -1], None] * b, "0.6", ls=":", label="line through 0 and b")
-        line(left, [0 * b, b], "blue", lw=3, label="segment")
-        line(left, [p, least * b], "green", ls="--", label="shortest way to the line")
-        for name, place, shift in (
-            ("0", 0 * b, (-9, -14)),
-            ("b", b, (6, -12)),
-            ("p", p, (5, 5)),
-        ):
-            left.plot(*place, "o", color="black", ms=5)
-            left.annotate(name, place, shift, textcoords="offset points", weight="bold")
-        left.set(
-            title="A point and a segment",
-            xlabel="x [m]",
-            ylabel="y [m]",
-            aspect="equal",
-        )
-        left.margins(0.1)
-        left.legend(loc="upper left", bbox_to_anchor=(0.0, -0.32))
+        _point_and_segment(left, p, b, s, least)
         line(right, np.stack([s, squared], axis=-1), "0.3")
-        right.axvspan(
-            0, 1, color=PALETTE["blue"], alpha=0.15, label="on the segment, 0 ≤ s ≤ 1"
-        )
-        right.plot(
-            least,
-            np.sum((p - least * b) ** 2),
-            "o",
-            color=PALETTE["green"],
-            label="least",
-        )
-        right.set(
-            title="Squared distance of p and s b",
-            xlabel="share s of the way",
-            ylabel="[m²]",
-        )
+        on = "on the segment, 0 ≤ s ≤ 1"
+        right.axvspan(0, 1, color=PALETTE["blue"], alpha=0.15, label=on)
+        lowest = np.sum((p - least * b) ** 2)
+        right.plot(least, lowest, "o", color=PALETTE["green"], label="least")
+        right.set_title("Squared distance of p and s b")
+        right.set(xlabel="share s of the way", ylabel="[m²]")
         right.legend(loc="upper center")
     describe(
         right,
@@ -76,6 +50,20 @@ def foot_of_point(point: ArrayLike, end: ArrayLike) -> tuple[Axes, Axes]:
         f"s = {show(least, 3)}. The strip from 0 to 1 is the segment.",
     )  # fmt: skip
     return left, right
+
+
+def _point_and_segment(ax: Axes, p: Array, b: Array, s: Array, least: float) -> None:
+    """p, the segment from 0 to b with the line through it, and the shortest way to that line."""
+    line(ax, s[[0, -1], None] * b, "0.6", ls=":", label="line through 0 and b")
+    line(ax, [0 * b, b], "blue", lw=3, label="segment")
+    line(ax, [p, least * b], "green", ls="--", label="shortest way to the line")
+    for name, at, shift in (("0", 0 * b, (-9, -14)), ("b", b, (6, -12)), ("p", p, (5, 5))):  # fmt: skip
+        ax.plot(*at, "o", color="black", ms=5)
+        ax.annotate(name, tuple(at), shift, textcoords="offset points", weight="bold")
+    ax.set_title("A point and a segment")
+    ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    ax.margins(0.1)
+    ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.32))
 
 
 def number_steps(steps: NumberSteps, *, ax: Axes | None = None) -> Axes:

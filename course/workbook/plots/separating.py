@@ -27,22 +27,7 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
     with style():
         for name, polygon in (("A", found.a), ("B", found.b)):
             _outline(left, polygon, name)
-        for k, owner in enumerate(found.owner):
-            ends = found.corners[[k, (k + 1) % len(found.corners)]]
-            first = found.owner.index(owner) == k
-            label = f"edge of {owner}" + (", turned round" if owner == "B" else "")
-            line(
-                right,
-                ends,
-                COLORS[owner],
-                ls=LOOKS[owner],
-                lw=2.4,
-                label=label if first else None,
-            )
-        if found.distance > 0:
-            first, second = found.beyond
-            longer = [first - 0.4 * (second - first), second + 0.4 * (second - first)]
-            line(right, longer, "0.4", ls=":", label="0 is beyond this edge")
+        _edges_of_differences(right, found)
         right.plot(0, 0, "k+", ms=14, mew=2, ls="none", label="0")
         left.set(title="A and B", xlabel="x [m]", ylabel="y [m]", aspect="equal")
         right.set(
@@ -67,6 +52,19 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
         f"{found.owner.count('B')} edges of B; the point 0 is {where}.",
     )
     return left, right
+
+
+def _edges_of_differences(ax: Axes, found: DifferenceBody) -> None:
+    """Each edge as the polygon's that it comes from; and the one that 0 is beyond, made longer."""
+    for k, owner in enumerate(found.owner):
+        ends = found.corners[[k, (k + 1) % len(found.corners)]]
+        label = f"edge of {owner}" + (", turned round" if owner == "B" else "")
+        first = found.owner.index(owner) == k
+        line(ax, ends, COLORS[owner], ls=LOOKS[owner], lw=2.4, label=label if first else None)  # fmt: skip
+    if found.distance > 0:
+        start, end = found.beyond
+        longer = [start - 0.4 * (end - start), end + 0.4 * (end - start)]
+        line(ax, longer, "0.4", ls=":", label="0 is beyond this edge")
 
 
 def _outline(
