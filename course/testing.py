@@ -74,6 +74,7 @@ def stages(tier: Tier) -> list[Stage]:
         "5",
         "--durations-min",
         "2",
+        "--timeout-method=thread",  # ends a compiled loop too; xdist starts a worker anew
     )
     notebook_runner = ("-m", "pytest", "-q", "--no-header", "-rs")
     pytest = (
