@@ -282,6 +282,23 @@ def test_a_function_that_is_lent_is_not_called_yours(capsys):
         assert titles[1] == "the workbook's, lent"
 
 
+def test_what_a_lent_function_draws_is_not_called_yours_either(capsys):
+    """Legends, numbers and endings, of every film that a lent function plays."""
+    for name in WATCHED:
+        if find_exercise(name)[1].kind == "expression":
+            continue
+
+        def empty(*given):
+            return None
+
+        empty.__name__ = name
+        film = film_of(name, use(empty, name))
+        said = [
+            word for chart in film.charts for word in getattr(chart, "curves", {})
+        ] + [film.ending]
+        assert not [word for word in said if "your" in word], name
+
+
 def test_a_name_without_a_misprint_is_told_to_be_the_function():
     with pytest.raises(ValueError, match=r"watch\(shadow_gap\); got 'shadow_gap'"):
         watch("shadow_gap")

@@ -53,7 +53,7 @@ def _film(right: SwingingCradle, other: Any, attempt: Attempt | None) -> Film:
     strikes = right.half_period * (0.5 + np.arange(COLLISIONS))
     times, after = moments(COLLISIONS * right.half_period, list(strikes), frames=72)
     done = np.searchsorted(strikes, times, side="left") + after
-    names = ("right", "yours")
+    names = attempt.names if attempt else ("right",)
     last = {
         name: m.at(times, done)[1][:, BALLS - 1]
         for name, m in zip(names, motions, strict=False)
@@ -84,7 +84,7 @@ def _film(right: SwingingCradle, other: Any, attempt: Attempt | None) -> Film:
 def _ending(motions: list[SwingingCradle], attempt: Attempt | None, other: Any) -> str:
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
-    whose = attempt.title if attempt else "these impulses"
+    whose = attempt.whose if attempt else "these impulses"
     last = motions[-1].velocity[1]
     if len(motions) == 2 and np.allclose(
         motions[0].velocity, motions[-1].velocity, atol=1e-6

@@ -32,11 +32,22 @@ class Attempt:
 
     Args:
         title: above its pane, "your function", or of one that ``use`` lends whose it is.
+        short: the same in one word, for the curves beside it.
+        whose: the same within a sentence; without it the title.
     """
 
-    def __init__(self, title: str) -> None:
+    def __init__(
+        self, title: str, short: str = "yours", whose: str | None = None
+    ) -> None:
         self.title = title
+        self.short = short
+        self.whose = whose or title
         self._interrupted: Stopped | None = None
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """Of the right one's curve and the answer's."""
+        return "right", self.short
 
     def motion(self, make: Callable[[], Motion]) -> Motion | Stopped:
         """What ``make`` gives; whatever it raises is told, an interrupt as well."""
@@ -57,7 +68,7 @@ class Attempt:
 
     def sentence(self, stopped: Stopped) -> str:
         """The answer and what became of it."""
-        return f"{self.title} {stopped.why}"
+        return f"{self.whose} {stopped.why}"
 
     def panes(
         self, title: str, pane: Callable[[str, Any], Pane], right: Any, other: Any
@@ -82,12 +93,16 @@ def asked_of(
         ValueError: "printed" where there is none, and what is no function.
     """
     if isinstance(against, str) and against == "printed" and printed is not None:
-        return printed, Attempt(words)
+        return printed, Attempt(words, "printed", "the printed formula")
     if against is not None and not callable(against):
         also = ', or "printed"' if printed is not None else ""
         raise failure("against", f"a function{also}", repr(against))
     lent = getattr(against, MARK, "yours") != "yours"
-    return against, Attempt("the workbook's, lent" if lent else "your function")
+    if lent:
+        return against, Attempt(
+            "the workbook's, lent", "lent", "the workbook's function"
+        )
+    return against, Attempt("your function")
 
 
 def standing_still(pane: Pane, title: str) -> Pane:

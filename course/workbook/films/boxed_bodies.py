@@ -82,7 +82,7 @@ def _film(
 ) -> Film:
     motions = moved(right, other) if attempt else [right]
     solid = _hammer() if exercise == "compound_support" else box(BAR, color="blue")
-    names = ("right", "yours")[: len(motions)]
+    names = (attempt.names if attempt else ("right",))[: len(motions)]
     colors = ["blue", "vermillion"][: len(motions)]
     outside = {n: m.outside for n, m in zip(names, motions, strict=True)}
     volume = {n: m.volume for n, m in zip(names, motions, strict=True)}

@@ -87,7 +87,7 @@ def _marked(body: Tumbling, mark: Mark) -> _Marked:
 
 def _film(title: str, right: _Marked, other: Any, attempt: Attempt | None) -> Film:
     motions = moved(right, other) if attempt else [right]
-    names = ("right", "yours") if attempt else ("mark",)
+    names = attempt.names if attempt else ("mark",)
     off = {name: m.off for name, m in zip(names, motions, strict=False)}
     colors = ["blue", "vermillion"][: len(motions)]
     return Film(
@@ -124,7 +124,7 @@ def _ending(motions: list[_Marked], attempt: Attempt | None, other: Any) -> str:
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
     last = float(motions[-1].off.max())
-    whose = attempt.title if attempt else "the formula"
+    whose = attempt.whose if attempt else "the formula"
     if last < 1e-4:
         return f"With {whose} the mark stays on the handle"
     return f"With {whose} the mark comes up to {shown_number(100 * last, 3)} cm away from its place"

@@ -79,7 +79,7 @@ def carried_plank_film(against: Any = None, exercise: str = "pivot") -> Exhibit:
 
 def _film(title: str, right: CarriedPlank, other: Any, attempt: Attempt | None) -> Film:
     motions = moved(right, other) if attempt else [right]
-    names = ("right", "yours")
+    names = attempt.names if attempt else ("right",)
     curves = {
         f"{name}, foot {k + 1}": m.gap[:, k]
         for name, m in zip(names, motions, strict=False)
@@ -146,7 +146,7 @@ def _ending(motions: list[CarriedPlank], attempt: Attempt | None, other: Any) ->
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
     last = motions[-1]
-    whose = attempt.title if attempt else "the forces"
+    whose = attempt.whose if attempt else "the forces"
     least = float(last.acceleration.min())
     alike = np.allclose(motions[0].force, last.force, atol=1e-4)
     if len(motions) == 2 and alike:

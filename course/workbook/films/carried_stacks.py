@@ -137,7 +137,7 @@ def _ending(motions: list[CarriedStack], attempt: Attempt | None, other: Any) ->
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
     last = motions[-1]
-    whose = attempt.title if attempt else "these forces"
+    whose = attempt.whose if attempt else "these forces"
     if len(motions) == 2 and np.allclose(motions[0].force, last.force, atol=1e-4):
         return "Here both carry the stack alike"
     k = int(last.acceleration.argmin())

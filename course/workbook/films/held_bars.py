@@ -71,7 +71,7 @@ def held_bar_film(against: Any = None) -> Exhibit:
 
 def _film(right: HeldBar, other: Any, attempt: Attempt | None) -> Film:
     motions = moved(right, other) if attempt else [right]
-    names = ("right", "yours") if attempt else ("corner",)
+    names = attempt.names if attempt else ("corner",)
     title = "b = (p̈_A − p̈_B)·N + 2 (ṗ_A − ṗ_B)·Ṅ"
     gap = {name: m.gap for name, m in zip(names, motions, strict=False)}
     force = {name: m.force for name, m in zip(names, motions, strict=False)}
@@ -121,7 +121,7 @@ def _ending(motions: list[HeldBar], attempt: Attempt | None, other: Any) -> str:
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
     last = motions[-1]
-    whose = attempt.title if attempt else "the right b"
+    whose = attempt.whose if attempt else "the right b"
     off = float(last.gap[-1] - motions[0].gap[-1])
     if attempt and abs(off) < 1e-4:
         return "Here both hold the corner alike"

@@ -67,7 +67,7 @@ def landed_box_film(against: Any = None) -> Exhibit:
 
 def _film(right: LandedBox, other: Any, attempt: Attempt | None, late: Any) -> Film:
     motions = moved(right, other) if attempt else [right]
-    names = ("right", "yours") if attempt else ("lowest",)
+    names = attempt.names if attempt else ("lowest",)
 
     def pane(title: str, motion: LandedBox) -> Pane:
         return _pane(title, motion, late)
@@ -120,7 +120,10 @@ def _ending(motions: list[LandedBox], attempt: Attempt | None, other: Any) -> st
     slowest = float(last.after.min())
     if len(motions) == 2 and np.allclose(motions[0].after, last.after, atol=1e-6):
         return "Here both boxes leave the floor alike"
-    whose = "yours" if attempt else "the box"
+    whose = f"With {attempt.whose} a" if attempt else "A"
     if slowest < -1e-6:
-        return f"A corner of {whose} goes on into the floor, with {shown_number(-slowest, 2)} m/s"
-    return f"The slowest corner of {whose} leaves the floor with {shown_number(slowest, 2)} m/s"
+        return f"{whose} corner goes on into the floor, with {shown_number(-slowest, 2)} m/s"
+    whose = f"With {attempt.whose} the" if attempt else "The"
+    return (
+        f"{whose} slowest corner leaves the floor with {shown_number(slowest, 2)} m/s"
+    )

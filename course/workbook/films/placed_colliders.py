@@ -91,7 +91,7 @@ def _flight(function: Any, spin: float) -> Flight:
 
 def _film(right: Flight, other: Any, attempt: Attempt | None) -> Film:
     motions = moved(right, other) if attempt else [right]
-    names = ("right", "yours") if attempt else ("off",)
+    names = attempt.names if attempt else ("off",)
     off = {n: 1e3 * m.off for n, m in zip(names, motions, strict=False)}
     across = {n: 1e3 * _diagonal(m) for n, m in zip(names, motions, strict=False)}
     colors = ["blue", "vermillion"][: len(off)]
@@ -140,7 +140,7 @@ def _ending(motions: list[Flight], attempt: Attempt | None, other: Any) -> str:
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
     last = float(motions[-1].off.max())
-    whose = attempt.title if attempt else "the formula"
+    whose = attempt.whose if attempt else "the formula"
     if last < 1e-9:
         return f"With {whose} the collider stays around the mug"
     return f"With {whose} a corner of the collider is up to {shown_number(100 * last, 3)} cm away from its place"

@@ -112,7 +112,7 @@ def _film(
         ]
         return Pane(bodies, place, quarter, title=title)
 
-    names = ("right", "yours")
+    names = attempt.names if attempt else ("right",)
     curves = {name: m.gap for name, m in zip(names, motions, strict=False)}
     places = {name: m.x for name, m in zip(names, motions, strict=False)}
     colors = ["blue", "vermillion"][: len(curves)]

@@ -9,7 +9,7 @@ import numpy as np
 from course import formulas
 from course.study.far_meetings import FAR_RADII, FarMeeting, far_meeting
 from course.study.far_places import spacing
-from course.workbook.films.attempts import Attempt, Stopped, moved
+from course.workbook.films.attempts import Attempt, Stopped, asked_of, moved
 from course.workbook.stage import (
     Curves,
     Exhibit,
@@ -56,7 +56,7 @@ def far_spheres(function: Any = None, *, opening: bool = False) -> Exhibit:
         opening: tells nothing beside what is seen: it opens the lesson.
     """
     says = formulas.spheres_overlap if function is None else function
-    attempt = Attempt("your function")
+    _, attempt = asked_of(function)
 
     def film(far: float, lane: float) -> Film:
         return _film(

@@ -97,7 +97,7 @@ def _film(
     attempt: Attempt | None,
 ) -> Film:
     motions = moved(right, other) if attempt else [right]
-    names = ("right", "yours") if attempt else ("by steps",)
+    names = attempt.names if attempt else ("by steps",)
     shown = dict(zip(names, motions, strict=False))
     if exact is not None:
         shown["exact"] = exact
@@ -135,7 +135,7 @@ def _pane(title: str, motion: SteppedBall) -> Pane:
 def _ending(motions: list[SteppedBall], attempt: Attempt | None, other: Any) -> str:
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
-    names = ("The right one", "yours") if attempt else ("It",)
+    names = ("The right one", attempt.short) if attempt else ("It",)
     said = [
         f"{name} is at most {shown_number(max(0.0, -float(m.height.min())), 2)} m in the floor"
         for name, m in zip(names, motions, strict=True)

@@ -133,7 +133,7 @@ def _film(
     def pane(title: str, steps: BoxSteps) -> Pane:
         return _pane(title, steps, slip)
 
-    names = ("right", "yours") if attempt else ("gap",)
+    names = attempt.names if attempt else ("gap",)
     gaps = {n: 1e3 * _gap(m) for n, m in zip(names, motions, strict=False)}
     last = motions[-1]
     rates = {
@@ -198,7 +198,7 @@ def _ending(motions: list[BoxSteps], attempt: Attempt | None, other: Any) -> str
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
     last = motions[-1]
-    whose = f"With {attempt.title} the box" if attempt else "The box"
+    whose = f"With {attempt.whose} the box" if attempt else "The box"
     if last.said[-1] in ("resting", "sliding"):
         doing = "rests" if last.said[-1] == "resting" else "slides along"
         gap = float(last.gap[-1])

@@ -96,7 +96,7 @@ def _film(
     def pane(title: str, motion: SteppedHandle) -> Pane:
         return _pane(title, motion, keep, hung)
 
-    names = ("right", "yours") if attempt else ("by steps",)
+    names = attempt.names if attempt else ("by steps",)
     whole = float(right.energy[0])
     energy = {
         name: np.clip(100 * m.energy[keep] / whole, -1e6, 1e6)
@@ -171,7 +171,7 @@ def _scale(momentum: Array) -> float:
 def _ending(motions: list[SteppedHandle], attempt: Attempt | None, other: Any) -> str:
     if attempt and isinstance(other, Stopped):
         return attempt.sentence(other)
-    names = ("the right one", "yours") if attempt else ("it",)
+    names = ("the right one", attempt.short) if attempt else ("it",)
     said = [
         f"{name} has {shown_number(100 * float(m.energy[-1] / motions[0].energy[0]), 4)} %"
         for name, m in zip(names, motions, strict=True)
