@@ -27,9 +27,11 @@ from course.workbook.stage import (
 
 TIMES = np.linspace(0.0, 6.0, 61)
 MIDDLE = np.array([0.0, 0.0, 0.05])  # of the mug in its own axes [m]
-LEAN = 0.5  # by which it leans while it turns about the vertical [rad]
 #: Across the line of sight of the low camera: both are as far from the eye.
 ACROSS = np.array([0.9, 0.42, 0.0]) / np.hypot(0.9, 0.42)
+#: Its axis goes round a cone about a direction that is tilted toward the eye, so that one
+#: looks into the mug at every moment [rad].
+TILT, CONE = 0.7, 0.4
 WINDOW = ((-0.04, -0.06, -0.06), (0.18, 0.12, 0.06))
 #: By how much a collider is drawn larger, so that what coincides does not flicker.
 SKIN = 1.004
@@ -63,14 +65,7 @@ def _film(kind: float, apart: float) -> Film:
     tight = float(formulas.tightness(volume, visual))
     places = np.zeros((2, 3))
     places[1] = apart * ACROSS
-    about_x = rotations.from_rotation_vector(np.array([LEAN, 0.0, 0.0]))
-    spin = np.zeros((len(TIMES), 3))
-    spin[:, 2] = 2 * np.pi * TIMES / TIMES[-1]
-    turn = rotations.from_matrix(
-        rotations.to_matrix(rotations.from_rotation_vector(spin))
-        @ rotations.to_matrix(about_x)
-    )
-    both = np.repeat(turn[:, None], 2, axis=1)
+    both = np.repeat(_turning()[:, None], 2, axis=1)
     return Film(
         [Pane([mug_solid(), _collider(name, apart)], places, both)],
         TIMES,
@@ -86,6 +81,17 @@ def _film(kind: float, apart: float) -> Film:
             Number("comparisons for one point", (float(comparisons(shape)),)),
         ],
     )  # fmt: skip
+
+
+def _turning() -> Array:
+    """The orientation at every moment, (t, 4)."""
+    spin = np.zeros((len(TIMES), 3))
+    spin[:, 2] = 2 * np.pi * TIMES / TIMES[-1]
+    toward_eye, round_about, from_it = (
+        rotations.to_matrix(rotations.from_rotation_vector(vector))
+        for vector in (TILT * ACROSS, spin, np.array([CONE, 0.0, 0.0]))
+    )
+    return rotations.from_matrix(toward_eye @ round_about @ from_it)
 
 
 def mug_solid(color: str = "sky") -> Solid:
