@@ -39,7 +39,7 @@ COLORS = ("blue", "vermillion")
 #: What is seen, whatever the knobs say: left, bottom, right, top [m].
 WINDOW = (-2.9, -0.95, 2.9, 1.25)
 #: Metres drawn for 1 m/s, whatever comes out: an arrow that is held must not change its scale under the hand.
-SCALE = 0.45
+SCALE = 0.40
 FASTEST = 4.0  # for which charts have room [m/s], before they are drawn smaller
 PUSHED = 0.14  # for which the impulse is seen [s]
 ROWS = (0.42, 0.12)  # of the velocities above the balls [m]

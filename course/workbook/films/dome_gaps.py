@@ -24,10 +24,10 @@ from course.workbook.stage.words import shown_number
 
 LAST = 0.2  # of the film [s]
 #: What is seen, wherever the particle is let go: left, bottom, right, top [m].
-WINDOW = (-0.2, 0.15, 1.4, 1.25)
+WINDOW = (-0.2, -0.3, 1.4, 1.25)
 NAMES = ("gap to the dome", "from the old point", "from the old plane")
 COLORS = ("blue", "vermillion", "green")
-KNOBS = (Knob("angle", "let go at, from the top", 42.0, 5.0, 70.0, 1.0, "°"),)
+KNOBS = (Knob("angle", "let go at, from the top", 42.0, 5.0, 60.0, 1.0, "°"),)
 PRESETS = (
     Preset("30°", {"angle": 30}),
     Preset("42°", {"angle": 42}),
