@@ -63,8 +63,8 @@ class Count:
         return f"{self.passed} passed, {self.failed} failed, {self.skipped} skipped"
 
 
-def stages(tier: Tier) -> list[Stage]:
-    """The stages of a tier, the quick ones first."""
+def _commands() -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+    """How pytest is started, in several processes, and for notebooks."""
     processes = ("-n", str(min(2, os.cpu_count() or 1)))
     workers = (
         *processes,
@@ -85,6 +85,12 @@ def stages(tier: Tier) -> list[Stage]:
     notebooks = (*notebook_runner, *processes, "--dist", "loadfile", "-p", "no:doctest", "--nbval-current-env",
                  "--nbval-cell-timeout", str(CELL_SECONDS),
                  "--nbval-sanitize-with", "tests/nbval_sanitize.cfg")  # fmt: skip
+    return pytest, workers, notebooks
+
+
+def stages(tier: Tier) -> list[Stage]:
+    """The stages of a tier, the quick ones first."""
+    pytest, workers, notebooks = _commands()
     unit = f"not ({ELSEWHERE} or slow)" if tier == "quick" else f"not ({ELSEWHERE})"
     everything = [
         Stage("lint", ("-m", "ruff", "check", "."), "quick"),

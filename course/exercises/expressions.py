@@ -17,36 +17,7 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
     """
     import sympy
 
-    if isinstance(expression, (list, tuple, set, dict, sympy.FiniteSet)):
-        entry = "its entry, as in solve(...)[0]"
-        if isinstance(expression, dict):
-            entry = "that of the unknown you want, as in solve(...)[p]"
-        raise TypeError(
-            f"expected one expression; got a {type(expression).__name__} of {len(expression)}. "
-            f"sympy.solve returns several: take {entry}"
-        )
-    if isinstance(
-        expression,
-        (sympy.core.relational.Relational, sympy.logic.boolalg.BooleanAtom, bool),
-    ):
-        raise TypeError(
-            "expected an expression; got an equation. Give its right-hand side alone"
-        )
-    if callable(expression) and not isinstance(expression, sympy.Basic):
-        raise TypeError("expected an expression in SymPy's symbols; got a function")
-    came = type(expression).__name__
-    try:
-        expression = (
-            None if isinstance(expression, np.ndarray) else sympy.sympify(expression)
-        )
-    except (sympy.SympifyError, TypeError, AttributeError):
-        expression = None
-    if getattr(expression, "is_Matrix", False):
-        raise TypeError(
-            "expected a SymPy expression; got a vector or a matrix. Asked is one number"
-        )
-    if not isinstance(expression, sympy.Expr):
-        raise TypeError(f"expected a SymPy expression; got {came}")
+    expression = _one_expression(expression)
     _require_known(expression, symbols)
     expression = expression.replace(sympy.Piecewise, _without_endless_branches)
     by_name = {str(s): s for s in expression.free_symbols}
@@ -64,6 +35,41 @@ def evaluator(expression: Any, symbols: Sequence[str]) -> Callable[..., Any]:
         return np.broadcast_to(np.asarray(compiled(*points), dtype=float), shape).copy()
 
     return evaluate
+
+
+def _one_expression(answer: Any) -> Any:
+    """The answer as one SymPy expression; what is none is told what it is."""
+    import sympy
+
+    if isinstance(answer, (list, tuple, set, dict, sympy.FiniteSet)):
+        entry = "its entry, as in solve(...)[0]"
+        if isinstance(answer, dict):
+            entry = "that of the unknown you want, as in solve(...)[p]"
+        raise TypeError(
+            f"expected one expression; got a {type(answer).__name__} of {len(answer)}. "
+            f"sympy.solve returns several: take {entry}"
+        )
+    if isinstance(
+        answer,
+        (sympy.core.relational.Relational, sympy.logic.boolalg.BooleanAtom, bool),
+    ):
+        raise TypeError(
+            "expected an expression; got an equation. Give its right-hand side alone"
+        )
+    if callable(answer) and not isinstance(answer, sympy.Basic):
+        raise TypeError("expected an expression in SymPy's symbols; got a function")
+    came = type(answer).__name__
+    try:
+        found = None if isinstance(answer, np.ndarray) else sympy.sympify(answer)
+    except (sympy.SympifyError, TypeError, AttributeError):
+        found = None
+    if getattr(found, "is_Matrix", False):
+        raise TypeError(
+            "expected a SymPy expression; got a vector or a matrix. Asked is one number"
+        )
+    if not isinstance(found, sympy.Expr):
+        raise TypeError(f"expected a SymPy expression; got {came}")
+    return found
 
 
 def _compiled(points: Sequence[Any], expression: Any) -> Callable[..., Any]:
