@@ -120,6 +120,7 @@ from course.study.impact_laws import (
     impulses_by_steps,
     impulses_in_turn,
 )
+from course.study.kept_support import kept_support, largest_share
 from course.study.missed_hits import (
     Shots,
     by_looks,
@@ -368,6 +369,8 @@ __all__ = [
     "impulses_by_steps",
     "impulses_in_turn",
     "inside",
+    "kept_support",
+    "largest_share",
     "look_places",
     "marble_distance",
     "marble_height",

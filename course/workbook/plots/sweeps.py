@@ -56,7 +56,9 @@ def stability_sweep(
         for what, values in series.items():
             ax.plot(knob, values, label=named[what], **SWEEP_LOOKS[what])
         if threshold is not None:
-            said = f"predicted threshold {threshold:.4g}"
+            rounded = float(f"{threshold:.4g}")
+            written = f"{rounded:,.0f}" if 1e4 <= rounded < 1e7 else f"{rounded:.4g}"
+            said = f"predicted threshold {written}"
             ax.axvline(threshold, color=PALETTE["blue"], ls=":", label=said)
         for name in log:
             ax.set(**{f"{name}scale": "log"})
