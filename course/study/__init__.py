@@ -120,7 +120,7 @@ from course.study.impact_laws import (
     impulses_by_steps,
     impulses_in_turn,
 )
-from course.study.kept_support import kept_support, largest_share
+from course.study.kept_corners import kept_support, largest_share
 from course.study.missed_hits import (
     Shots,
     by_looks,
