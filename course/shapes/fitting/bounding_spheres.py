@@ -15,7 +15,7 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> Sphere:
     """A sphere around each set of points: the smallest, or Ritter's.
 
     "ritter": from the most distant of the pairs that are extreme in x, y and z, grown by
-    each point outside; one pass, typically a twentieth larger than the smallest.
+    each point outside; one pass, typically 7 to 8 percent larger than the smallest.
     "exact": the smallest, which two to four of the points fix.
     Source: Ritter, "An efficient bounding sphere", *Graphics Gems*, 1990; Welzl, LNCS
     555, 1991, and Gartner, "Fast and robust smallest enclosing balls", ESA 1999; Ericson,
