@@ -7,6 +7,7 @@ two rooms on one floor do not import each other. docs/architecture.md draws the 
 import ast
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -78,19 +79,24 @@ HEAVY = {
 }
 
 
+#: Read once: three tests look at every module.
+parsed = cache(ast.parse)
+DEFERRED = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+BY_NAME = {"importlib.import_module", "__import__"}
+
+
+def walked(node, top=True):
+    """Every node, and whether it is carried out when the module is imported."""
+    for inner in ast.iter_child_nodes(node):
+        yield inner, top
+        yield from walked(inner, top and not isinstance(inner, DEFERRED))
+
+
 def imports(source, module, *, package=False):
     """(absolute name, whether at module level) of everything a module imports."""
-    tree = ast.parse(source)
-    deferred = {
-        id(inner)
-        for node in ast.walk(tree)
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda))
-        for inner in ast.walk(node)
-    }
     parts = module.split(".")
     found = []
-    for node in ast.walk(tree):
-        top = id(node) not in deferred
+    for node, top in walked(parsed(source)):
         if isinstance(node, ast.Import):
             found += [(alias.name, top) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
@@ -101,11 +107,12 @@ def imports(source, module, *, package=False):
                 (f"{base}.{alias.name}" if base == "course" else base, top)
                 for alias in node.names
             ]
-        elif isinstance(node, ast.Call) and ast.unparse(node.func) in (
-            "importlib.import_module",
-            "__import__",
+        elif (
+            isinstance(node, ast.Call)
+            and node.args
+            and isinstance(node.args[0], ast.Constant)
         ):
-            if node.args and isinstance(node.args[0], ast.Constant):
+            if ast.unparse(node.func) in BY_NAME:
                 found.append((str(node.args[0].value), top))
     return found
 
@@ -201,7 +208,7 @@ def prints(source):
     """The lines that call print."""
     return [
         node.lineno
-        for node in ast.walk(ast.parse(source))
+        for node in ast.walk(parsed(source))
         if isinstance(node, ast.Call)
         and isinstance(node.func, ast.Name)
         and node.func.id == "print"
@@ -215,18 +222,19 @@ def modules():
         yield ".".join(parts[:-1] if parts[-1] == "__init__" else parts), path
 
 
-@pytest.mark.parametrize(
-    "module, path",
-    list(modules()),
-    ids=lambda value: value if isinstance(value, str) else "",
-)
-def test_floors_are_kept(module, path):
-    assert (
-        faults(
+def told(find):
+    """What a rule finds in every module of course."""
+    return [
+        line
+        for module, path in modules()
+        for line in find(
             path.read_text(encoding="utf-8"), module, package=path.name == "__init__.py"
         )
-        == []
-    )
+    ]
+
+
+def test_floors_are_kept():
+    assert told(faults) == []
 
 
 KERNELS = jit.kernel_modules()
@@ -245,7 +253,7 @@ def kernel_faults(source, module, kernels=frozenset(KERNELS), *, package=False):
             for name, top in imports(source, module, package=package)
             if top and name in kernels
         ]
-    tree = ast.parse(source)
+    tree = parsed(source)
     foreign = {
         alias.asname or alias.name: node.module
         for node in tree.body
@@ -268,14 +276,8 @@ def kernel_faults(source, module, kernels=frozenset(KERNELS), *, package=False):
     return said
 
 
-@pytest.mark.parametrize(
-    "module, path", list(modules()), ids=lambda v: v if isinstance(v, str) else ""
-)
-def test_kernels_are_imported_where_they_are_called(module, path):
-    package = path.name == "__init__.py"
-    assert (
-        kernel_faults(path.read_text(encoding="utf-8"), module, package=package) == []
-    )
+def test_kernels_are_imported_where_they_are_called():
+    assert told(kernel_faults) == []
 
 
 def test_a_broken_rule_of_kernels_is_reported():
@@ -327,7 +329,7 @@ def namesakes(source, module):
     kinds = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
     return [
         f"{module} holds {node.name}"
-        for node in ast.parse(source).body
+        for node in parsed(source).body
         if isinstance(node, kinds) and node.name == last
     ]
 
