@@ -144,6 +144,7 @@ def test_read_only_copies_what_others_can_write():
         (None, "None"),
     ],
 )
+@pytest.mark.slow
 def test_what_came_is_written_without_types(value, text):
     assert arrays.written(value) == text
     assert len(arrays.written([value] * 10**4)) <= 60

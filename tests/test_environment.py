@@ -514,6 +514,7 @@ def test_a_changed_lock_is_followed_in_place(project, fake):
 
 
 @pytest.mark.parametrize("changing, left", [(False, "stale"), (True, "unfinished")])
+@pytest.mark.slow
 def test_an_update_that_fails_keeps_the_old_packages_if_they_are_whole(
     project, fake, changing, left
 ):

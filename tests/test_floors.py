@@ -545,6 +545,7 @@ def numeric_packages():
 @pytest.mark.parametrize(
     "package", [*numeric_packages(), "course.arrays", "course.rotations"]
 )
+@pytest.mark.slow
 def test_importing_numerics_loads_no_heavy_library(package):
     assert heavy_after(f"import {package}") == set()
 

@@ -78,6 +78,7 @@ print(impulse_central(2.0, 1.0, np.array([-3.0, 0, 0]), e, e, 0.5))
 """
 
 
+@pytest.mark.slow
 def test_the_library_works_with_numpy_and_scipy_alone():
     """Every module of the numerics is imported; the README's example, 4 N s, is run."""
     done = subprocess.run(

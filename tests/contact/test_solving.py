@@ -147,6 +147,7 @@ def test_foot_outside_the_support_lifts(method):
 
 @each_method
 @pytest.mark.parametrize("name", SCENES)
+@pytest.mark.slow
 def test_methods_agree_on_what_bodies_do(method, name):
     """f need not be unique; A f is, for every positive semidefinite A."""
     scene = SCENES[name]

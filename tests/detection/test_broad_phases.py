@@ -42,6 +42,7 @@ def test_pairs_are_those_of_the_definition(phase, scene):
 
 @each_phase
 @pytest.mark.parametrize("scene", SCENES, ids=lambda s: s.__name__)
+@pytest.mark.slow
 def test_many_boxes_have_the_pairs_of_brute_force(phase, scene):
     boxes = scene(1500, np.random.default_rng(5))
     np.testing.assert_array_equal(phase(boxes), detection.all_pairs(boxes))
@@ -81,6 +82,7 @@ NUMBERS = st.one_of(
 @each_phase
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(*[NUMBERS] * 6), max_size=25))
+@pytest.mark.slow
 def test_any_boxes(phase, rows):
     ends = np.array(rows, dtype=float).reshape(-1, 2, 3)
     boxes = AABB(ends.min(axis=1), ends.max(axis=1))
@@ -97,6 +99,7 @@ def test_the_order_of_the_boxes_renames_the_pairs(phase):
 
 
 @each_phase
+@pytest.mark.slow
 def test_the_expected_number_of_pairs(phase):
     """C(N, 2)(1 - (1 - s/L)^2)^3 = 547.35 for N = 400, s/L = 0.1: of two centres uniform in a
     side L, |x - y| <= s has the probability 1 - (1 - s/L)^2. The mean of 100 scenes within

@@ -20,6 +20,7 @@ def boxes_below(tree, node):
 @each_method
 @pytest.mark.parametrize("scene", FINITE, ids=lambda s: s.__name__)
 @pytest.mark.parametrize("leaf_size", [1, 4])
+@pytest.mark.slow
 def test_a_tree_holds_each_box_once_and_bounds_it(method, scene, leaf_size):
     boxes = scene(130, np.random.default_rng(7))
     tree = BVH.build(boxes, method=method, leaf_size=leaf_size)

@@ -96,11 +96,13 @@ def test_each_mistake_fails_with_its_own_message(exercise, seed):
 
 @by_name
 @pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.slow
 def test_inputs_tell_all_versions_apart(exercise, seed):
     assert blind_pairs(exercise, seed) == []
 
 
 @by_name
+@pytest.mark.slow
 def test_properties_hold_for_the_reference(exercise):
     for case in exercise.draw(7):
         (outcome,) = answers_of(exercise.reference, exercise, [case])
@@ -139,6 +141,7 @@ def test_the_third_hint_has_the_names_of_the_formula(exercise):
 
 
 @pytest.mark.parametrize("lesson", all_lessons(), ids=lambda le: le.number)
+@pytest.mark.slow
 def test_predictions_can_be_computed_and_are_not_shown_before(lesson):
     for prediction in lesson.predictions:
         outcome = prediction.outcome()

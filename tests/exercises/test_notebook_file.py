@@ -184,6 +184,7 @@ def test_ipython_lines_are_left_out_and_python_is_left_alone():
     ],
     ids=["spaces", "indents", "names", "one word", "elif", "many names"],
 )
+@pytest.mark.slow
 def test_source_is_read_in_a_time_that_grows_with_its_length(hard):
     """A pattern that tries its spaces twice took a minute for 40 kB; each of these takes a tenth of a second."""
     started = time.process_time()

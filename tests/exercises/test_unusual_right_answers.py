@@ -299,6 +299,7 @@ RIGHT: dict[str, list[Callable[[], sp.Expr]]] = {
 
 
 @pytest.mark.parametrize(("name", "number"), [(n, i) for n in RIGHT for i in range(5)])
+@pytest.mark.slow
 def test_it_passes(name, number):
     exercise = find_exercise(name)[1]
     verdict = judge_here(exercise, RIGHT[name][number]())

@@ -163,6 +163,7 @@ def qp(limits):
         lambda f, a, b: [f >= 0, f >= 0],
     ],
 )
+@pytest.mark.slow
 def test_a_limit_that_repeats_what_comes_out_anyway_is_right(limits, seed):
     assert verdict_of("solve_contact_qp", qp(limits), seed).passed
 

@@ -187,6 +187,7 @@ def row_faults(text):
     return said
 
 
+@pytest.mark.slow
 def test_no_docstring_takes_a_row_for_a_slide():
     for path in sorted((ROOT / "course").rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -85,6 +85,7 @@ def test_normals_are_across_their_edges_and_outward():
 
 
 @pytest.mark.parametrize("count", [3, 4, 7])
+@pytest.mark.slow
 def test_polygons_overlap_where_a_linear_programme_finds_a_common_point(count):
     rng, seen = np.random.default_rng(count), set()
     for _ in range(60):

@@ -115,6 +115,7 @@ def test_excel_is_told_that_the_text_is_utf_8(tmp_path):
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-8", "cp1252", "utf-16"])
 @pytest.mark.parametrize("separator", [";", ",", "\t"])
 @pytest.mark.parametrize("end", ["\r\n", "\n", "\r"])
+@pytest.mark.slow
 def test_a_table_that_a_spreadsheet_saved_is_read_again(
     tmp_path, encoding, separator, end
 ):
@@ -184,6 +185,7 @@ table.close()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="limits of POSIX")
+@pytest.mark.slow
 def test_a_row_that_has_no_room_leaves_the_file_as_it_was(tmp_path):
     path = tmp_path / "grades.csv"
     tests = os.path.dirname(os.path.dirname(__file__))

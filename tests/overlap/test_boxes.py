@@ -61,6 +61,7 @@ def test_a_wrong_argument_is_named(function):
 
 
 @pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.slow
 def test_drawn_upright_boxes(seed):
     """Apart: bounded least squares. Overlapping: the least of the six ways along the axes."""
     rng = np.random.default_rng(seed)
@@ -105,6 +106,7 @@ def brute_sphere_box(center, radius, half):
 
 
 @pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.slow
 def test_drawn_spheres_and_boxes(seed):
     rng = np.random.default_rng(seed)
     a, b = spheres(rng, 200, 1.5), boxes(rng, 200, 0.3)

@@ -102,6 +102,7 @@ def check_witnesses(found, a, b, tolerance=1e-12):
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.slow
 def test_drawn_capsules(seed):
     rng = np.random.default_rng(seed)
     a, b = capsules(rng, 300), capsules(rng, 300)
@@ -158,6 +159,7 @@ def distance_in_many_digits(p, u, q, v):
 
 @pytest.mark.parametrize("angle", [0.0, *10.0 ** np.arange(-16.0, 0.0)])
 @pytest.mark.parametrize("height", [0.0, 1e-9, 1e-3, 1.0])
+@pytest.mark.slow
 def test_nearly_parallel_segments(angle, height):
     """Turned by 1e-16 ... 0.1, crossing one above the other, or not crossing: exact to rounding."""
     rng = np.random.default_rng(int(-np.log10(angle + 1e-17)))
@@ -199,6 +201,7 @@ SPOT = st.tuples(
 
 @given(SPOT, SPOT, SPOT, SPOT)
 @settings(max_examples=300, deadline=None)
+@pytest.mark.slow
 def test_segments_that_line_up(p, q, r, s):
     """Equal coordinates everywhere: points, parallels, crossings. Exact to rounding, in both orders."""
     p, q, r, s = (np.array(x) for x in (p, q, r, s))

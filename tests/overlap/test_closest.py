@@ -210,6 +210,7 @@ def test_a_turn_a_shift_a_scale_and_an_exchange_change_nothing(seed, kinds):
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1e6, 1e-100, 1e100])
+@pytest.mark.slow
 def test_scale(scale):
     rng = np.random.default_rng(3)
     v = rng.normal(size=(2, 20, 8, 3))
@@ -280,6 +281,7 @@ def test_degenerate_pairs(a, b, gap, across):
 
 @pytest.mark.parametrize("tilt", [0, *10.0 ** np.arange(-16, -5)])
 @pytest.mark.parametrize("gap", [-0.1, 0, 1e-9, 0.1])
+@pytest.mark.slow
 def test_nearly_parallel_boxes(tilt, gap):
     """Turned by a hair about a diagonal axis: the least separation of 26 corners by hand is that of the faces."""
     axis = np.array([1.0, 2.0, 3.0]) / np.sqrt(14)

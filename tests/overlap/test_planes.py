@@ -11,6 +11,7 @@ BOUNDED = ["sphere", "capsule", "aabb", "obb", "kdop", "convex_hull"]
 
 
 @pytest.mark.parametrize("kind", BOUNDED)
+@pytest.mark.slow
 def test_drawn_shapes_above_planes(kind):
     """The lowest vertex of the core, less the radius."""
     rng = np.random.default_rng(BOUNDED.index(kind))

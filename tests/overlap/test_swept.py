@@ -27,6 +27,7 @@ def test_boxes_by_15_axes_as_one_expression_and_in_a_loop():
     np.testing.assert_allclose(loop, one, rtol=1e-11)
 
 
+@pytest.mark.slow
 def test_boxes_as_polytopes_and_as_hulls():
     rng = np.random.default_rng(2)
     a, b, v, w = drawn_pair("aabb", "obb", rng, 200)

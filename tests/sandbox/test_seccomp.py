@@ -50,6 +50,7 @@ def filtered(tmp_path, code):
     ],
     ids="lease notify owner signal owner-ex pipe-size ioctl-owner xattr".split(),
 )
+@pytest.mark.slow
 def test_what_reaches_past_the_process_is_refused(tmp_path, call):
     code = f"try: {call}\nexcept PermissionError: print('refused')"
     assert filtered(tmp_path, code) == "refused\n"

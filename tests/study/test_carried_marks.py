@@ -27,6 +27,7 @@ def off(mark, body):
     ("mark", "most"),
     [(by_velocity(), 1e-6), (by_acceleration(), 2e-6), (by_normal_rate(), 1e-5), (by_turn(), 1e-12)],
 )  # fmt: skip
+@pytest.mark.slow
 def test_the_right_formula_keeps_it_on_the_handle(mark, most, tilt):
     body = tumbling(TIMES, tilt=np.radians(tilt))
     assert off(mark, body).max() < most

@@ -21,6 +21,7 @@ from course.study.boxed_bodies import BAR, boxed_body, hammer_points
 from course.study.collider_fits import PLATE, crowded_plate, sphere_looks
 
 
+@pytest.mark.slow
 def test_the_rod_grows_as_predicted_and_the_cures_do_not():
     degrees = np.linspace(0, 90, 19)
     found = rod_volumes(degrees)
@@ -49,6 +50,7 @@ def test_the_dumbbell_has_the_volume_of_its_parts():
     assert mesh.volume() == pytest.approx(exact, rel=0.03) and mesh.volume() < exact
 
 
+@pytest.mark.slow
 def test_volumes_of_fits_by_what_holds_what():
     ratio = fitted_volumes()
     order = ["compound", "convex_hull", "capsule", "kdop26", "kdop14", "aabb", "sphere"]
@@ -59,6 +61,7 @@ def test_volumes_of_fits_by_what_holds_what():
     assert ratio["sphere"] == pytest.approx(4 / 3 * np.pi * 0.3**3 / turned_dumbbell().volume())  # fmt: skip
 
 
+@pytest.mark.slow
 def test_what_is_counted():
     measured = fit_costs(peers=False)
     rows = {(r["method"], r["knob"]): r for r in measured.table()}
@@ -77,6 +80,7 @@ def test_the_rounds_of_the_smallest_sphere_are_few():
     assert looks % 500 == 0 and 2 <= looks / 500 <= 12
 
 
+@pytest.mark.slow
 def test_trimesh_and_scipy_agree_where_they_are_here():
     pytest.importorskip("trimesh", reason="peers are not installed")
     rows = {r["method"]: r for r in fit_costs().table()}

@@ -30,7 +30,11 @@ def test_all_corners_are_kept_without_a_limit_that_binds():
 
 
 def test_an_octagon_with_four_corners_as_the_lesson_says():
-    eight, sixteen = said("05-more", "of an octagon span # percent of it, the square in it, $\\sqrt{1/2}$; of sixteen sides #")  # fmt: skip
+    sentence = (
+        "of an octagon span # percent of it, the square in it, $\\sqrt{1/2}$; "
+        "of sixteen sides #"
+    )
+    eight, sixteen = said("05-more", sentence)
     assert rounds_to(100 * kept_support(8, [4])[0], eight)
     assert rounds_to(100 * kept_support(16, [4])[0], sixteen)
     assert kept_support(8, [4])[0] == pytest.approx(np.sqrt(0.5))

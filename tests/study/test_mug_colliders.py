@@ -34,6 +34,7 @@ def test_the_solid_angle_says_what_simplices_of_the_parts_say(points):
 
 
 @pytest.mark.parametrize("kind", COLLIDERS)
+@pytest.mark.slow
 def test_a_point_is_inside_where_the_library_finds_an_overlap(kind, points):
     shape = mug_collider(kind)
     found = inside(shape, points)
@@ -46,6 +47,7 @@ def test_comparisons_by_hand():
     assert [comparisons(mug_collider(k)) for k in COLLIDERS] == [1, 6, 18, 18 + 16 * 6]
 
 
+@pytest.mark.slow
 def test_costs_count_comparisons_and_err_by_the_air(points):
     measured = mug_costs(points, library=False)
     assert measured.count.tolist() == [1, 6, 18, 114]
@@ -55,6 +57,7 @@ def test_costs_count_comparisons_and_err_by_the_air(points):
     assert measured.error[-1] == 0.0
 
 
+@pytest.mark.slow
 def test_the_library_s_verdicts_are_the_same():
     measured = mug_costs(probes(300, seed=3))
     rows = {r["method"]: r["error"] for r in measured.table()}
@@ -62,6 +65,7 @@ def test_the_library_s_verdicts_are_the_same():
         assert error == rows[name.split(",")[0]]
 
 
+@pytest.mark.slow
 def test_where_marbles_stop():
     """The mug is 100 mm high with a bottom of 5 mm, its staves' sides 40 cos(pi/16) mm away."""
     assert marble_height("compound") == pytest.approx(0.005, abs=1e-8)
@@ -73,6 +77,7 @@ def test_where_marbles_stop():
     assert marble_distance("sphere") > marble_distance("box") > 0.04
 
 
+@pytest.mark.slow
 def test_no_collider_is_farther_from_the_floor_than_the_mug():
     errors = {kind: floor_errors(kind, 200) for kind in COLLIDERS}
     assert all(np.all(e > -1e-12) for e in errors.values())

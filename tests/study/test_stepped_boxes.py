@@ -58,6 +58,7 @@ def test_many_boxes_at_once_move_as_one_does():
 
 
 @pytest.mark.parametrize("speed", [0.3, 1.0, 2.0])
+@pytest.mark.slow
 def test_what_a_tolerance_hides_comes_to_the_fall_without_steps(speed):
     """v^2 = 2 g y; the distance of the tolerance and the step vanish with the step."""
     errors = []

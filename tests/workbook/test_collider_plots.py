@@ -27,6 +27,7 @@ def test_the_turned_box_tells_where_its_corners_lie():
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_all_kinds_are_drawn_with_their_volume_and_their_numbers():
     kinds = study.collider_kinds()
     several = plots.collider_kinds(kinds, study.seen_parts(study.flat_dumbbell()))

@@ -84,6 +84,7 @@ def test_a_move_cut_off_between_its_steps_doubles_nothing(work):
     assert names(work) == [".course"]
 
 
+@pytest.mark.slow
 def test_two_notebooks_at_once_lose_nothing(work):
     earlier = [f"before{i}" for i in range(100)]
     (work / "progress.jsonl").write_text("".join(f'{{"name": "{n}", "kind": "check"}}\n' for n in earlier))  # fmt: skip

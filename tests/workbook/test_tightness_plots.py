@@ -24,6 +24,7 @@ def test_a_mark_stands_at_each_collider_s_count_and_tightness():
     assert [t.get_text() for t in ax.texts] == ["sphere", "box", "hull", "compound"]
 
 
+@pytest.mark.slow
 def test_what_has_no_count_is_drawn_by_seconds_only():
     measured = mug_costs(probes(100, seed=1))
     by_count = plots.tightness_against_cost(measured, by="count")

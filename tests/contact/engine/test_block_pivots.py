@@ -19,6 +19,7 @@ def systems(count, contacts, rank, seed):
 
 @pytest.mark.parametrize("contacts", [1, 2, 4, 7, 12])
 @pytest.mark.parametrize("spare", [2, 0, -1])
+@pytest.mark.slow
 def test_batches_reach_rounding(contacts, spare):
     """Full rank, just full rank, and one contact too many."""
     a, b = systems(300, contacts, max(contacts + spare, 1), [contacts, spare + 1])

@@ -29,6 +29,7 @@ def test_a_redundant_contact_never_joins():
 
 
 @pytest.mark.parametrize("seed", range(25))
+@pytest.mark.slow
 def test_any_scene(seed):
     system = random_scene([31, seed], contacts=40).system()
     if len(system):

@@ -55,6 +55,7 @@ def test_it_stands_still_where_it_should_and_says_something(name, mistaken):
 
 
 @pytest.mark.parametrize("name", sorted({w.name for w in WATCHED.values()}))
+@pytest.mark.slow
 def test_it_plays_without_an_answer_too(name):
     exercise = next(e for e, w in WATCHED.items() if w.name == name)
     film = WATCHED[exercise].exhibit(exercise, None).made()

@@ -14,6 +14,7 @@ from course.workbook.films.cradle_laws import cradle
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
 @pytest.mark.parametrize("coming", [1, 2, 3])
+@pytest.mark.slow
 def test_balls_keep_their_order_and_momentum(coming, restitution, law):
     motion = swinging_cradle(5, coming, restitution, law=law)
     rows = motion.velocity
@@ -63,6 +64,7 @@ def test_all_stay_together_where_nothing_bounces():
 
 @pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
 @pytest.mark.parametrize("coming", [1, 2, 3])
+@pytest.mark.slow
 def test_impulses_of_the_formula_swing_as_the_simultaneous_law_does(
     coming, restitution
 ):

@@ -18,6 +18,7 @@ def flight(angle, times):
 
 
 @pytest.mark.parametrize("angle", range(5, 71))
+@pytest.mark.slow
 def test_the_words_are_true_at_every_angle(angle):
     said = dome().made(angle=float(angle)).ending
     times = np.geomspace(1e-6, LAST, 20_000)

@@ -54,6 +54,7 @@ def test_it_can_be_made_at_both_ends_of_every_knob_and_for_every_preset(name):
 
 
 @pytest.mark.parametrize("name", EXHIBITS)
+@pytest.mark.slow
 def test_arrows_and_segments_have_the_same_names_in_all_panes(name):
     film = EXHIBITS[name].made()
     for kind in ("arrows", "segments"):
@@ -62,6 +63,7 @@ def test_arrows_and_segments_have_the_same_names_in_all_panes(name):
 
 
 @pytest.mark.parametrize("name", EXHIBITS)
+@pytest.mark.slow
 def test_hands_hold_something_that_is_there(name):
     exhibit = EXHIBITS[name]
     pane = exhibit.made().panes[0]
@@ -86,6 +88,7 @@ def held(film, hand):
 
 
 @pytest.mark.parametrize("name", EXHIBITS)
+@pytest.mark.slow
 def test_what_a_hand_holds_goes_with_it(name):
     """Knobs move by what the hand does along their directions, and the held thing follows."""
     exhibit = EXHIBITS[name]

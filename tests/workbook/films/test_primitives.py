@@ -23,6 +23,7 @@ def ends(exhibit):
 @pytest.mark.parametrize(
     "exhibit", [turning_rod(), turning_rod(opening=True), growing_dop(), boxed()]
 )
+@pytest.mark.slow
 def test_it_is_made_at_both_ends_of_every_knob(exhibit):
     for values in ({}, *ends(exhibit), *(p.values for p in exhibit.presets)):
         film = exhibit.made(**values)
@@ -63,6 +64,7 @@ def test_the_question_of_the_rod_is_answered_by_its_film():
     assert film.numbers[1].values[0] == pytest.approx(51.005)
 
 
+@pytest.mark.slow
 def test_more_sides_are_never_looser_and_the_question_has_its_numbers():
     """14 and 18 sides hold those of the box, and 26 those of both."""
     told = {}
@@ -77,6 +79,7 @@ def test_more_sides_are_never_looser_and_the_question_has_its_numbers():
     assert eighteen == pytest.approx(2.2, abs=0.05)
 
 
+@pytest.mark.slow
 def test_all_edges_of_the_k_dops_are_seen_and_belong_to_sides_that_touch():
     mesh = dumbbell_mesh()
     assert [len(shape.directions) for shape in fitted(mesh)[1:]] == [7, 9, 13]

@@ -31,6 +31,7 @@ def test_impulse_and_energy_are_those_of_the_closed_form(place, angle, restituti
 @pytest.mark.parametrize("restitution", [0.0, 0.5, 1.0])
 @pytest.mark.parametrize("angle", [0.0, 30.0, 60.0])
 @pytest.mark.parametrize("place", np.linspace(-1, 1, 9))
+@pytest.mark.slow
 def test_the_rod_touches_the_peg_at_the_meeting_and_is_over_it_at_all_other_times(
     place, angle, restitution
 ):

@@ -22,6 +22,7 @@ def segments(pane, name):
 
 
 @pytest.mark.parametrize("exhibit", [shadows(), sliding(), sinking(), sinking("faces")])
+@pytest.mark.slow
 def test_it_is_made_at_both_ends_of_every_knob(exhibit):
     for values in ({}, *ends(exhibit), *(p.values for p in exhibit.presets)):
         film = exhibit.made(**values)

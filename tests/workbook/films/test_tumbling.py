@@ -40,6 +40,7 @@ def test_the_knobs_end_where_the_films_were_made():
     }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_L_stands_still_and_energy_is_kept_at_every_knobs_ends(films):
     moments = np.diag(handle_mass_properties().inertia)
     for values, film in films:

@@ -22,6 +22,7 @@ def ends(exhibit):
 @pytest.mark.parametrize(
     "exhibit", [resting(), resting("three"), colliders(), placed()]
 )
+@pytest.mark.slow
 def test_it_is_made_at_both_ends_of_every_knob(exhibit):
     for values in ({}, *ends(exhibit), *(p.values for p in exhibit.presets)):
         film = exhibit.made(**values)
@@ -86,6 +87,7 @@ def test_the_film_of_an_answer_shows_a_wrong_order_of_the_slip():
 
 
 @pytest.mark.parametrize("kind", range(4))
+@pytest.mark.slow
 def test_the_collider_encloses_the_mug_and_its_numbers_are_those_of_the_shapes(kind):
     film = colliders().made(kind=kind + 1.0, apart=0.0)
     name = COLLIDERS[kind]
@@ -99,6 +101,7 @@ def test_the_collider_encloses_the_mug_and_its_numbers_are_those_of_the_shapes(k
     assert PRESETS[kind].label == name and name in film.title
 
 
+@pytest.mark.slow
 def test_together_they_are_in_one_place_and_turn_alike():
     pane = colliders().made(apart=0.0).panes[0]
     place, turn = np.asarray(pane.position), np.asarray(pane.orientation)

@@ -94,6 +94,7 @@ def test_ink_on_a_colour_is_what_is_read_better():
 
 
 @pytest.mark.parametrize("listed", LISTED, ids=lambda f: f.name)
+@pytest.mark.slow
 def test_every_number_of_a_films_arrows_stands_in_its_still(listed):
     film = listed.exhibit().made()
     drawn = svg(film, time=listed.still)
