@@ -73,7 +73,9 @@ SOME_OF_A_BATCH = (
     "Right for one, and in a batch for most. Either the batch is mixed up, or some of its members are of a kind that "
     "the single cases lack: give the one at the index above to your function alone."
 )
-ONLY_EDGES = "Right in the ordinary cases, wrong at an edge: read what the task says of this case."
+ONLY_EDGES = (
+    "Right in the ordinary cases, wrong at an edge: what is special in this one?"
+)
 CUT_OFF = "Your numbers are whole: an array of dtype int cuts off the decimals of all that is put into it."
 SINGLE_PRECISION = "Your numbers are of single or half precision, right to 7 or 3 digits: leave them as float64."
 

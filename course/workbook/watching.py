@@ -132,7 +132,12 @@ def watch(answer: Any, *, on: str | None = None) -> Any:
             misprinted, a case that it has not; the words list those that are.
     """
     name = answer if isinstance(answer, str) else name_of(answer, None)
-    find_exercise(name)
+    if find_exercise(name)[1].kind == "expression":
+        raise failure(
+            "answer",
+            "one of your functions",
+            f"{name}, an expression, by which nothing moves",
+        )
     if isinstance(answer, str) and name not in MISPRINTED:
         wanted = (
             f"the function itself, without quotation marks: watch({name})"

@@ -68,6 +68,28 @@ def of_squares(c, r, a, b, s):
     return np.sum((c - nearest_on(c, a, b)) ** 2, -1) - (r + s) ** 2
 
 
+def square_and(added):
+    return divided_by(lambda q: q + added)
+
+
+def end_of_b(la, ua, lb, ub):
+    """Whether an end of B's interval lies in A's, on each axis."""
+    return (la <= lb) & (lb <= ua) | (la <= ub) & (ub <= ua)
+
+
+def corner_of_either(la, ua, lb, ub):
+    return np.all(end_of_b(la, ua, lb, ub), -1) | np.all(end_of_b(lb, ub, la, ua), -1)
+
+
+def lowest_corner(la, ua, lb, ub):
+    return np.all((la <= lb) & (lb <= ua), -1) | np.all((lb <= la) & (la <= ub), -1)
+
+
+def centre_in_the_other(a, r, b, s):
+    square = np.sum((a - b) ** 2, -1)
+    return (square <= r**2) | (square <= s**2)
+
+
 ANSWERS = {
     "squares below 1e-6": (
         "closest_point_on_segment", divided_by(lambda q: np.maximum(q, 1e-6)), "A segment of 0.1 mm is no point"),
@@ -89,6 +111,24 @@ ANSWERS = {
         "boxes_overlap", lambda la, ua, lb, ub: np.all((la <= ub) and (lb <= ua), -1), "& joins two arrays"),
     "both >=": (
         "boxes_overlap", lambda la, ua, lb, ub: np.all((la >= ub) & (lb >= ua), -1), "Both comparisons are turned"),
+    "an end of B in A": (
+        "boxes_overlap", lambda *corners: np.all(end_of_b(*corners), -1), "whether a corner of B lies in A"),
+    "a corner of either": ("boxes_overlap", corner_of_either, "a corner of one lies in the other"),
+    "the lowest corner": ("boxes_overlap", lowest_corner, "On x A may begin first and on y B"),
+    "a centre": ("spheres_overlap", centre_in_the_other, "whether the centre of one lies in the other"),
+    "and a hair": ("closest_point_on_segment", square_and(1e-12), "You add 1e-12 m² to the square"),
+    "from the origin": (
+        "closest_point_on_segment",
+        lambda p, a, b: a + np.clip(dot(p, b) / np.maximum(dot(b - a, b - a), 1e-300), 0, 1) * (b - a),
+        "two places as seen from the origin"),
+    "coordinates": ("closest_point_on_segment", np.clip, "You limit x, y and z one by one"),
+    "coordinates in order": (
+        "closest_point_on_segment",
+        lambda p, a, b: np.clip(p, np.minimum(a, b), np.maximum(a, b)),
+        "the nearest place of the upright box"),
+    "a size": (
+        "sphere_capsule_gap",
+        lambda *given: np.abs(capsule(nearest_on)(*given)), "leave its sign as it comes"),
     "no np.all": (
         "boxes_overlap", lambda la, ua, lb, ub: (la <= ub) & (lb <= ua), "You give three verdicts a pair"),
     "squares": ("sphere_capsule_gap", of_squares, "difference of two squares"),
@@ -119,6 +159,23 @@ def lengths(p_1, p_2, p_3, b_1, b_2, b_3):
 @pytest.mark.parametrize("seed", [None, 1, 2])
 def test_how_long_p_is_counts_only_along_b(seed):
     assert "how long p is, in lengths of b" in told("foot_share", lengths, seed)
+
+
+BRACKETS = {
+    "none": (
+        lambda p, q, r, a, b, c: p * a + q * b + r * c / a**2 + b**2 + c**2, "Put the numerator in brackets, and"),
+    "above": (
+        lambda p, q, r, a, b, c: (p * a + q * b + r * c) / a**2 + b**2 + c**2, "you divide by the first square only"),
+    "below": (
+        lambda p, q, r, a, b, c: p * a + q * b + r * c / (a**2 + b**2 + c**2), "only the last product is divided"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", [None, 1, 2])
+@pytest.mark.parametrize("where", BRACKETS)
+def test_brackets_that_are_missing_are_named(where, seed):
+    function, why = BRACKETS[where]
+    assert why in told("foot_share", function, seed)
 
 
 def test_a_vector_is_no_share():

@@ -55,7 +55,7 @@ def test_where_verdicts_go_wrong_far_out():
     shares = wrong_far_out(VERDICT, places)
     at_1000, at_10000 = said(
         "04",
-        "At 1,000 km # percent are wrong (not 21: the nearest pairs are left out), at "
+        "At 1,000 km # percent are wrong (not 21: the pairs below 1 cm are left out), at "
         "10,000 km # percent",
     )
     for place, number in ((1e6, at_1000), (1e7, at_10000)):
@@ -84,20 +84,20 @@ def test_where_the_spheres_of_the_question_are_stopped():
 
 def test_how_many_tenths_touch():
     apart, strict = said(
-        "04", "With `<=` # of them are called apart, and with `<` still # are called"
+        "04", "with `<=` # of them are called apart, and with `<` still # are called"
     )
     x_a, r_a, x_b, r_b = tenths().arguments
     assert np.sum(~VERDICT(x_a, r_a, x_b, r_b)) == int(apart)
     less = np.sum((x_a - x_b) ** 2, axis=-1) < (r_a + r_b) ** 2
     assert np.sum(less) == int(strict)
     assert with_margin(VERDICT, 1e-9)(x_a, r_a, x_b, r_b).all()
-    (share,) = said("04", "beyond $#\\cdot10^{-16}$ of the sum of the radii")
+    (share,) = said("04-more", "beyond $#\\cdot10^{-16}$ of the sum of the radii")
     assert rounds_to(1e16 * DECIDED, share)
 
 
 def test_where_touching_is_decided_wrongly():
     low, high = said(
-        "04",
+        "04-more",
         "wrong verdicts lie at gaps from about $#\\cdot10^{-16}$ to $#\\cdot10^{-16}$, "
         "nearly all above 0",
     )

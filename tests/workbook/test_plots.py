@@ -83,6 +83,16 @@ def test_the_words_at_the_level_of_exact_runs_stand_away_from_them(exact, side):
     assert words.get_ha() == side
 
 
+def test_they_stand_between_exact_runs_at_both_ends():
+    result = spread_over(2.0, start=1e-3)
+    result.error[[0, 4]] = 0.0
+    ax = plots.work_precision(result)
+    (words,) = (t for t in ax.texts if t.get_text() == "exact to rounding")
+    left, right = sorted(result.cost("seconds")[[0, 4]])
+    assert 2 * left < words.get_position()[0] < right / 2
+    assert words.get_ha() == "center"
+
+
 @pytest.mark.parametrize("decades", [0.05, 0.3, 0.7, 1.0, 1.5, 1.9, 2.5, 6.0])
 @pytest.mark.parametrize("start", [1.2e-4, 3e-3, 7.0])
 def test_labels_of_a_logarithmic_axis_stand_apart(decades, start):

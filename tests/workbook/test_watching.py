@@ -111,11 +111,17 @@ def test_lessons_with_films_import_watch():
 
 
 def test_an_exercise_that_moves_nothing_is_refused():
-    def p_hat():
+    def speed_along():
         """No motion."""
 
     with pytest.raises(ValueError, match="answer: expected a function that moves"):
-        watch(p_hat)
+        watch(speed_along)
+
+
+def test_of_an_expression_no_names_of_other_lessons_are_told():
+    with pytest.raises(ValueError, match="got foot_share, an expression") as told:
+        watch("foot_share")
+    assert "solve_contact_qp" not in str(told.value)
 
 
 @pytest.mark.slow

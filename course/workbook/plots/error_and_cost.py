@@ -99,12 +99,15 @@ def _knobs_beside(
 def _exact_level(
     ax: Axes, cost: Array, exact: BoolArray, floor: float, words: str
 ) -> None:
-    """The level at which exact runs are drawn; its words at the end that is farther from them."""
+    """The level at which exact runs are drawn; its words where these leave most room."""
     ax.axhline(floor, color="0.6", lw=0.8, ls=":")
-    left, right = float(cost.min()), float(cost.max())
-    at_left = cost[exact].min() * cost[exact].max() >= left * right
-    ax.text(left if at_left else right, floor, words, va="bottom",
-            ha="left" if at_left else "right", fontsize=8.5, color="0.35")  # fmt: skip
+    left, right, runs = cost.min(), cost.max(), np.sort(cost[exact])
+    places = [(left, "left"), (right, "right")]
+    places += [(x, "center") for x in np.sqrt(runs[:-1] * runs[1:])]
+    room = [runs[0] / left, right / runs[-1], *runs[1:] / runs[:-1]]
+    at, aligned = places[int(np.argmax(room))]
+    ax.text(at, floor, words, va="bottom", ha=aligned, fontsize=8.5,
+            color="0.35")  # fmt: skip
 
 
 def _floor(error: Array) -> float:

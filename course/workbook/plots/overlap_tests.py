@@ -46,8 +46,8 @@ def foot_of_point(point: ArrayLike, end: ArrayLike) -> tuple[Axes, Axes]:
     describe(
         right,
         f"Left: the point p at {tuple(p.tolist())} beside the segment from 0 to b at {tuple(b.tolist())}, and the "
-        f"shortest way from p to the line. Right: the squared distance of p and s b over s, a parabola; it is least at "
-        f"s = {show(least, 3)}. The strip from 0 to 1 is the segment.",
+        f"shortest way from p to the line, with its foot. Right: the squared distance of p and s b over s, a parabola; "
+        f"it is least at s = {show(least, 3)}. The strip from 0 to 1 is the segment.",
     )  # fmt: skip
     return left, right
 
@@ -60,10 +60,11 @@ def _point_and_segment(ax: Axes, p: Array, b: Array, s: Array, least: float) -> 
     for name, at, shift in (("0", 0 * b, (-9, -14)), ("b", b, (6, -12)), ("p", p, (5, 5))):  # fmt: skip
         ax.plot(*at, "o", color="black", ms=5)
         ax.annotate(name, tuple(at), shift, textcoords="offset points", weight="bold")
+    ax.plot(*(least * b), "o", color=PALETTE["green"], label="foot", zorder=3)
     ax.set_title("A point and a segment")
     ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
     ax.margins(0.1)
-    ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.32))
+    ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.32), ncols=2)
 
 
 def number_steps(steps: NumberSteps, *, ax: Axes | None = None) -> Axes:

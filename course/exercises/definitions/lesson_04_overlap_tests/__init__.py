@@ -46,7 +46,7 @@ MORE = Lesson(
     name="overlap-tests",
     title="Overlap tests, deeper",
     question="Where are two sticks nearest to each other, and how does a sphere leave a box?",
-    minutes=40,
+    minutes=48,
     exercises=(CAPSULE_GAP, SPHERE_BOX_GAP),
     predictions=DEEPER_PREDICTIONS,
 )

@@ -24,6 +24,9 @@ _ARGUMENTS = (
     point("upper_b", "highest corner of B"),
 )
 _FIRST, _SECOND = "(lower_a <= upper_b)", "(lower_b <= upper_a)"
+#: Whether an end of one interval lies in the other: together, whether a corner does.
+_END_OF_B = "((lower_a <= lower_b) & (lower_b <= upper_a) | (lower_a <= upper_b) & (upper_b <= upper_a))"
+_END_OF_A = "((lower_b <= lower_a) & (lower_a <= upper_b) | (lower_b <= upper_a) & (upper_a <= upper_b))"
 #: How B lies on an axis: apart above, below, over A's upper or lower end, inside A, around A.
 _LIES = ("above", "below", "upper end", "lower end", "inside", "around")
 #: What takes turns in a batch: on the three axes.
@@ -137,6 +140,35 @@ BOXES_OVERLAP = Exercise(
             "either lies in the other.",
             _SECOND,
             "(lower_b <= lower_a)",
+        ),
+        _wrong(
+            "any corner of B in A",
+            "You ask whether a corner of B lies in A: on each axis, whether an end of B's interval lies in A's. B's "
+            "may reach beyond A's on both sides, with neither end in it.",
+            f"{_FIRST} & {_SECOND}",
+            _END_OF_B,
+        ),
+        _wrong(
+            "any corner of A in B",
+            "You ask whether a corner of A lies in B: on each axis, whether an end of A's interval lies in B's. A's "
+            "may reach beyond B's on both sides, with neither end in it.",
+            f"{_FIRST} & {_SECOND}",
+            _END_OF_A,
+        ),
+        _wrong(
+            "a corner of either in the other",
+            "You ask whether a corner of one lies in the other. Two planks that cross like a plus sign have a common "
+            "point without: ask each axis by itself.",
+            f"np.all({_FIRST} & {_SECOND}, axis=-1)",
+            f"np.all({_END_OF_B}, axis=-1) | np.all({_END_OF_A}, axis=-1)",
+        ),
+        _wrong(
+            "lowest corner of either in the other",
+            "You ask whether the lowest corner of one box lies in the other. On x A may begin first and on y B, and "
+            "then neither does: ask each axis by itself.",
+            f"np.all({_FIRST} & {_SECOND}, axis=-1)",
+            "np.all((lower_a <= lower_b) & (lower_b <= upper_a), axis=-1) | "
+            "np.all((lower_b <= lower_a) & (lower_a <= upper_b), axis=-1)",
         ),
         _wrong(
             "B wholly in A",

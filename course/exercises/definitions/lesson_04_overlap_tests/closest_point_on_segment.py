@@ -142,6 +142,16 @@ CLOSEST_POINT_ON_SEGMENT = Exercise(
             _SAFE,
             "np.maximum(square, 1e-6)",
         ),
+        *(
+            _wrong(
+                f"{added} added",
+                f"You add {added} m^2 to the square of the length. That makes every share a little smaller, and with "
+                "a segment of 0.1 mm it is seen. Only a square of exactly 0 must be replaced.",
+                _SAFE,
+                f"(square + {added})",
+            )
+            for added in ("1e-12", "1e-10", "1e-9", "1e-8", "1e-6")
+        ),
         _wrong(
             "below a metre",
             "Where the squared length is below 1 m^2 you divide by 1. Only a square of exactly 0 must be replaced.",
@@ -172,6 +182,34 @@ CLOSEST_POINT_ON_SEGMENT = Exercise(
             "You take the dot product of the point as seen from the *origin*. Both have to be seen from the start.",
             "(point - start)",
             "point",
+        ),
+        _wrong(
+            "both from the origin",
+            "You take the dot product of two places as seen from the *origin*. Both have to be seen from the start: "
+            "point - start, and end - start.",
+            "(point - start) * way",
+            "point * end",
+        ),
+        _wrong(
+            "end from the origin",
+            "In the dot product the end is seen from the *origin*, and the point from the start. Both have to be seen "
+            "from the start: end - start.",
+            "(point - start) * way",
+            "(point - start) * end",
+        ),
+        _wrong(
+            "each coordinate limited",
+            "You limit x, y and z one by one, each to the ends' own. That gives a place in the upright box around the "
+            "segment. One share for all three keeps it on the segment.",
+            "start + np.clip(share, 0.0, 1.0) * way",
+            "np.clip(point, start, end)",
+        ),
+        _wrong(
+            "each coordinate limited, in order",
+            "You limit x, y and z one by one: that is the nearest place of the upright box around the segment. One "
+            "share for all three keeps it on the segment.",
+            "start + np.clip(share, 0.0, 1.0) * way",
+            "np.clip(point, np.minimum(start, end), np.maximum(start, end))",
         ),
         _wrong(
             "seen from the start",

@@ -60,6 +60,25 @@ FOOT_SHARE = Exercise(
             _DOT,
         ),
         _wrong(
+            "no brackets",
+            "Division comes before addition: only the last product is divided, and only by the first square. Put the "
+            "numerator in brackets, and the denominator.",
+            _FORMULA,
+            f"{_DOT[1:-1]} / {_SQUARE[1:-1]}",
+        ),
+        _wrong(
+            "denominator without brackets",
+            "Division comes before addition: you divide by the first square only. Put the denominator in brackets.",
+            _FORMULA,
+            f"{_DOT} / {_SQUARE[1:-1]}",
+        ),
+        _wrong(
+            "numerator without brackets",
+            "Division comes before addition: only the last product is divided. Put the numerator in brackets.",
+            _FORMULA,
+            f"{_DOT[1:-1]} / {_SQUARE}",
+        ),
+        _wrong(
             "divided by the length",
             "Divided by the length of b it is a length in metres, how far along the line the foot lies. A share has "
             "no unit.",

@@ -130,6 +130,12 @@ SPHERE_CAPSULE_GAP = Exercise(
             f"np.maximum({_GAP}, 0.0)",
         ),
         _wrong(
+            "without its sign",
+            "Right where they are apart. Where they overlap the gap is below 0: leave its sign as it comes.",
+            _GAP,
+            f"np.abs({_GAP})",
+        ),
+        _wrong(
             "squared distance",
             "You take the squared distance, in m^2, and take lengths off it. A gap needs the length itself: here the "
             "root has to be taken.",

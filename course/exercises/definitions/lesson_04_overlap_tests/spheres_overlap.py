@@ -56,6 +56,7 @@ def _cases(rng: np.random.Generator) -> Sequence[Case]:
         Case("apart, drawn", _with_gap(rng, 0.4)),
         Case("overlapping, drawn", _with_gap(rng, -0.1)),
         Case("two small ones", _pair(x, 0.2, x + 0.35 * unit_vector(rng), 0.2)),
+        Case("two of 2 m, 2.5 m apart", _pair([1.0, 0, 2], 2.0, [2.5, 2, 2], 2.0)),
         Case("they touch", _pair([1.0, -2, 3], 2.0, [3.0, 1, 9], 5.0), "edge"),
         Case("the same centre", _pair(x, 0.4, x, 1.3), "edge"),
         Case("one lies deep in the other", _pair(x, 5.0, x + 2.0 * unit_vector(rng), 0.2), "edge"),
@@ -106,6 +107,13 @@ SPHERES_OVERLAP = Exercise(
             "You ask whether the *centre* of A lies in B. A reaches beyond its centre.",
             _REACH,
             "radius_b**2",
+        ),
+        _wrong(
+            "a centre in the other",
+            "You ask whether the *centre* of one lies in the other. They meet before that, as soon as both radii "
+            "together bridge the distance of the centres.",
+            _REACH,
+            "np.maximum(radius_a, radius_b) ** 2",
         ),
         _wrong(
             "difference of the radii",
