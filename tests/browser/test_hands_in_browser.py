@@ -19,13 +19,18 @@ pytestmark = [
 ]
 pytest.importorskip("playwright", reason="the extra 'browser' is not installed")
 
-FILMS = ("impulse", "wall", "plank", "pushed_table")
+FILMS = ("impulse", "wall", "plank", "pushed_table", "touching", "shadows", "throws")
+#: Held where they do not follow the pointer: what turns, and what moves along a line.
+TURNED = ("turning_rod", "growing_dop", "far_spheres")
 #: Which hand is dragged, and ways it goes [pixels]; the knob's step is a few pixels long.
 DRAGS = {
     "impulse": (1, [(40, 0), (-60, 5), (75, -4)]),
     "wall": (0, [(-40, -30), (90, 10), (-30, 40)]),
     "plank": (0, [(80, 0), (-210, 3), (120, 0)]),
     "pushed_table": (0, [(-40, 6), (60, -12), (-120, 10)]),
+    "touching": (0, [(40, -30), (-90, 20), (30, 25)]),
+    "shadows": (0, [(30, 20), (20, 30), (-25, -10)]),
+    "throws": (1, [(-30, -20), (-20, 30), (25, -15)]),
 }
 #: A student's function that raises, beside the right one; and a film that cannot be made.
 RAISES = """\
@@ -77,7 +82,7 @@ PAPER = """color => { for (let node = document.querySelector(".stage").parentEle
 @pytest.fixture(scope="module")
 def voila(tmp_path_factory):
     folder = tmp_path_factory.mktemp("voila")
-    for name in FILMS:
+    for name in FILMS + TURNED:
         shown = f"from course.workbook import demos\n\ndemos.{name}()"
         notebook(folder / f"{name}.ipynb", shown)
     notebook(folder / "raises.ipynb", RAISES)
@@ -158,10 +163,28 @@ def test_what_is_dragged_stays_under_the_pointer(voila, name):
             played.settled()
             there = played.hand(number)
             opened.mouse.up()
-            free = (0, 1) if name in ("wall", "pushed_table") else (0,)
+            free = (0,) if name in ("impulse", "plank") else (0, 1)
             off = [there[k] - (x, y)[k] - way[k] for k in free]
             assert max(map(abs, off)) < 8, f"{way}: {off} px from the pointer"
         assert played.knobs() != before
+        assert opened.console_errors == [] and opened.asked_outside == []
+
+
+@pytest.mark.parametrize("name", TURNED)
+def test_what_is_turned_by_hand_has_other_numbers(voila, name):
+    with page() as opened:
+        cut_off(opened)
+        played = Played(opened, f"{voila}/{name}.ipynb")
+        before, said = played.knobs(), played.numbers()
+        x, y = played.hand(0)
+        opened.mouse.move(x, y)
+        opened.mouse.down()
+        for part in (0.3, 0.6, 1.0):
+            opened.mouse.move(x + part * 20, y - part * 45)
+        played.settled()
+        opened.mouse.up()
+        assert played.knobs() != before
+        assert played.numbers() != said
         assert opened.console_errors == [] and opened.asked_outside == []
 
 
