@@ -61,7 +61,8 @@ HIDDEN_DROP = Exercise(
         _slip(
             "g above",
             "g * s**2 / 2",
-            "You put s in the place of the time. The time is s/g, so that g stands below in the end.",
+            "The time is s/g, so g stands below in the end. If it does in yours, brackets are missing: a / 2 * b "
+            "is a/2 times b.",
         ),
         _slip(
             "the other way round",
