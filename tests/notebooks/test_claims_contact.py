@@ -53,7 +53,7 @@ def test_from_where_the_falling_box_of_the_film_comes_to_rest():
     *edges, ratio = said(
         "01",
         "The falling box begins to come to rest between # and # m/s at 60 steps a second, "
-        "between # and # at 120: half the step, half the tolerance, and both times # times $g h$.",
+        "between # and # at 120: half the step, half the tolerance, both times # times $g h$.",
     )
     few, often, few_high, often_high = (float(edges[k]) for k in (0, 2, 1, 3))
     for rate, low, high in ((60.0, few, few_high), (120.0, often, often_high)):
@@ -123,7 +123,7 @@ def test_dots_below_the_formula_and_where_they_pass_ten_millimetres():
     speeds = np.array([0.4429, float(low), float(high)])
     drops = [1000 * highest_hidden_drop(s, steps_per_second=60) for s in speeds]
     assert rounds_to(drops[0], there) and drops[1] < 10 < drops[2]
-    said("01", "They never lie above the formula")
+    said("01", "once a step, and never above the formula")
     for s in np.geomspace(0.17, 3.0, 25):
         lies = highest_hidden_drop(s, steps_per_second=60)
         assert lies <= formulas.hidden_drop(s, 9.81)
