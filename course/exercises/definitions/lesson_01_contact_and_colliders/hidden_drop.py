@@ -33,7 +33,7 @@ HIDDEN_DROP = Exercise(
     kind="expression",
     rows=(1,),
     points=1,
-    minutes=6,
+    minutes=5,
     task="Give the height from which a body at rest falls until its speed is s, in s and g.",
     arguments=(
         Value("s", "scalar", "m/s", "tolerance of speed"),

@@ -89,7 +89,7 @@ PLACE = Exercise(
     name="place",
     rows=(2,),
     points=2,
-    minutes=8,
+    minutes=9,
     task="Return where the points of a body are when it is turned about its origin, and then shifted.",
     arguments=(
         Value("points", "(..., m, 3)", "m", "in the body's own axes"),
