@@ -52,6 +52,16 @@ MAX_OF_TWO = (
     "np.max and np.min take one array; what stands behind it is taken for the number of an axis. np.maximum(a, b) "
     "and np.minimum(a, b) compare two arrays place by place."
 )
+NO_DEFAULT = (
+    "Where no condition holds np.select puts the number 0, and numbers do not go with words. It wants a word for what "
+    "is left: default=..."
+)
+#: What Python says where a pair of numbers is compared, or given a minus, as if it were one.
+WHOLE_TUPLES = ("and 'tuple'", "'tuple' and", "unary -: 'tuple'")
+TAKES_A_TUPLE = (
+    "A tuple, several numbers in brackets, stands there in the place of one number. Take it apart first: "
+    "first, second = pair."
+)
 ONE_QUESTION = (
     "`if`, `and`, `or`, `not`, a < b < c, min(), max() and np.arange() ask one question, a batch has "
     "many answers: np.where(condition, this, that), &, |, ~, np.minimum and np.maximum answer each element for "
@@ -135,6 +145,10 @@ def _why_it_stops(
         return COMBINES_NUMBERS
     if any(_says(o, *TAKEN_FOR_AXIS) and _max_in_line(o) for o in outcomes):
         return MAX_OF_TWO
+    if any(_says(o, "Choicelist and default value") for o in outcomes):
+        return NO_DEFAULT
+    if any(_says(o, *WHOLE_TUPLES) for o in outcomes):
+        return TAKES_A_TUPLE
     if asks_one_question(cases, outcomes):
         return ("Besides, it stops at batches: " if also_wrong else "") + ONE_QUESTION
     if any(_says(o, AMBIGUOUS) for o in outcomes):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,7 @@ COLLIDERS = ("sphere", "box", "hull", "compound")
 MARBLE = 0.008  # radius [m]
 
 
+@cache  # read-only, and asked for at each turn of a knob
 def mug() -> Mesh:
     """The visual: 10 cm high, 8 cm wide, its walls 5 mm thick, in 17 convex parts."""
     return mug_mesh()
@@ -42,6 +44,11 @@ def mug_collider(kind: str) -> Any:
         kind: "sphere", "box", "hull", or "compound": a hull around each of its parts.
     """
     choice("kind", kind, COLLIDERS)
+    return _fitted(kind)
+
+
+@cache
+def _fitted(kind: str) -> Any:
     visual = mug()
     if kind == "compound":
         return mesh_colliders(visual)

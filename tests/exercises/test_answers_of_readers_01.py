@@ -82,6 +82,37 @@ def one_axis(points, rotation, translation):
     return points @ np.swapaxes(rotation, -1, -2) + translation[:, None]
 
 
+def axis_behind(points, rotation, translation):
+    return points @ np.swapaxes(rotation, -1, -2) + translation[..., None]
+
+
+def as_columns(points, rotation, translation):
+    return rotation @ points + translation
+
+
+def looped(points, rotation, translation):
+    return np.array([rotation @ point + translation for point in points])
+
+
+# contact_state that stops
+
+
+def six_and_no_default(gap, gap_rate, slip_speed, tolerance):
+    distance, speed = tolerance
+    asked = [gap > distance, gap < -distance, gap_rate < -speed, gap_rate > speed]
+    words = ["apart", "penetrating", "colliding", "separating", "sliding", "resting"]
+    return np.select([*asked, slip_speed > speed, slip_speed <= speed], words)
+
+
+def whole_pair(gap, gap_rate, slip_speed, tolerance):
+    asked = [gap < -tolerance, gap > tolerance, gap_rate < -tolerance]
+    return np.select(asked, ["penetrating", "apart", "colliding"], default="resting")
+
+
+def pair_above(gap, gap_rate, slip_speed, tolerance):
+    return np.select([gap > tolerance], ["apart"], default="resting")
+
+
 ANSWERS = {
     "cut to 'resting'": ("contact_state", written_into("resting"), "NumPy has cut your words"),
     "cut to 'apart'": ("contact_state", written_into("apart"), "NumPy has cut your words"),
@@ -93,6 +124,12 @@ ANSWERS = {
     "a matrix a point": ("place", matrix_for_each, "rotation[..., None, :, :]"),
     "and an axis": ("place", matrix_and_axis, "rotation[..., None, :, :]"),
     "[:, None]": ("place", one_axis, "right only for a batch of one axis"),
+    "[..., None]": ("place", axis_behind, "stands before the last one"),
+    "columns": ("place", as_columns, "takes the points for columns"),
+    "a loop": ("place", looped, "goes along the first axis"),
+    "no default": ("contact_state", six_and_no_default, "a word for what is left"),
+    "-tolerance": ("contact_state", whole_pair, "Take it apart first"),
+    "> tolerance": ("contact_state", pair_above, "Take it apart first"),
     "//": ("tightness", lambda c, v: v // c, "One slash divides"),
     "float": ("tightness", lambda c, v: float(v) / float(c), "float() takes one number"),
 }  # fmt: skip
@@ -133,6 +170,10 @@ def test_right_answers_written_otherwise_pass():
         ("fixed_tolerance", 49.05, ""),
         ("lift", 0.2, "not the least"),
         ("lift", 0.196, "it never rests"),
+        ("lift", 0.033, "gravity's comes on top"),
+        ("air_in_the_hull", "half", "The wall is thin"),
+        ("air_in_the_hull", "most", "The wall is thin"),
+        ("numbers_left", 3, "summed away"),
         ("lift", 11.81 / 60, ""),
         ("lift", 0.197, ""),
         ("no_bounce", 51, "Asked is metres"),
@@ -144,3 +185,9 @@ def test_a_prediction_of_an_edge_is_on_its_right_side(name, answer, right):
     message = _outcome_message(find_prediction(name)[1], answer)
     assert (message.state == "passed") == (right == "")
     assert right in str(message).replace("\n", " ")
+
+
+def test_missing_brackets_are_named_beside_the_time():
+    """s**2 / 2 * g stands for s**2 / (2 * g), or for the speed put in the place of the time."""
+    said = told("hidden_drop", lambda s, g: s**2 / 2 * g)
+    assert "brackets are missing" in said and "The time is s/g" in said

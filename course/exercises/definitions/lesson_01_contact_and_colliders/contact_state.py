@@ -110,7 +110,7 @@ CONTACT_STATE = Exercise(
     name="contact_state",
     rows=(1,),
     points=3,
-    minutes=12,
+    minutes=13,
     task='Return what two bodies are to each other: "apart", "penetrating", "colliding", "separating", "sliding" or '
     '"resting". What lies on a tolerance is within it.',
     arguments=(

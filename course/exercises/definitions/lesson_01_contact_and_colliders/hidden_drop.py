@@ -33,7 +33,7 @@ HIDDEN_DROP = Exercise(
     kind="expression",
     rows=(1,),
     points=1,
-    minutes=6,
+    minutes=5,
     task="Give the height from which a body at rest falls until its speed is s, in s and g.",
     arguments=(
         Value("s", "scalar", "m/s", "tolerance of speed"),
@@ -61,7 +61,8 @@ HIDDEN_DROP = Exercise(
         _slip(
             "g above",
             "g * s**2 / 2",
-            "You put s in the place of the time. The time is s/g, so that g stands below in the end.",
+            "The time is s/g, so g stands below in the end. If it does in yours, brackets are missing: a / 2 * b "
+            "is a/2 times b.",
         ),
         _slip(
             "the other way round",

@@ -71,6 +71,16 @@ _MATRIX_FOR_EACH = (
 )
 
 
+_AS_COLUMNS = (
+    "rotation @ points takes the points for columns, and mixes them with each other. They are rows: the matrix comes "
+    "after them, transposed."
+)
+
+
+def _looped(points, rotation, translation):
+    return np.array([rotation @ point + translation for point in points])
+
+
 def _slip(name: str, *edits: str, message: str) -> Mistake:
     return Mistake(name, slip(formulas.place, *edits), message)
 
@@ -79,7 +89,7 @@ PLACE = Exercise(
     name="place",
     rows=(2,),
     points=2,
-    minutes=8,
+    minutes=9,
     task="Return where the points of a body are when it is turned about its origin, and then shifted.",
     arguments=(
         Value("points", "(..., m, 3)", "m", "in the body's own axes"),
@@ -107,8 +117,15 @@ PLACE = Exercise(
             "points as columns",
             _TURNED,
             "rotation @ points",
-            message="rotation @ points takes the points for columns, and mixes them with each other. They are rows: "
-            "the matrix comes after them, transposed.",
+            message=_AS_COLUMNS,
+        ),
+        _slip(
+            "points as columns, and one shift a point",
+            _TURNED,
+            "rotation @ points",
+            _RETURN,
+            "turned + translation",
+            message=f"{_AS_COLUMNS} In a batch the translations need an axis for the points besides.",
         ),
         _slip(
             "whole batch transposed",
@@ -165,6 +182,19 @@ PLACE = Exercise(
             "translation[:, None]",
             message="translation[:, None] is right only for a batch of one axis: translation[..., None, :] puts the "
             "axis for the points before the last one, whatever stands in front.",
+        ),
+        _slip(
+            "axis behind",
+            "translation[..., None, :]",
+            "translation[..., None]",
+            message="translation[..., None] puts the new axis last: then the first point is shifted by x three times, "
+            "the second by y. The axis for the points stands before the last one.",
+        ),
+        Mistake(
+            "a loop over the points",
+            _looped,
+            "Right for one body. A loop over `points` goes along the first axis, and in a batch these are the bodies. "
+            "Rows times a matrix take all points of all bodies at once.",
         ),
         Mistake("a matrix for each point", _one_by_one, _MATRIX_FOR_EACH),
         Mistake(

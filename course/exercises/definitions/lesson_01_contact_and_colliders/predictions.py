@@ -86,9 +86,9 @@ PREDICTIONS = (
         "With a tolerance of 0.05 m/s it is called colliding, with 0.33 m/s resting, in the very same step. A number "
         "of the program decides, and it has to be at least g h = 0.16 m/s for a box that rests to be called so.",
         choices={
-            "resting": "resting: its height does not change",
-            "colliding": "colliding: it touches, and it comes closer",
-            "nobody": "nobody knows from these two numbers",
+            "resting": "its height does not change",
+            "colliding": "it touches, and it comes closer",
+            "nobody": "these two numbers do not tell",
         },
         later="See",
     ),
@@ -112,6 +112,7 @@ PREDICTIONS = (
         wrong={
             12: "The products are 12; the sum takes the last axis away.",
             1: "Without axis it would be 1: everything added up.",
+            3: "The three components of each vector are what is summed away.",
         },
     ),
     Prediction(
@@ -120,7 +121,11 @@ PREDICTIONS = (
         "0.5 m/s. Which word is right?",
         _next_words,
         "Its gap is above 3 mm. That is asked first: how it moves is of no interest yet.",
-        choices={"apart": "apart", "colliding": "colliding", "sliding": "sliding"},
+        choices={
+            "apart": "there is air between",
+            "colliding": "it comes down fast",
+            "sliding": "it moves along the floor",
+        },
         wrong={
             "colliding": "It will collide, in a later step: nothing touches yet.",
             "sliding": "Nothing slides that does not touch.",
@@ -133,6 +138,10 @@ PREDICTIONS = (
         _air_in_the_hull,
         "27 percent: the hull closes the mug like a lid, and nearly all inside of a mug is air.",
         choices={"quarter": "about a quarter", "half": "about a half", "most": "more than two thirds"},
+        wrong={
+            "half": "The wall is thin, 5 mm of 8 cm: the hollow takes more than half.",
+            "most": "The wall is thin, 5 mm of 8 cm: most of the hull is the hollow.",
+        },
     ),
     Prediction(
         "at_120",
@@ -202,6 +211,8 @@ PREDICTIONS = (
             0.16: "So it is in a lift that stands still.",
             0.164: "So it is in a lift that stands still.",
             0.13: "Upward: the box is pressed more, not less.",
+            0.033: "That is the lift's share alone: gravity's comes on top.",
+            0.0333: "That is the lift's share alone: gravity's comes on top.",
             0.1635: "So it is in a lift that stands still.",
             0.1302: "Upward: the box is pressed more, not less.",
         },

@@ -52,7 +52,7 @@ TIGHTNESS = Exercise(
     name="tightness",
     rows=(1,),
     points=1,
-    minutes=4,
+    minutes=3,
     task="Return the share of a collider's volume that the body it stands for fills: 1 means no air.",
     arguments=(
         Value("collider_volume", "(...)", "m³", "of a collider around the visual"),
