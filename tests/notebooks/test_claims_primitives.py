@@ -57,7 +57,7 @@ def test_the_dumbbell_in_many_sides():
 
 def test_what_kinds_cost(costs):
     n = len(study.turned_dumbbell().vertices)
-    (corners,) = said("02", "turned in space, has # corners")
+    (corners,) = said("02", "of 60 cm, turned in space, has # corners")
     assert int(corners) == n
     air, looks = said("02", "to # at 26 sides and # looks a point")
     assert rounds_to(costs["k-DOP, 14, 18, 26 sides", 26]["error"], air)
@@ -138,6 +138,6 @@ def test_a_fifth_of_the_points_makes_the_box_half_as_large_again():
 
 
 def test_few_degrees_make_a_thin_rod_s_box_large():
-    said_, half = said("02", "#° already make the box ten times as large, and #° give half of the top")  # fmt: skip
-    five, fifteen, top = study.turned_rod([float(said_), float(half), 45.0]).growth
-    assert five == pytest.approx(10, rel=0.05) and fifteen / top == pytest.approx(0.5, abs=0.02)  # fmt: skip
+    (half,) = said("02", "It rises at once: #° give the thin rod half of the top")
+    fifteen, top = study.turned_rod([float(half), 45.0]).growth
+    assert fifteen / top == pytest.approx(0.5, abs=0.02)

@@ -41,10 +41,6 @@ def _turned_cube() -> float:
     return _growth(np.ones(3), _about_z(45.0))
 
 
-def _ball_of_box() -> float:
-    return float(np.linalg.norm([2.0, 1.0, 2.0]))
-
-
 def _tenfold_angle() -> float:
     """Where 1 + sin(2 theta) (q + 1/q)/2 = 10, q the thickness over the length."""
     q = _ROD[1] / _ROD[0]
@@ -104,7 +100,8 @@ PREDICTIONS = (
             "length": "two sides of the box are now about as long as the rod",
             "third": "all three sides of the box grow with the turn",
         },
-        wrong={"angle": "A cube turned by 45 degrees doubles. The form decides."},
+        wrong={"angle": "A cube turned by 45 degrees doubles. The form decides.",
+               "third": "The side along the axis of the turn is as it was, 1 cm."},
         later="See",
     ),
     Prediction(
@@ -125,14 +122,6 @@ PREDICTIONS = (
         "The turn takes (1, 2, 0) to (-2, 1, 0), and the shift to (3, 1, 0).",
         unit="m",
         wrong={7: "So it is after a turn the other way.", 6: "That is the shift without the turn."},
-    ),
-    Prediction(
-        "ball_of_box",
-        "A length in space: a box has half extents of 2, 1 and 2 m. How far is a corner from its centre?",
-        _ball_of_box,
-        "The root of 4 + 1 + 4. A ball of 3 m about the centre holds the box at every turn.",
-        unit="m",
-        wrong={5: "That is the sum. The corner's distance is the root of the sum of squares."},
     ),
     Prediction(
         "turned_cube",
