@@ -100,6 +100,36 @@ def inward_twice(points, rotation, translation, direction):
     return farthest(places)(world, inward)
 
 
+# bounding_sphere and principal_box
+
+
+def ritter(move):
+    """Ritter's sphere whose centre moves by ``move(way, distance, old radius, new one)``."""
+
+    def answer(points):
+        low, high = points[np.argmin(points, axis=0)], points[np.argmax(points, axis=0)]
+        widest = np.argmax(np.linalg.norm(high - low, axis=-1))
+        center = 0.5 * (low[widest] + high[widest])
+        radius = 0.5 * np.linalg.norm(high[widest] - low[widest])
+        for point in points:
+            distance = np.linalg.norm(point - center)
+            if distance > radius:
+                grown = 0.5 * (radius + distance)
+                center = center + move(point - center, distance, radius, grown)
+                radius = grown
+        return center, radius
+
+    return answer
+
+
+def by_eigenvalues(points):
+    spread, axes = np.linalg.eigh(np.cov(points.T))
+    axes = axes * np.sign(np.linalg.det(axes))
+    along = (points - points.mean(axis=0)) @ axes
+    middle = 0.5 * (along.max(axis=0) + along.min(axis=0))
+    return points.mean(axis=0) + axes @ middle, axes, np.sqrt(spread)
+
+
 # box_growth
 
 
@@ -155,6 +185,13 @@ ANSWERS = {
     "corner of the compound": ("compound_support", corner_of_all, "a corner of the AABB"),
     "a point for each part": ("compound_support", of_each_part, "You return a point for each part"),
     "the part's direction twice": ("compound_support", inward_twice, "one direction of the world"),
+    "half of the way": (
+        "bounding_sphere", ritter(lambda way, d, r, grown: way / 2), "it moves by (d - r)/2, and not by d/2"),
+    "not of length 1": (
+        "bounding_sphere", ritter(lambda way, d, r, grown: (d - r) / 2 * way), "which is d long and not 1"),
+    "the old radius": (
+        "bounding_sphere", ritter(lambda way, d, r, grown: (1 - r / d) * way), "before it grew"),
+    "eigenvalues": ("principal_box", by_eigenvalues, "the roots of the eigenvalues"),
     "degrees": ("box_growth", in_degrees, "it is in radians already"),
     "minus": ("box_growth", growth(less, along_y), "there is no minus"),
     "squared": ("box_growth", growth(along_x, along_x), "the reach along x for both sides"),

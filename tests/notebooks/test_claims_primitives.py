@@ -5,7 +5,8 @@ import pytest
 from lesson_text import rounds_to, said
 
 from course import study
-from course.shapes import bounding_sphere
+from course.shapes import bounding_sphere, capsule_around
+from course.shapes.mesh_makers import dumbbell_mesh
 from course.workbook.films.growing_dops import growing_dop
 from course.workbook.films.turning_rods import turning_rod
 
@@ -121,6 +122,19 @@ def test_how_good_ritter_s_sphere_is():
         excess = study.ritter_excess(100, points=n, seed=2)
         assert 0.05 < excess.mean() < 0.09 and -1e-12 <= excess.min()
         assert excess.max() < 0.2, "at most a fifth in those tried"
+
+
+def test_a_corner_near_the_rim_keeps_the_round_end_outside():
+    (out,) = said("02-more", "each round end # mm outside of the ball's centre")
+    points = dumbbell_mesh().vertices
+    found = capsule_around(points)
+    assert np.allclose(np.abs([found.start[0], found.end[0]]), 0.2 + float(out) / 1000, atol=4e-4)  # fmt: skip
+    assert 0.0998 < found.radius < 0.1, "by a hair"
+    # The corner that is met: as far from the end's centre as the radius, and near the rim.
+    ahead = points[points[:, 0] > 0.2]
+    far = np.linalg.norm(ahead - np.maximum(found.start, found.end), axis=-1)
+    met = ahead[np.isclose(far, found.radius, atol=1e-9)]
+    assert len(met) and (np.linalg.norm(met[:, 1:], axis=-1) > 0.95 * found.radius).all()  # fmt: skip
 
 
 def test_few_points_fix_the_smallest_sphere():

@@ -180,8 +180,8 @@ PREDICTIONS = (
 DEEPER_PREDICTIONS = (
     Prediction(
         "ritter",
-        "Ritter's sphere looks at each point twice. By how much is its radius larger than the smallest, on average "
-        "over clouds of 100 random points?",
+        "Ritter's sphere is made by going through the points twice. By how much is its radius larger than the "
+        "smallest, on average over clouds of 100 random points?",
         _ritter,
         "About 7 percent: the widest of three pairs is nearly the widest of all, and each growth is the least that "
         "takes the point in. But it never shrinks again.",
@@ -189,6 +189,9 @@ DEEPER_PREDICTIONS = (
             "none": "less than 1 percent: it is nearly exact",
             "some": "between 3 and 12 percent",
             "third": "about a third",
+        },
+        wrong={
+            "third": "In none of the clouds tried here was it more than a fifth too large."
         },
         later="Speed against accuracy",
     ),
@@ -204,6 +207,9 @@ DEEPER_PREDICTIONS = (
             "grows": "it turns toward the crowd and grows",
             "less": "it shrinks toward the crowd",
         },
-        wrong={"less": "It must still hold every point of the outline."},
+        wrong={
+            "same": "The axes come from a mean over all points, and the outline has only some of them.",
+            "less": "It must still hold every point of the outline.",
+        },
     ),
 )
