@@ -92,7 +92,7 @@ def test_the_capsule_and_more_sides_around_the_rod():
     assert rounds_to(found["capsule"].max(), capsule)
     assert rounds_to(found["capsule"].min(), capsule)
     assert np.allclose(found["OBB"], 1.0)
-    many, few = said("02", "26 sides still hold # times the rod's volume, where six hold #.")  # fmt: skip
+    many, few = said("02-more", "26 sides still hold # times the rod's volume, where six hold #.")  # fmt: skip
     found = study.rod_volumes([22.5, 45.0], ["26-DOP", "AABB", "18-DOP"])
     assert rounds_to(found["26-DOP"][0], many) and rounds_to(found["AABB"][0], few)
     assert found["18-DOP"][1] == pytest.approx(1.0), "nothing is lost at 45 degrees"
