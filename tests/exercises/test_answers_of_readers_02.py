@@ -88,6 +88,48 @@ def corner_of_all(points, rotation, translation, direction):
     return np.max(placed(points, rotation, translation), axis=(-3, -2))
 
 
+def of_each_part(points, rotation, translation, direction):
+    inward = np.sum(rotation * direction[..., None, :, None], axis=-2)
+    own = farthest(places)(points, inward)
+    return np.sum(rotation * own[..., None, :], axis=-1) + translation
+
+
+def inward_twice(points, rotation, translation, direction):
+    inward = np.sum(rotation * direction[..., None, :, None], axis=-2)
+    world = of_each_part(points, rotation, translation, direction)
+    return farthest(places)(world, inward)
+
+
+# bounding_sphere and principal_box
+
+
+def ritter(move):
+    """Ritter's sphere whose centre moves by ``move(way, distance, old radius, new one)``."""
+
+    def answer(points):
+        low, high = points[np.argmin(points, axis=0)], points[np.argmax(points, axis=0)]
+        widest = np.argmax(np.linalg.norm(high - low, axis=-1))
+        center = 0.5 * (low[widest] + high[widest])
+        radius = 0.5 * np.linalg.norm(high[widest] - low[widest])
+        for point in points:
+            distance = np.linalg.norm(point - center)
+            if distance > radius:
+                grown = 0.5 * (radius + distance)
+                center = center + move(point - center, distance, radius, grown)
+                radius = grown
+        return center, radius
+
+    return answer
+
+
+def by_eigenvalues(points):
+    spread, axes = np.linalg.eigh(np.cov(points.T))
+    axes = axes * np.sign(np.linalg.det(axes))
+    along = (points - points.mean(axis=0)) @ axes
+    middle = 0.5 * (along.max(axis=0) + along.min(axis=0))
+    return points.mean(axis=0) + axes @ middle, axes, np.sqrt(spread)
+
+
 # box_growth
 
 
@@ -129,12 +171,27 @@ ANSWERS = {
     "place times direction": (
         "support", lambda x, d: np.max(places(x, d), axis=-1)[..., None] * d, "largest place by the direction"),
     "the number": ("support", lambda x, d: np.argmax(places(x, d), axis=-1), "the number of the farthest point"),
+    "the place": ("support", lambda x, d: np.max(places(x, d), axis=-1), "the place of the farthest point, a number"),
+    "an axis too many": ("support", lambda x, d: support(x, d)[..., None, :], "still as a table of one row"),
     "largest coordinates": ("support", lambda x, d: np.max(x, axis=-2), "a corner of the AABB"),
     "numbers of points": ("k_dop", ends(np.argmin, np.argmax, -2), "which point is at the end"),
     "over the directions": ("k_dop", ends(np.min, np.max, -1), "axis=-2 of (..., n, h)"),
     "one array": ("k_dop", stacked, "return lower, upper"),
+    "one end": ("k_dop", lambda x, n: np.max(x @ n.T, axis=-2), "Asked are two results"),
+    "all at once": ("k_dop", ends(np.min, np.max, None), "of all places at once"),
+    "rows": (
+        "k_dop", lambda x, n: (np.min(x @ n, axis=-2), np.max(x @ n, axis=-2)), "turn rows into columns"),
     "both ways": ("k_dop", both_ways, "the largest size of a place for both ends"),
     "corner of the compound": ("compound_support", corner_of_all, "a corner of the AABB"),
+    "a point for each part": ("compound_support", of_each_part, "You return a point for each part"),
+    "the part's direction twice": ("compound_support", inward_twice, "one direction of the world"),
+    "half of the way": (
+        "bounding_sphere", ritter(lambda way, d, r, grown: way / 2), "it moves by (d - r)/2, and not by d/2"),
+    "not of length 1": (
+        "bounding_sphere", ritter(lambda way, d, r, grown: (d - r) / 2 * way), "which is d long and not 1"),
+    "the old radius": (
+        "bounding_sphere", ritter(lambda way, d, r, grown: (1 - r / d) * way), "before it grew"),
+    "eigenvalues": ("principal_box", by_eigenvalues, "the roots of the eigenvalues"),
     "degrees": ("box_growth", in_degrees, "it is in radians already"),
     "minus": ("box_growth", growth(less, along_y), "there is no minus"),
     "squared": ("box_growth", growth(along_x, along_x), "the reach along x for both sides"),

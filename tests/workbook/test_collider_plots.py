@@ -23,7 +23,8 @@ def test_the_turned_box_tells_where_its_corners_lie():
     assert "Highest lies 3 r_1 + 2 r_2, at y = 3.4 m" in text
     said = sorted(t.get_text() for t in ax.texts if "x =" in t.get_text())
     assert said == [
-        "$3 r_1 + 2 r_2$\nx = 1.2, y = 3.4", "$3 r_1 - 2 r_2$\nx = 3.6", "x = -1.2", "x = -3.6",
+        "$3 r_1 + 2 r_2$\nx = 1.2, y = 3.4", "$3 r_1 - 2 r_2$\nx = 3.6", "x = \N{MINUS SIGN}1.2",
+        "x = \N{MINUS SIGN}3.6",
     ]  # fmt: skip
 
 

@@ -55,10 +55,10 @@ def turning_rod(opening: bool = False) -> Exhibit:
         KNOBS,
         [Hand({"angle": (0.0, 115.0, 0.0)}, body=0)],
         PRESETS,
-        question="A rod of 1 m by 1 cm by 1 cm lies along x, and its upright box fits it exactly. By how much must it "
-        "be turned before the box has ten times its volume?",
-        answer="By 5.2 degrees. The ratio is 1 + sin(2θ) (q + 1/q)/2, with the thickness over the length q = 0.01: it "
-        "is steepest at the start, and at 45 degrees it is 51.",
+        question="A rod of 1 m by 1 cm by 1 cm has the largest box at 45 degrees, with 51 times its volume. Ten times "
+        "as thick, at which angle has it the largest, and with how many times its volume?",
+        answer="At 45 degrees as well, but with 6.05 times. The ratio is 1 + sin(2θ) (q + 1/q)/2, with the thickness "
+        "over the length q = 0.1: the thickness changes how high the curve is, and not where.",
     )
 
 

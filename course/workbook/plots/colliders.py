@@ -73,7 +73,7 @@ def _combined(e: Array, sign: Array) -> str:
 def _corner_said(e: Array, sign: Array, x: float, y: float) -> str:
     """A corner's place along x; of the two with plus r_1 also which corner it is, and how high the first is."""
     if sign[0] < 0:
-        return f"x = {x:.1f}"
+        return f"x = {x:.1f}".replace("-", "\N{MINUS SIGN}")  # as along the axis
     name = f"${_combined(e, sign)}$"
     return f"{name}\nx = {x:.1f}" + (f", y = {y:.1f}" if sign[1] > 0 else "")
 

@@ -59,9 +59,13 @@ def test_the_box_around_the_rod_is_that_of_its_corners_and_is_seen(values):
 
 
 def test_the_question_of_the_rod_is_answered_by_its_film():
-    film = turning_rod().made(angle=5.184)
-    assert film.numbers[0].values[0] == pytest.approx(10.0, abs=0.01)
-    assert film.numbers[1].values[0] == pytest.approx(51.005)
+    for thickness, most in ((0.01, 51.005), (0.1, 6.05)):
+        film = turning_rod().made(thickness=thickness)
+        assert film.numbers[1].values[0] == pytest.approx(most)
+        at = turning_rod().made(angle=45.0, thickness=thickness).numbers[0].values[0]
+        assert at == pytest.approx(most)
+        curve = film.charts[0].guides["at every angle"]
+        assert curve[np.argmax(curve[:, 1]), 0] in (45.0, 135.0)
 
 
 @pytest.mark.slow

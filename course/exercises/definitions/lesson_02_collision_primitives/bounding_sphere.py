@@ -124,6 +124,27 @@ BOUNDING_SPHERE = Exercise(
             "(radius / distance)",
         ),
         _slip(
+            "half of the way",
+            "The centre goes half of the way to the point. It has to stand halfway between the point and the old "
+            "sphere's far end: it moves by (d - r)/2, and not by d/2.",
+            "(1 - radius / distance) * (point",
+            "0.5 * (point",
+        ),
+        _slip(
+            "step times the whole way",
+            "The centre moves by d - r' toward the point; but you multiply that by point - center, which is d long and "
+            "not 1. Divide it by d.",
+            "(1 - radius / distance)",
+            "(distance - radius)",
+        ),
+        _slip(
+            "share with the old radius",
+            "The centre goes twice as far as it should: the share 1 - r/d takes the radius from before it grew. With "
+            "the new one it is 1 - r'/d.",
+            "(1 - radius / distance)",
+            "2 * (1 - radius / distance)",
+        ),
+        _slip(
             "middle of the points",
             "You begin at the middle of all points. Ritter begins at the middle of the widest pair, which is nearer to "
             "where the sphere must be.",

@@ -87,7 +87,7 @@ COMPOUND_SUPPORT = Exercise(
     name="compound_support",
     rows=(7,),
     points=3,
-    minutes=8,
+    minutes=9,
     task="Return the point of a compound that lies farthest along a direction; each part has points in its own axes, "
     "a rotation and a translation.",
     arguments=(
@@ -194,6 +194,20 @@ COMPOUND_SUPPORT = Exercise(
             "In the end you take the part that reaches least far along the direction.",
             _CHOSEN,
             "support(placed, -direction)",
+        ),
+        _slip(
+            "one of each part",
+            "You return a point for each part. Only the farthest of these is asked: one more support, along the "
+            "direction of the world.",
+            _CHOSEN,
+            "placed",
+        ),
+        _slip(
+            "part's direction in the end",
+            "In the last step the points are in the world, but `inward` holds a direction for each part, in its own "
+            "axes. Ask the placed points along the one direction of the world.",
+            _CHOSEN,
+            "support(placed, inward)",
         ),
         _slip(
             "mean of the parts",

@@ -45,7 +45,7 @@ K_DOP = Exercise(
     name="k_dop",
     rows=(5,),
     points=2,
-    minutes=6,
+    minutes=5,
     task="Return the intervals of the k-DOP around each set of points: the least and the largest place along each "
     "direction.",
     arguments=(
@@ -115,9 +115,24 @@ K_DOP = Exercise(
         ),
         _slip(
             "one array",
-            "The numbers are right, but they are stacked in one array. Return two: `return lower, upper`.",
+            "Asked are two results, each of shape (..., h): `return lower, upper`. Neither one end alone nor both in "
+            "one array.",
             f"return {_RETURNED}",
             f"return np.stack([{_RETURNED}])",
+        ),
+        _slip(
+            "all numbers at once",
+            "You take the least and the largest of all places at once. Each direction has its own interval: go over "
+            "the points, axis=-2.",
+            _RETURNED,
+            "np.min(along), np.max(along)",
+        ),
+        _slip(
+            "rows for columns",
+            "Each row of directions is one direction. points @ M lays the points out along M's columns: turn rows "
+            "into columns first.",
+            _ALONG,
+            "points @ directions",
         ),
         _slip(
             "largest size both ways",

@@ -75,7 +75,7 @@ PRINCIPAL_BOX = Exercise(
     name="principal_box",
     rows=(4,),
     points=3,
-    minutes=10,
+    minutes=12,
     level="stretch",
     task="Return the box around points along the principal axes of their covariance, which differ in spread.",
     arguments=(Value("points", "(n, 3)", "m", "not all in a plane"),),
@@ -122,6 +122,13 @@ PRINCIPAL_BOX = Exercise(
             "must hold all.",
             "0.5 * (upper - lower)",
             "np.std(along, axis=0)",
+        ),
+        _slip(
+            "spread, of a sample",
+            "You return the roots of the eigenvalues, the standard deviations along the axes. Most points lie within "
+            "twice of that, but the box must hold all.",
+            "0.5 * (upper - lower)",
+            "np.std(along, axis=0, ddof=1)",
         ),
         _slip(
             "along the world's axes",

@@ -45,7 +45,7 @@ ROTATED_BOX_EXTENTS = Exercise(
     name="rotated_box_extents",
     rows=(4,),
     points=2,
-    minutes=7,
+    minutes=6,
     task="Return the half extents, along the world's axes, of the upright box around a turned box.",
     arguments=(
         Value("half_extents", "(..., 3)", "m", "half the sides of the turned box"),

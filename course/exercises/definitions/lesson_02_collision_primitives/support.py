@@ -85,7 +85,7 @@ SUPPORT = Exercise(
     name="support",
     rows=(3, 6),
     points=1,
-    minutes=7,
+    minutes=8,
     task="Return the point of each set that lies farthest along a direction.",
     arguments=(POINTS, DIRECTION),
     results=(Value("farthest", "(..., 3)", "m", "one of the points of each set"),),
@@ -168,6 +168,20 @@ SUPPORT = Exercise(
             ),
             "That is the number of the farthest point in its set. Asked is the point: take it out of points with this "
             "number, as the cell above does.",
+        ),
+        Mistake(
+            "place of the point",
+            lambda points, direction: np.max(
+                np.sum(points * np.asarray(direction)[..., None, :], axis=-1), axis=-1
+            ),
+            "That is the place of the farthest point, a number. Asked is the point: find which one it is, and take it "
+            "out of points.",
+        ),
+        Mistake(
+            "axis left over",
+            slip(formulas.support, _TAKEN, "np.take_along_axis(points, best, axis=-2)"),
+            "These are the right points, each still as a table of one row. Take the row out of it, as the cell above "
+            "does in the end.",
         ),
         Mistake(
             "place times direction",
