@@ -99,12 +99,15 @@ def _knobs_beside(
 def _exact_level(
     ax: Axes, cost: Array, exact: BoolArray, floor: float, words: str
 ) -> None:
-    """The level at which exact runs are drawn; its words at the end that is farther from them."""
+    """The level at which exact runs are drawn; its words where the gap between runs is widest."""
     ax.axhline(floor, color="0.6", lw=0.8, ls=":")
-    left, right = float(cost.min()), float(cost.max())
-    at_left = cost[exact].min() * cost[exact].max() >= left * right
-    ax.text(left if at_left else right, floor, words, va="bottom",
-            ha="left" if at_left else "right", fontsize=8.5, color="0.35")  # fmt: skip
+    runs = np.unique(np.log([cost.min(), *cost[exact], cost.max()]))
+    if len(runs) == 1:
+        at, side = runs[0], "left"
+    else:
+        widest = int(np.argmax(np.diff(runs)))
+        at, side = runs[widest : widest + 2].mean(), "center"
+    ax.text(float(np.exp(at)), floor, words, va="bottom", ha=side, fontsize=8.5, color="0.35")  # fmt: skip
 
 
 def _floor(error: Array) -> float:

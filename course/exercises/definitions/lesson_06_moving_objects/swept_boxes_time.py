@@ -152,7 +152,7 @@ SWEPT_BOXES_TIME = Exercise(
     name="swept_boxes_time",
     rows=(12,),
     points=3,
-    minutes=8,
+    minutes=9,
     task="Return when two moving axis-aligned boxes first touch: 0 where they overlap, or touch and approach; "
     "inf where "
     "they never do within the horizon.",

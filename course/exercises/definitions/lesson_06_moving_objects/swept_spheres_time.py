@@ -160,7 +160,7 @@ SWEPT_SPHERES_TIME = Exercise(
             *_AS_DIFFERENCE,
             "c / below",
             "root",
-            message="You do not ask whether they approach: b < 0. Of spheres that part, both roots lie in the past, and "
+            message="You do not ask whether they approach: b < 0. Of spheres that part, both roots lie in the past; "
             "those that slide along have t = 0 and never meet.",
         ),
         _wrong(
@@ -171,7 +171,7 @@ SWEPT_SPHERES_TIME = Exercise(
             _AS_DIFFERENCE[1].replace("np.nan", "1.0"),
             "c / below",
             "root",
-            message="You do not ask whether they approach: b < 0. Of spheres that part, both roots lie in the past, and "
+            message="You do not ask whether they approach: b < 0. Of spheres that part, both roots lie in the past; "
             "those that slide along, or are carried along together, have t = 0 and never meet.",
         ),
         _wrong(
