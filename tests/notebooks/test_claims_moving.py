@@ -170,7 +170,7 @@ def test_how_far_short_is_enough():
 
 def test_hits_near_a_rim_have_short_ways():
     """A way of length s is s^2/(8 r) below the surface, to first order."""
-    assert "some $s^2/(8r)$ below its surface" in " ".join(said_text())
+    said("06-more", "comes no deeper than some $s^2/(8r)$ below its surface")
     s, radius = 0.01, 0.3
     below = radius - np.sqrt(radius**2 - (s / 2) ** 2)
     assert below == pytest.approx(s**2 / (8 * radius), rel=1e-3)
