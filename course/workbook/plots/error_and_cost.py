@@ -99,13 +99,16 @@ def _knobs_beside(
 def _exact_level(
     ax: Axes, cost: Array, exact: BoolArray, floor: float, words: str
 ) -> None:
-    """The level at which exact runs are drawn; its words where the gap between runs is widest."""
+    """The level at which exact runs are drawn; its words at the end that is free of them, or between two."""
     ax.axhline(floor, color="0.6", lw=0.8, ls=":")
-    runs = np.unique(np.log([cost.min(), *cost[exact], cost.max()]))
-    if len(runs) == 1:
-        at, side = runs[0], "left"
-    else:
-        widest = int(np.argmax(np.diff(runs)))
+    left, right = np.log(cost.min()), np.log(cost.max())
+    runs = np.sort(np.log(cost[exact]))
+    ends = {"left": runs[0] - left, "right": right - runs[-1]}
+    side = max(ends, key=lambda name: ends[name])
+    at = left if side == "left" else right
+    between = np.diff(runs)
+    if between.size and ends[side] < 0.25 * between.max():
+        widest = int(np.argmax(between))
         at, side = runs[widest : widest + 2].mean(), "center"
     ax.text(float(np.exp(at)), floor, words, va="bottom", ha=side, fontsize=8.5, color="0.35")  # fmt: skip
 
