@@ -154,10 +154,10 @@ def missed_by_chords(shots: Shots, hits: BoolArray, looks: int) -> float:
 def missed_hit_costs(
     shots: Shots, hits: BoolArray, *, looks: tuple[int, ...] = (1, 2, 4, 8, 16, 32, 64, 128, 256), peers: bool = True
 ) -> WorkPrecision:  # fmt: skip
-    """Missed hits against cost: looks, the sweep, and python-fcl where it is installed.
+    """Missed hits against cost: looks, the sweep, and python-fcl and coal where they are installed.
 
-    The counted unit is a test of one pair at one time, or one root. What the library
-    counts inside is not known: it has a count of 0.
+    The counted unit is a test of one pair at one time, or one root. What the libraries
+    count inside is not known: they have a count of 0.
     """
     problem = Problem(
         f"{len(shots)} shots", lambda said: missed_share(said, hits),

@@ -56,6 +56,14 @@ def not_below_0(a, b, inside, t):
     return (t >= 0) & (inside >= 0) & (a > 0)
 
 
+def any_time(a, b, inside, t):
+    return inside >= 0
+
+
+def above_0(a, b, inside, t):
+    return (t > 0) & (inside >= 0)
+
+
 def bars(a, b, inside, t):
     return b < 0
 
@@ -72,6 +80,7 @@ def boxes(
     meets=at_once,
     between=lambda v, w: v - w,
     ends=lambda one, other: (np.minimum(one, other), np.maximum(one, other)),
+    slide=lambda rubs, first: rubs & (first <= 0),
 ):
     """By the lines that are given, and a combination of one's own."""
 
@@ -85,11 +94,15 @@ def boxes(
         other = np.where(still, np.inf, other)
         rubs = np.any(still & ((before == 0) | (after == 0)), axis=-1)
         first, last = combined(*ends(one, other))
-        slides = rubs & (first <= 0)
+        slides = slide(rubs, first)
         meet = meets(first, last) & (first <= horizon) & ~slides
         return np.where(meet, np.maximum(first, 0), np.inf)
 
     return time
+
+
+def never(rubs, first):
+    return np.zeros_like(rubs)
 
 
 def tiny(v, w):
@@ -107,6 +120,8 @@ ANSWERS = {
     "abs under the root": (
         "swept_spheres_time", spheres(bars, lambda i: np.sqrt(np.abs(i))), "Below 0 under the root"),
     "t >= 0": ("swept_spheres_time", spheres(not_below_0), "ask b < 0"),
+    "whatever the time": ("swept_spheres_time", spheres(any_time), "ask whether they approach"),
+    "t > 0": ("swept_spheres_time", spheres(above_0), "which t > 0 leaves out"),
     "(a) not sorted": (
         "swept_boxes_time", boxes(ends=lambda one, other: (one, other)), "take them as they come"),
     "(b) first and last exchanged": (
@@ -119,6 +134,16 @@ ANSWERS = {
         "swept_boxes_time", boxes(between=tiny), "something move slowly"),
     "(f) max of all": (
         "swept_boxes_time", boxes(lambda e, f: (e.max(), f.min(-1))), "without axis=-1"),
+    "(g) neither parting nor sliding": (
+        "swept_boxes_time", boxes(meets=lambda first, last: first <= last, slide=never), "they are parting"),
+    "(h) the last entry alone": (
+        "swept_boxes_time", boxes(meets=lambda first, last: first < np.inf), "ask nothing of the ends"),
+    "(i) the last entry alone, and no slide": (
+        "swept_boxes_time", boxes(meets=lambda first, last: first < np.inf, slide=never), "ask nothing of the ends"),
+    "(j) the last entry and an end after the start": (
+        "swept_boxes_time", boxes(meets=lambda first, last: last > 0, slide=never), "pass each other"),
+    "(k) sliding before the start alone": (
+        "swept_boxes_time", boxes(slide=lambda rubs, first: rubs & (first < 0)), "just at the start"),
     "(f) at both ends": (
         "swept_boxes_time", boxes(lambda e, f: (e.max(), f.min())), "without axis=-1"),
 }  # fmt: skip

@@ -77,14 +77,28 @@ def test_costs_are_measured_for_every_method(shots, hits):
 
 
 @pytest.mark.peers
-def test_a_library_that_advances_agrees_and_one_that_looks_misses(shots, hits):
+def test_libraries_that_advance_agree_and_one_that_looks_misses(shots, hits):
     engines = swept_engines()
     if not engines:
-        pytest.skip("python-fcl is not installed")
-    advanced = engines["python-fcl, advancement"](*shots.arguments)
-    looked = engines["python-fcl, 100 looks"](*shots.arguments)
-    assert np.array_equal(advanced, hits)
-    assert 0 < missed_share(looked, hits) < 0.15 and not np.any(looked & ~hits)
+        pytest.skip("neither python-fcl nor coal is installed")
+    said = {name: asked(*shots.arguments) for name, asked in engines.items()}
+    looked = said.pop("python-fcl, 100 looks", None)
+    for name, advanced in said.items():
+        assert np.array_equal(advanced, hits), name
+    if looked is not None:
+        assert 0 < missed_share(looked, hits) < 0.15 and not np.any(looked & ~hits)
+
+
+@pytest.mark.peers
+def test_coal_is_asked_of_balls_that_overlap_rest_or_part_as_well():
+    asked = swept_engines().get("coal, advanced by its gaps")
+    if asked is None:
+        pytest.skip("coal is not installed")
+    x = np.array([[0.5, 0, 0], [3.0, 0, 0], [3.0, 0, 0], [3.0, 0, 0]])
+    v = np.array([[1.0, 0, 0], [0, 0, 0], [1.0, 0, 0], [-2.0, 0, 0]])
+    ones, zeros = np.ones(4), np.zeros((4, 3))
+    said = asked(x, ones, v, zeros, ones, zeros, 1.0)
+    assert said.tolist() == [True, False, False, True]
 
 
 def test_without_the_library_there_is_no_way_of_it(monkeypatch):

@@ -74,7 +74,9 @@ def spread_over(decades, *, start):
     return WorkPrecision(problem, "steps", names, error, error, seconds, seconds)
 
 
-@pytest.mark.parametrize(("exact", "side"), [(0, "right"), (4, "left")])
+@pytest.mark.parametrize(
+    ("exact", "side"), [(0, "right"), (4, "left"), ([0, 4], "center")]
+)
 def test_the_words_at_the_level_of_exact_runs_stand_away_from_them(exact, side):
     result = spread_over(2.0, start=1e-3)
     result.error[exact] = 0.0

@@ -30,7 +30,7 @@ MEETING_TIME = Exercise(
     kind="expression",
     rows=(12,),
     points=2,
-    minutes=5,
+    minutes=4,
     task="Give the time at which two spheres first touch, in a = v.v, b = m.v and c = m.m - r^2.",
     arguments=(
         Value("a", "scalar", "m²/s²", "v.v, the speed squared"),

@@ -148,7 +148,8 @@ PREDICTIONS = (
         "It touches the wall on 0.1 + 2 * 0.002 = 0.104 m of its way, and 900/0.104 = 8,654.",
         unit="looks a second",
         tolerance=0.002,
-        wrong={9000: "That is 900/0.1, for a point.", 8823.5: "The front meets the wall a radius before the "
+        wrong={4327: "There half of them are seen. Asked is a probability of 0.",
+            9000: "That is 900/0.1, for a point.", 8823.5: "The front meets the wall a radius before the "
         "centre, and "
             "the back leaves it a radius after: a whole diameter."},
     ),
@@ -161,7 +162,9 @@ PREDICTIONS = (
         "60 looks are 20 cm apart, and miss 10 in 100; 200 looks miss 0.65. What is left is bullets that hit a ball "
         "near its rim, where the way through it is short.",
         choices={"20": "20", "60": "60", "200": "200", "more": "more than 200"},
-        wrong={"20": "Then the looks are half a metre apart: only the largest balls are hit surely."},
+        wrong={"20": "Then the looks are half a metre apart: only the largest balls are hit surely.",
+            "60": "Through the middle of each ball that would do. But most do not hit the middle.",
+            "more": "Some are missed with any number, but fewer than 1 in 100 with 200."},
     ),
     Prediction(
         "far_marble",
@@ -189,7 +192,8 @@ PREDICTIONS = (
         "overlap, and who "
         "overlaps meets at 0, whichever way it moves.",
         choices={"none": "none: they part", "half": "about half", "all": "nearly all"},
-        wrong={"none": "They part. But the function gives 0 for all that overlap, before it asks which way they move."},
+        wrong={"none": "They part. But the function gives 0 for all that overlap, before it asks which way they move.",
+            "all": "If they all overlapped, yes. Rounding puts some before the touch and some behind it."},
     ),
     Prediction(
         "light_barrier",

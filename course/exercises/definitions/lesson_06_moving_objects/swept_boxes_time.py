@@ -152,7 +152,7 @@ SWEPT_BOXES_TIME = Exercise(
     name="swept_boxes_time",
     rows=(12,),
     points=3,
-    minutes=8,
+    minutes=9,
     task="Return when two moving axis-aligned boxes first touch: 0 where they overlap, or touch and approach; "
     "inf where "
     "they never do within the horizon.",
@@ -251,11 +251,52 @@ SWEPT_BOXES_TIME = Exercise(
             "the start, first < 0, the answer is 0.",
         ),
         _wrong(
+            "those that part and those that slide",
+            "(first <= last) & (last > 0)",
+            "(first <= last)",
+            " & ~slides",
+            "",
+            message="Where the first end is not after the start, last <= 0, they are parting: inf. So it is where they "
+            "touch and slide along, which rubs tells.",
+        ),
+        _wrong(
+            "the last entry alone",
+            "(first <= last) & (last > 0)",
+            "(first <= np.inf)",
+            message="You take the last entry and ask nothing of the ends. An axis that has been left before that, or "
+            "before the start, keeps them apart: inf.",
+        ),
+        _wrong(
+            "the last entry alone, and those that slide",
+            "(first <= last) & (last > 0)",
+            "(first <= np.inf)",
+            " & ~slides",
+            "",
+            message="You take the last entry and ask nothing of the ends. An axis that has been left before that, or "
+            "before the start, keeps them apart: inf. So does an axis on which they slide.",
+        ),
+        _wrong(
+            "not compared, and those that slide",
+            "(first <= last) & (last > 0)",
+            "(last > 0)",
+            " & ~slides",
+            "",
+            message="The last entry must not come after the first end, or the boxes pass each other. Besides, those "
+            "that touch and slide along never meet.",
+        ),
+        _wrong(
+            "sliding from the start on",
+            "rubs & (first <= 0)",
+            "rubs & (first < 0)",
+            message="Those whose last entry is just at the start, first = 0, touch already. Where their shadows rub "
+            "on an axis besides, they slide: inf.",
+        ),
+        _wrong(
             "asked at the start",
             "(first <= last) & (last > 0)",
             "(first <= last) & (first >= 0)",
-            message="Boxes that overlap at the start have first < 0, and their answer is 0. Those that have parted "
-            "already are told by last <= 0.",
+            message="Boxes that overlap at the start have their last entry in the past, and their answer is 0. Those "
+            "that have parted already are told by the first end: it is not after the start.",
         ),
         _wrong(
             "touching and parting",
@@ -328,7 +369,7 @@ SWEPT_BOXES_TIME = Exercise(
         "Axis by axis: between which two times do the shadows overlap? Then all three at once: from the last entry to "
         "the first end.",
         "first is the last of the three entries, last the first of the three ends. They meet if first is not after "
-        "last, last is not in the past, first is within the horizon, and they do not slide. Then the time is first, or "
+        "last, last is after the start, first is within the horizon, and they do not slide. Then the time is first, or "
         "0 where that is in the past.",
         "first, last = np.max(enter, axis=-1), ____\n"
         "slides = rubs & (____ <= 0)\n"

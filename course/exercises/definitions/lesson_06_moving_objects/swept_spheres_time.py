@@ -30,6 +30,11 @@ _BARS = (
     "The bars make a root of what has none. Below 0 under the root the spheres pass each other: ask for inside >= 0 as "
     "well; np.maximum(inside, 0) only keeps NumPy quiet."
 )
+#: The first root as a difference, where a is above 0; NaN at a = 0.
+_AS_DIFFERENCE = (
+    "below = np.where(meets, -b + np.sqrt(np.maximum(inside_root, 0)), 1.0)",
+    "root = (-b - np.sqrt(np.maximum(inside_root, 0))) / np.where(a > 0, a, np.nan)",
+)
 _LAST = "np.where(time <= horizon, time, np.inf)"
 
 
@@ -147,6 +152,37 @@ SWEPT_SPHERES_TIME = Exercise(
             "(b < 0) & (inside_root >= 0)",
             "(b != 0) & (inside_root >= 0)",
             message="Of spheres that part, both roots lie in the past. They meet only if they approach: b < 0.",
+        ),
+        _wrong(
+            "those that part, as the first root",
+            "(b < 0) & (inside_root >= 0)",
+            "inside_root >= 0",
+            *_AS_DIFFERENCE,
+            "c / below",
+            "root",
+            message="You do not ask whether they approach: b < 0. Of spheres that part, both roots lie in the past; "
+            "those that slide along have t = 0 and never meet.",
+        ),
+        _wrong(
+            "those that part, as the first root, guarded at rest",
+            "(b < 0) & (inside_root >= 0)",
+            "inside_root >= 0",
+            _AS_DIFFERENCE[0],
+            _AS_DIFFERENCE[1].replace("np.nan", "1.0"),
+            "c / below",
+            "root",
+            message="You do not ask whether they approach: b < 0. Of spheres that part, both roots lie in the past; "
+            "those that slide along, or are carried along together, have t = 0 and never meet.",
+        ),
+        _wrong(
+            "a time above 0",
+            "(b < 0) & (inside_root >= 0)",
+            "inside_root >= 0",
+            *_AS_DIFFERENCE,
+            "np.where(meets, c / below, np.inf)",
+            "np.where(meets & (root > 0), root, np.inf)",
+            message="Those that touch and approach meet at t = 0, which t > 0 leaves out. Whether they approach says "
+            "b < 0.",
         ),
         _wrong(
             "those that pass",
