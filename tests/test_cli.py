@@ -299,6 +299,7 @@ if __name__ == "__main__":
         (["-m", "course"], False, os.pathsep + "." + os.pathsep),
     ],
 )
+@pytest.mark.long
 def test_grading_the_current_folder_imports_nothing_of_it(
     tmp_path, start, package, path
 ):

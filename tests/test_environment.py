@@ -692,6 +692,7 @@ def test_progress_counts_out_of_the_lock_s_total(project, capsys):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_first_start_second_start_and_a_changed_lock(project):
     code, out, err = tiny_project.run(project, "hello", PYTHONDONTWRITEBYTECODE="1")
     assert code == 7, err
@@ -731,6 +732,7 @@ def test_killed_at_a_real_moment_it_is_completed(project, when):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_two_set_ups_at_once(project):
     first = tiny_project.start(project, "first")
     for _ in range(600):
@@ -748,6 +750,7 @@ def test_two_set_ups_at_once(project):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_wrong_hash_installs_nothing(project):
     lock = project / "requirements.lock"
     lock.write_text(

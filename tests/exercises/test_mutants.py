@@ -78,6 +78,7 @@ def test_a_sample_of_the_mutants_fails(part):
         assert not passed, f"{exercise.name}:\n{told(set(passed))}"
 
 
+@pytest.mark.long
 def test_every_listed_mutant_is_one_and_has_a_reason():
     assert set(SURVIVORS) <= {e.name for e in EXERCISES}
     for name, known in SURVIVORS.items():
@@ -113,6 +114,7 @@ def test_mutants_are_the_slips_one_expects():
     } <= swept
 
 
+@pytest.mark.long
 def test_keys_are_unique_and_each_mutant_is_python():
     for exercise in EXERCISES:
         mutants = mutants_of(exercise.reference)

@@ -55,6 +55,7 @@ def excess(moments: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
+@pytest.mark.long
 def test_every_inertia_is_one_that_a_body_can_have(exercise):
     every = [
         (f"seed {seed}, {case.label}", moments)

@@ -109,12 +109,14 @@ def test_what_is_green_in_the_kernel_passes(name):
 
 
 @pytest.mark.parametrize("name", kernels([*GREEN, *SAVED, *range(DRAWN)]))
+@pytest.mark.long
 def test_what_is_green_in_the_kernel_passes_without_a_box(name):
     row = judged(green(name), boxed=False, seconds=4.0)["thrice"]
     assert (row.state, row.points) == ("passed", 1), row.reason
 
 
 @pytest.mark.parametrize("name", kernels([*GREEN, *PERSON, *SAVED, *range(DRAWN)]))
+@pytest.mark.long
 def test_it_is_green_in_a_kernel_indeed(name, tmp_path):
     assert verdict_in_kernel(green(name), tmp_path) == "passed"
 
@@ -139,6 +141,7 @@ def test_a_wrong_answer_that_does_not_lean_on_a_command_is_wrong():
 @pytest.mark.parametrize(
     "packages", [False, pytest.param(True, marks=pytest.mark.slow)]
 )
+@pytest.mark.long
 def test_what_is_harmless_is_not_named(boxed, packages):
     """Those that load what takes seconds apart."""
     sources = [s for s in HARMLESS.values() if bool(PACKAGES.search(s)) == packages]

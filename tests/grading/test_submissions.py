@@ -114,6 +114,7 @@ STRANGE = [
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="names that Windows refuses")
+@pytest.mark.long
 def test_no_page_is_ever_written_over_another_s(tmp_path):
     """On the folder's own file system, and as the names would be on one without case
     and normal forms.

@@ -144,6 +144,7 @@ def test_killed_again_and_again_a_batch_comes_to_its_end(tmp_path, temporary):
     assert len(seen) == 12 and {row["twice"] for row in seen.values()} == {"2"}
 
 
+@pytest.mark.long
 def test_two_graders_do_not_write_to_one_table(folder, tmp_path, temporary):
     write(folder / "zoe.ipynb", only("twice", SLEEPS))
     out = tmp_path / "grades.csv"
@@ -231,6 +232,7 @@ def grow(path, size):
     subprocess.run(["mount", "-o", f"remount,size={size}", str(path)], check=True)
 
 
+@pytest.mark.long
 def test_a_full_disk_under_the_table(tmp_path, temporary):
     for index in range(40):
         write(tmp_path / "in" / f"{index:02}{'n' * 200}.ipynb", "no notebook" * index)
@@ -276,6 +278,7 @@ def test_a_full_disk_under_the_pages(tmp_path, temporary):
 
 
 @pytest.mark.parametrize("workers", [1, 2, 4])
+@pytest.mark.long
 def test_one_seed_gives_one_table_with_any_number_of_workers(folder, tmp_path, workers):
     write(folder / "half.ipynb", only("twice", "def twice(x):\n    return -2 * x"))
     late = f"import time; time.sleep(0.5)\n{RIGHT['twice']}"

@@ -40,6 +40,7 @@ def meets(a, b, *, horizon=10.0, velocity=STILL, **turning):
     return float(time_of_impact(a, b, velocity, STILL, horizon=horizon, **turning))
 
 
+@pytest.mark.long
 def test_a_rod_that_turns_about_its_end_meets_a_ball():
     """Where the ball's centre is as far from the rod as both radii: pi/2 - asin((r + s)/1)."""
     for r, s in ((0.0, 0.1), (0.05, 0.1), (1e-8, 1e-8), (1e-4, 0.0)):

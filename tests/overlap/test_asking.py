@@ -38,6 +38,7 @@ def drawn_pair(kind_a, kind_b, count=24, seed=0, spread=0.9):
 
 
 @every_pair
+@pytest.mark.long
 def test_verdict_gap_and_contacts_agree(kind_a, kind_b):
     a, b = drawn_pair(kind_a, kind_b)
     d, hit = gap(a, b), overlaps(a, b)

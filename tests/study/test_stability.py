@@ -67,6 +67,7 @@ def test_the_threshold_of_rk4():
 
 
 @pytest.mark.parametrize("method", [symplectic_euler, splitting])
+@pytest.mark.long
 def test_the_threshold_of_symplectic_methods(method):
     assert find_threshold(stays(method), 1.7, 2.5, tolerance=4e-3) == pytest.approx(
         2, rel=1e-2
@@ -74,6 +75,7 @@ def test_the_threshold_of_symplectic_methods(method):
 
 
 @pytest.mark.parametrize("ratio", [0.02, 0.1, 0.5, 1.0])
+@pytest.mark.long
 def test_the_threshold_of_symplectic_euler_with_damping(ratio):
     predicted = 2 * (np.sqrt(1 + ratio**2) - ratio)
     found = find_threshold(

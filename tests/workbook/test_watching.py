@@ -145,6 +145,7 @@ def test_a_planted_mistake_is_seen(name):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", WATCHED)
+@pytest.mark.long
 def test_no_planted_mistake_breaks_the_film(name):
     """Whatever a mistake gives, the film is made, and says something."""
     for mistake in find_exercise(name)[1].mistakes:

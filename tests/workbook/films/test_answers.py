@@ -31,6 +31,7 @@ def ends(exhibit):
 @pytest.mark.slow
 @pytest.mark.parametrize("mistaken", [False, True])
 @pytest.mark.parametrize("name", EACH)
+@pytest.mark.long
 def test_it_stands_still_where_it_should_and_says_something(name, mistaken):
     exercise = find_exercise(name)[1]
     answer = exercise.mistakes[0].function if mistaken else exercise.reference

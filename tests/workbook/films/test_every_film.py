@@ -28,6 +28,7 @@ def at_the_ends(exhibit: Exhibit) -> list[dict[str, float]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", EXHIBITS)
+@pytest.mark.long
 def test_it_can_be_made_at_both_ends_of_every_knob_and_for_every_preset(name):
     exhibit = EXHIBITS[name]
     first = exhibit.made()
