@@ -14,6 +14,7 @@ from course.arrays import (
     broadcast,
     failure,
     indices,
+    non_negative,
     scalar,
     vectors,
     written,
@@ -21,7 +22,17 @@ from course.arrays import (
 from course.arrays import rotations as rotations_of
 from course.detection.world.coherence import Memory, next_frame
 from course.detection.world.counters import Counters
-from course.detection.world.members import Members, made_members
+from course.detection.world.first_hits import FirstHit, first_of, flights_of
+from course.detection.world.members import LARGEST, Members, made_members
+from course.detection.world.queries import (
+    Index,
+    Nearest,
+    RayHits,
+    containing,
+    hit_by_rays,
+    met_by,
+    nearest_to,
+)
 from course.overlap import Contacts
 from course.shapes import AABB, Shape
 
@@ -44,6 +55,7 @@ class CollisionWorld:
         self._members = Members.none()
         self._memory = Memory.blank()
         self._next = 0
+        self._index: dict[int, Index] = {}  # by mask, until anything changes
         self.counters = Counters()
 
     def __len__(self) -> int:
@@ -90,6 +102,7 @@ class CollisionWorld:
         handle = self._next + np.arange(shapes.count)
         new = made_members(shapes.reshaped(shapes.count), handle, *columns)
         self._members = self._members.joined(new)
+        self._index.clear()
         self._memory = self._memory.joined(len(new))
         self._next += handle.size
         return handle.reshape(shapes.batch)
@@ -112,6 +125,7 @@ class CollisionWorld:
         turn, shift = _poses(np.shape(handles), rotation, translation)
         self._members.put(rows, turn[which], shift[which])
         self._memory = self._memory.touched(rows)
+        self._index.clear()
 
     def remove(self, handles: ArrayLike) -> None:
         """Take colliders out; their handles are never given again.
@@ -125,6 +139,7 @@ class CollisionWorld:
         keep = np.ones(len(self._members), dtype=bool)
         keep[rows] = False
         self._members, self._memory = self._members.kept(keep), self._memory.kept(keep)
+        self._index.clear()
 
     def contacts(self, *, margin: float = 0.0) -> Contacts:
         """Where colliders of different bodies touch, penetrate, or are within a margin of each other.
@@ -147,6 +162,141 @@ class CollisionWorld:
         assert found.pair is not None
         pair = np.cumsum(np.diff(found.pair, prepend=-1) != 0) - 1
         return Contacts.unchecked(**{**vars(found), "pair": pair})
+
+    def first_hit(
+        self,
+        velocity: ArrayLike,
+        *,
+        spin: ArrayLike = (0.0, 0.0, 0.0),
+        acceleration: ArrayLike = (0.0, 0.0, 0.0),
+        horizon: float,
+    ) -> FirstHit:
+        """Which colliders meet first, if every body flies on for a while as it does now.
+
+        x(t) = c + v t + a t^2/2 + exp(t omega x)(x - c), c being the place where ``move`` last
+        put the body's colliders. Whom a body can meet is told by the box around its whole way;
+        a body that comes to a stop and turns back within the horizon misses nothing.
+
+        Args:
+            velocity, spin, acceleration: v [m/s], omega [rad/s], a [m/s^2] of each body,
+                (n, 3) for bodies 0 to n - 1, or (3,) for all; fixed ones rest.
+            horizon: how long, at or above 0, finite [s].
+        Returns:
+            ``FirstHit``: time 0 where bodies penetrate, or touch and approach; inf if nothing
+            meets.
+        Raises:
+            ValueError: fewer rows than bodies, numbers beyond 1e50, a horizon out of range.
+        """
+        members = self._members
+        end = float(non_negative("horizon", scalar("horizon", horizon)))
+        count = int(members.body.max(initial=-1)) + 1
+        given = (("velocity", velocity), ("spin", spin), ("acceleration", acceleration))
+        motion = [_of_bodies(name, value, count) for name, value in given]
+        return first_of(members, flights_of(members, *motion), end)
+
+    def ray(
+        self, origin: ArrayLike, direction: ArrayLike, *, length: ArrayLike = np.inf, mask: int = -1
+    ) -> RayHits:  # fmt: skip
+        """What rays hit first; solids are closed, so that a ray in a face, or one that grazes, hits.
+
+        Args:
+            origin: (..., 3) [m].
+            direction: (..., 3), not zero, of any length.
+            length: how far, at or above 0, (...) [m].
+            mask: the groups that are looked at; -1 is all.
+        Returns:
+            ``RayHits`` of the batch of all broadcast; a ray that starts inside says so.
+        Raises:
+            ValueError: a direction of length 0, arguments that do not fit or are out of range.
+        """
+        p, d = vectors("origin", origin), vectors("direction", direction)
+        end = non_negative("length", length, infinite=True)
+        batch = broadcast(origin=(p, 1), direction=(d, 1), length=(end, 0))
+        largest = np.abs(d).max(axis=-1, keepdims=True)
+        if np.any(largest == 0):
+            index = tuple(np.argwhere(largest[..., 0] == 0)[0])
+            raise failure("direction", "vectors that are not zero", "length 0.0", index)
+        u = d / largest
+        u = u / np.linalg.norm(u, axis=-1, keepdims=True)
+        rays = _flat(p, batch), _flat(u, batch)
+        found = hit_by_rays(
+            self._asked(mask), *rays, np.broadcast_to(end, batch).ravel()
+        )
+        return RayHits(*(_shaped(x, batch) for x in vars(found).values()))
+
+    def containing(self, point: ArrayLike, *, mask: int = -1) -> IntArray:
+        """Which colliders hold which points, their surface included.
+
+        Args:
+            point: (..., 3) [m].
+        Returns:
+            (m, 2) ints, the number of the point (in C order) and the handle, sorted.
+        """
+        p = vectors("point", point)
+        return containing(self._asked(mask), _flat(p, p.shape[:-1]))
+
+    def nearest(self, point: ArrayLike, *, mask: int = -1) -> Nearest:
+        """The collider nearest to each point; inside, the one in which it is deepest.
+
+        Args:
+            point: (..., 3) [m].
+        """
+        p = vectors("point", point)
+        found = nearest_to(self._asked(mask), _flat(p, p.shape[:-1]))
+        return Nearest(*(_shaped(x, p.shape[:-1]) for x in vars(found).values()))
+
+    def sweep(
+        self, shapes: Shape, velocity: ArrayLike, *, horizon: ArrayLike, mask: int = -1
+    ) -> tuple[IntArray, Array]:
+        """What shapes that are not in the world meet first, moving in straight lines past colliders at rest.
+
+        Args:
+            shapes: of any kind and batch (...).
+            velocity: (..., 3) [m/s].
+            horizon: at or above 0, finite, (...) [s].
+        Returns:
+            handle, (...), -1 for none; time as ``time_of_impact`` gives it, (...) [s].
+        """
+        v, end = vectors("velocity", velocity), non_negative("horizon", horizon)
+        if not isinstance(shapes, Shape):
+            raise TypeError(f"shapes: expected a shape; got {type(shapes).__name__}")
+        own = np.empty(shapes.batch, dtype=bool)
+        batch = broadcast(shapes=(own, 0), velocity=(v, 1), horizon=(end, 0))
+        count = int(np.prod(batch, dtype=np.intp))
+        moving = shapes.broadcast_to(batch).reshaped(count)
+        ends = np.broadcast_to(end, batch).ravel()
+        handle, time = met_by(self._asked(mask), moving, _flat(v, batch), ends)
+        return handle.reshape(batch), time.reshape(batch)
+
+    def _asked(self, mask: int) -> Index:
+        """What queries look at, for one mask."""
+        if isinstance(mask, bool) or not isinstance(mask, int | np.integer):
+            raise failure("mask", "one whole number", written(mask))
+        if mask not in self._index:
+            self._index[int(mask)] = Index.of(self._members, int(mask))
+        return self._index[int(mask)]
+
+
+def _flat(x: Array, batch: tuple[int, ...]) -> Array:
+    """Vectors of a batch along one axis."""
+    return np.broadcast_to(x, (*batch, 3)).reshape(-1, 3)
+
+
+def _shaped(x: Any, batch: tuple[int, ...]) -> Any:
+    return x.reshape((*batch, *x.shape[1:]))
+
+
+def _of_bodies(name: str, value: ArrayLike, count: int) -> Array:
+    """A vector for each body, (count, 3)."""
+    array = vectors(name, value)
+    largest = np.max(np.abs(array), initial=0.0)
+    if largest > LARGEST:
+        raise failure(name, f"numbers up to {LARGEST:g}", written(largest))
+    if array.ndim == 1:
+        return np.broadcast_to(array, (count, 3))
+    if array.ndim != 2 or len(array) < count:
+        raise failure(name, f"shape (3,) or ({count}, 3), one row a body", f"shape {array.shape}")  # fmt: skip
+    return array
 
 
 def _columns(

@@ -68,10 +68,11 @@ def below(members: Members, box: Array, plane: IntArray, reach: float) -> BoolAr
         return np.zeros(0, dtype=bool)
     sort = members.shelf[plane[0]] * 2 + 1
     solid = members.shapes(int(sort), plane)
-    middle, half = 0.5 * (box[:, :3] + box[:, 3:]), 0.5 * (box[:, 3:] - box[:, :3])
-    low = np.sum(solid.normal * middle - np.abs(solid.normal) * half, axis=-1)
+    with np.errstate(invalid="ignore"):
+        middle, half = 0.5 * (box[:, :3] + box[:, 3:]), 0.5 * (box[:, 3:] - box[:, :3])
+        low = np.sum(solid.normal * middle - np.abs(solid.normal) * half, axis=-1)
     rounding = ROUNDING * (np.abs(solid.offset) + np.abs(box).max(axis=1))
-    return np.asarray(low - solid.offset <= reach + rounding)
+    return ~(low - solid.offset > reach + rounding)  # of an endless box it is NaN
 
 
 def by_boxes(members: Members, pairs: IntArray, margin: float) -> BoolArray:
