@@ -45,6 +45,18 @@ def test_contacts_are_in_the_order_of_the_handles_and_count_their_pairs():
     assert set(np.diff(found.pair).tolist()) == {0, 1} and found.pair[0] == 0
 
 
+def test_none_can_be_added_moved_and_removed():
+    world = CollisionWorld()
+    none = world.add(Sphere(np.zeros((0, 3)), 1.0), body=0)
+    assert none.shape == (0,) and len(world) == 0
+    world.add(HalfSpace((0, 0, 1.0), 0.0), body=0)
+    world.move(none, STILL, np.zeros(3))
+    world.remove(none)
+    assert len(world) == 1 and len(world.contacts()) == 0
+    world.remove(world.handles)
+    assert len(world) == len(world.contacts()) == 0
+
+
 def test_an_empty_world_and_one_collider_have_no_contacts():
     world = CollisionWorld()
     assert len(world.contacts()) == len(world) == 0
@@ -140,6 +152,17 @@ def test_a_half_space_that_moves_finds_whom_it_reaches():
 
 
 BALL = Sphere(np.zeros(3), 1.0)
+
+
+def test_a_wide_margin_reaches_a_half_space():
+    """A ball .9 above a floor, within a margin of 1 but not of .8, in any order of margins."""
+    world = CollisionWorld()
+    world.add(Sphere((0, 0, 1.4), 0.5), body=0)
+    world.add(HalfSpace((0, 0, 1.0), 0.0), body=1)
+    found = [len(world.contacts(margin=m)) for m in (1.0, 0.8, 1.0, 0.0, 0.95)]
+    assert found == [1, 0, 1, 0, 1]
+
+
 WRONG = {
     "unknown": ("handles: expected handles of colliders.*; got 99 in entry 1",
                 lambda w: w.move([0, 99], STILL, np.zeros(3))),
@@ -153,6 +176,10 @@ WRONG = {
                 lambda w: w.move([0, 1], STILL, [[0, 0, 0], [np.nan, 0, 0]])),
     "far": ("translation: expected coordinates up to 1e",
                 lambda w: w.move([0, 1], STILL, [[0, 0, 0], [1e60, 0, 0]])),
+    "a plane far": (
+        "translation: expected coordinates up to 1e",
+        lambda w: w.move(w.handles[-1], STILL, [0, 0, 1e60]),
+    ),
     "no rotation": ("rotation: expected rotation",
                 lambda w: w.move(0, 2 * STILL, np.zeros(3))),
     "more poses": ("handles: expected as many as poses",
@@ -183,13 +210,14 @@ def test_bad_use_is_refused_by_name_and_changes_nothing(said, wrong):
     world = CollisionWorld()
     world.add(Sphere([[0, 0, 0], [1.5, 0, 0], [1, 1, 0.0]], 1.0), body=[0, 1, 2])
     world.remove(2)
+    world.add(HalfSpace((0, 0, 1.0), -5.0), body=3)
     before, counters, handles = rows_of(world.contacts()), world.counters, world.handles
     with pytest.raises(ValueError, match=said):
         wrong(world)
     assert world.counters == counters and np.array_equal(world.handles, handles)
     assert rows_of(world.contacts()) == before and len(before) == 1
     assert world.counters.boxes.tested == 0  # not even a pair was touched
-    assert world.add(Sphere(np.zeros(3), 1.0), body=7) == 3
+    assert world.add(Sphere(np.zeros(3), 1.0), body=7) == 4
 
 
 def test_what_is_no_shape_is_refused():

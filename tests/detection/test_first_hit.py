@@ -149,6 +149,7 @@ def test_a_compound_flies_as_one():
         ("velocity: expected finite", lambda w: w.first_hit((np.nan, 0, 0), horizon=1.0)),
         ("velocity: expected numbers up to", lambda w: w.first_hit((1e60, 0, 0), horizon=1.0)),
         ("acceleration: expected", lambda w: w.first_hit(np.zeros(3), acceleration=np.zeros(2), horizon=1.0)),
+        ("spin: expected 0 of .*entry 2", lambda w: w.first_hit(np.zeros(3), spin=np.ones(3), horizon=1.0)),
         ("horizon: expected", lambda w: w.first_hit(np.zeros(3), horizon=-1.0)),
         ("horizon: expected finite", lambda w: w.first_hit(np.zeros(3), horizon=np.inf)),
     ],
@@ -156,6 +157,7 @@ def test_a_compound_flies_as_one():
 def test_wrong_flights_are_refused_by_name(said, wrong):
     world = CollisionWorld()
     world.add(Sphere(np.zeros((2, 3)), 1.0), body=[0, 1])
+    world.add(HalfSpace((0, 0, 1.0), -5.0), body=2)
     with pytest.raises(ValueError, match=said):
         wrong(world)
 

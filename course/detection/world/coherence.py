@@ -132,7 +132,7 @@ def _paired(
     rows = np.flatnonzero(asking)
     wide[rows] = _wide(members, rows, margin)
     known = last.with_pairs(all_of(~asking[last.pairs]))
-    new = phases.partners(members, wide, asking)
+    new = phases.partners(members, wide, asking, margin)
     allowed = new[permitted(members, new)]
     pairs = np.concatenate([known.pairs, allowed])
     order = np.argsort(pairs[:, 0] * len(members) + pairs[:, 1], kind="stable")
@@ -148,13 +148,18 @@ def _paired(
 
 
 def _leaving(members: Members, last: Memory, margin: float) -> BoolArray:
-    """Which rows are not inside their wide boxes any more, or never had one; half spaces that have moved."""
+    """Which rows are not inside their wide boxes any more, or never were.
+
+    Half spaces have none: they ask when they have moved, or the margin is another.
+    """
     rows = np.flatnonzero(last.moved) if margin == last.margin else np.arange(len(members))  # fmt: skip
     plane = members.is_plane
     need = _needed(members, rows, margin)
     inside = (last.wide[rows, :3] <= need[:, :3]) & (need[:, 3:] <= last.wide[rows, 3:])
     asking = np.zeros(len(members), dtype=bool)
-    asking[rows] = ~inside.all(axis=1) | (plane[rows] & last.moved[rows])
+    asking[rows] = ~inside.all(axis=1) | (
+        plane[rows] & (last.moved[rows] | (margin != last.margin))
+    )
     return asking
 
 

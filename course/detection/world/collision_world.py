@@ -2,28 +2,31 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from course.arrays import (
     Array,
     ArrayLike,
-    BoolArray,
     IntArray,
     broadcast,
     failure,
-    indices,
     non_negative,
     scalar,
     vectors,
     written,
 )
-from course.arrays import rotations as rotations_of
+from course.detection.world.arguments import (
+    columns_of,
+    of_bodies,
+    poses_of,
+    rays_of,
+    shaped_as,
+    vectors_of,
+)
 from course.detection.world.coherence import Memory, next_frame
 from course.detection.world.counters import Counters
 from course.detection.world.first_hits import FirstHit, first_of, flights_of
-from course.detection.world.members import LARGEST, Members, made_members
+from course.detection.world.members import Members, made_members
 from course.detection.world.queries import (
     Index,
     Nearest,
@@ -98,7 +101,7 @@ class CollisionWorld:
             raise TypeError(f"shapes: expected a shape; got {type(shapes).__name__}")
         if isinstance(shapes, AABB) and not shapes.is_finite:
             raise failure("shapes", "finite boxes, or half spaces", "one without end")
-        columns = _columns(shapes.batch, body, fixed, group, mask)
+        columns = columns_of(shapes.batch, body, fixed, group, mask)
         handle = self._next + np.arange(shapes.count)
         new = made_members(shapes.reshaped(shapes.count), handle, *columns)
         self._members = self._members.joined(new)
@@ -122,7 +125,7 @@ class CollisionWorld:
                 rotation, places beyond 1e50 m, batches that do not fit.
         """
         rows, which = self._members.rows_of(handles)
-        turn, shift = _poses(np.shape(handles), rotation, translation)
+        turn, shift = poses_of(np.shape(handles), rotation, translation)
         self._members.put(rows, turn[which], shift[which])
         self._memory = self._memory.touched(rows)
         self._index.clear()
@@ -185,13 +188,14 @@ class CollisionWorld:
             ``FirstHit``: time 0 where bodies penetrate, or touch and approach; inf if nothing
             meets.
         Raises:
-            ValueError: fewer rows than bodies, numbers beyond 1e50, a horizon out of range.
+            ValueError: fewer rows than bodies, numbers beyond 1e50, a horizon out of range, a
+                half space that spins.
         """
         members = self._members
         end = float(non_negative("horizon", scalar("horizon", horizon)))
         count = int(members.body.max(initial=-1)) + 1
         given = (("velocity", velocity), ("spin", spin), ("acceleration", acceleration))
-        motion = [_of_bodies(name, value, count) for name, value in given]
+        motion = [of_bodies(name, value, count) for name, value in given]
         return first_of(members, flights_of(members, *motion), end)
 
     def ray(
@@ -209,20 +213,12 @@ class CollisionWorld:
         Raises:
             ValueError: a direction of length 0, arguments that do not fit or are out of range.
         """
-        p, d = vectors("origin", origin), vectors("direction", direction)
-        end = non_negative("length", length, infinite=True)
-        batch = broadcast(origin=(p, 1), direction=(d, 1), length=(end, 0))
-        largest = np.abs(d).max(axis=-1, keepdims=True)
-        if np.any(largest == 0):
-            index = tuple(np.argwhere(largest[..., 0] == 0)[0])
-            raise failure("direction", "vectors that are not zero", "length 0.0", index)
-        u = d / largest
-        u = u / np.linalg.norm(u, axis=-1, keepdims=True)
-        rays = _flat(p, batch), _flat(u, batch)
+        p, u, end, batch = rays_of(origin, direction, length)
+        rays = vectors_of(p, batch), vectors_of(u, batch)
         found = hit_by_rays(
             self._asked(mask), *rays, np.broadcast_to(end, batch).ravel()
         )
-        return RayHits(*(_shaped(x, batch) for x in vars(found).values()))
+        return RayHits(*(shaped_as(x, batch) for x in vars(found).values()))
 
     def containing(self, point: ArrayLike, *, mask: int = -1) -> IntArray:
         """Which colliders hold which points, their surface included.
@@ -233,7 +229,7 @@ class CollisionWorld:
             (m, 2) ints, the number of the point (in C order) and the handle, sorted.
         """
         p = vectors("point", point)
-        return containing(self._asked(mask), _flat(p, p.shape[:-1]))
+        return containing(self._asked(mask), vectors_of(p, p.shape[:-1]))
 
     def nearest(self, point: ArrayLike, *, mask: int = -1) -> Nearest:
         """The collider nearest to each point; inside, the one in which it is deepest.
@@ -242,8 +238,8 @@ class CollisionWorld:
             point: (..., 3) [m].
         """
         p = vectors("point", point)
-        found = nearest_to(self._asked(mask), _flat(p, p.shape[:-1]))
-        return Nearest(*(_shaped(x, p.shape[:-1]) for x in vars(found).values()))
+        found = nearest_to(self._asked(mask), vectors_of(p, p.shape[:-1]))
+        return Nearest(*(shaped_as(x, p.shape[:-1]) for x in vars(found).values()))
 
     def sweep(
         self, shapes: Shape, velocity: ArrayLike, *, horizon: ArrayLike, mask: int = -1
@@ -265,7 +261,7 @@ class CollisionWorld:
         count = int(np.prod(batch, dtype=np.intp))
         moving = shapes.broadcast_to(batch).reshaped(count)
         ends = np.broadcast_to(end, batch).ravel()
-        handle, time = met_by(self._asked(mask), moving, _flat(v, batch), ends)
+        handle, time = met_by(self._asked(mask), moving, vectors_of(v, batch), ends)
         return handle.reshape(batch), time.reshape(batch)
 
     def _asked(self, mask: int) -> Index:
@@ -275,64 +271,3 @@ class CollisionWorld:
         if mask not in self._index:
             self._index[int(mask)] = Index.of(self._members, int(mask))
         return self._index[int(mask)]
-
-
-def _flat(x: Array, batch: tuple[int, ...]) -> Array:
-    """Vectors of a batch along one axis."""
-    return np.broadcast_to(x, (*batch, 3)).reshape(-1, 3)
-
-
-def _shaped(x: Any, batch: tuple[int, ...]) -> Any:
-    return x.reshape((*batch, *x.shape[1:]))
-
-
-def _of_bodies(name: str, value: ArrayLike, count: int) -> Array:
-    """A vector for each body, (count, 3)."""
-    array = vectors(name, value)
-    largest = np.max(np.abs(array), initial=0.0)
-    if largest > LARGEST:
-        raise failure(name, f"numbers up to {LARGEST:g}", written(largest))
-    if array.ndim == 1:
-        return np.broadcast_to(array, (count, 3))
-    if array.ndim != 2 or len(array) < count:
-        raise failure(name, f"shape (3,) or ({count}, 3), one row a body", f"shape {array.shape}")  # fmt: skip
-    return array
-
-
-def _columns(
-    batch: tuple[int, ...], body: ArrayLike, fixed: ArrayLike, group: ArrayLike, mask: ArrayLike
-) -> tuple[IntArray, BoolArray, IntArray, IntArray]:  # fmt: skip
-    """Body, fixed, group and mask of each of a batch, in C order."""
-    still = np.asarray(fixed)
-    if still.dtype != np.bool_:
-        raise failure("fixed", "True or False", written(fixed))
-    groups = indices("group", group)
-    if np.any(groups == 0):
-        index = tuple(np.argwhere(groups == 0)[0])
-        raise failure("group", "at least one bit", "0", index)
-    masks = np.asarray(mask)
-    if masks.dtype.kind not in "iu":
-        raise failure("mask", "whole numbers", written(mask))
-    given = (("body", indices("body", body)), ("fixed", still), ("group", groups),
-             ("mask", masks.astype(np.intp)))  # fmt: skip
-    found: list[Any] = []
-    for name, array in given:
-        try:
-            found.append(np.broadcast_to(array, batch).ravel())
-        except ValueError:
-            expected = f"what broadcasts to the batch {batch}"
-            raise failure(name, expected, f"shape {array.shape}") from None
-    return found[0], found[1], found[2], found[3]
-
-
-def _poses(
-    batch: tuple[int, ...], rotation: ArrayLike, translation: ArrayLike
-) -> tuple[Array, Array]:
-    """Rotation and translation of each handle, (k, 3, 3) and (k, 3)."""
-    turn, shift = rotations_of("rotation", rotation), vectors("translation", translation)  # fmt: skip
-    own = np.empty(batch, dtype=bool)
-    whole = broadcast(handles=(own, 0), rotation=(turn, 2), translation=(shift, 1))
-    if whole != batch:
-        raise failure("handles", f"as many as poses, {whole}", f"shape {batch}")
-    turn = np.broadcast_to(turn, (*batch, 3, 3)).reshape(-1, 3, 3)
-    return turn, np.broadcast_to(shift, (*batch, 3)).reshape(-1, 3)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course.arrays import Array, BoolArray, IntArray
+from course.arrays import Array, BoolArray, IntArray, failure, written
 from course.detection.choosing import broad_phase
 from course.detection.world.flights import Flight, flight_times
 from course.detection.world.members import Members, permitted
@@ -34,8 +34,16 @@ class FirstHit:
 
 
 def flights_of(members: Members, velocity: Array, spin: Array, acceleration: Array) -> Flight:  # fmt: skip
-    """How each row flies, given that of each body, (bodies, 3); fixed rows rest."""
+    """How each row flies, given that of each body, (bodies, 3); fixed rows rest.
+
+    Raises:
+        ValueError: a half space that spins: it reaches without end.
+    """
     moving = ~members.fixed[:, None]
+    turning = members.is_plane & ~members.fixed & np.any(spin[members.body] != 0, axis=1)  # fmt: skip
+    if np.any(turning):
+        body = int(members.body[np.argmax(turning)])
+        raise failure("spin", "0 of bodies with a half space", written(spin[body]), (body,))  # fmt: skip
     v, omega, a = (
         np.where(moving, x[members.body], 0.0) for x in (velocity, spin, acceleration)
     )

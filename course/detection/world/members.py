@@ -170,8 +170,7 @@ class Members:
             shelf, place = self.shelves[number], self.place[rows[some]]
             moved = shelf.given[place].moved(rotation[some], translation[some])
             box = bounds_array(moved)
-            if self.sorts[number][0] != PLANE:
-                require_near("translation", box)
+            require_near("translation", moved, box)
             written_later.append((rows[some], shelf, place, moved, box))
         coarse = self.coarse.given[rows].moved(rotation, translation)
         for some, shelf, place, moved, box in written_later:
@@ -198,8 +197,7 @@ def made_members(
     found = Members.none()
     for number, part in enumerate(convex_parts(shapes)):
         box = bounds_array(part)
-        if part.kind != PLANE:
-            require_near("shapes", box)
+        require_near("shapes", part, box)
         coarse = OBB.unchecked(**dict(zip(OBB.core_axes, coarse_boxes(part), strict=True)))  # fmt: skip
         count, radius = part.count, radii(part, coarse.center)
         rows = Members(
@@ -234,13 +232,15 @@ def first_ones(values: IntArray) -> BoolArray:
     return first
 
 
-def require_near(name: str, box: Array) -> None:
-    """Refuse bounds (k, 6) that overlap could not be asked about."""
-    far = ~(np.abs(box).max(axis=1) <= LARGEST)
+def require_near(name: str, shape: Any, box: Array) -> None:
+    """Refuse shapes of bounds (k, 6), and half spaces by their offset, that overlap could not be asked about."""
+    plane = shape.kind == PLANE
+    largest = np.abs(shape.offset) if plane else np.abs(box).max(axis=1)
+    far = ~(largest <= LARGEST)
     if np.any(far):
         where = int(np.argmax(far))
-        largest = written(np.abs(box[where]).max())
-        raise failure(name, f"coordinates up to {LARGEST:g}", largest, (where,))
+        got = written(largest[where])
+        raise failure(name, f"coordinates up to {LARGEST:g}", got, (where,))
 
 
 def permitted(members: Members, pairs: IntArray) -> BoolArray:

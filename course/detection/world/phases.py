@@ -25,15 +25,18 @@ PART = 2**40
 MANY = 0.1
 
 
-def partners(members: Members, wide: Array, asking: BoolArray) -> IntArray:
+def partners(
+    members: Members, wide: Array, asking: BoolArray, margin: float
+) -> IntArray:
     """Broad phase: the pairs of rows, one of them asking, whose wide boxes meet, (m, 2), i < j, in no order.
 
     Where most ask, as in a first frame, it is any broad phase over all boxes; where few do, a
     small tree of these is asked by all others. A half space is asked itself.
 
     Args:
-        wide: (n, 6) [m], l and u.
+        wide: (n, 6) [m], l and u, half a margin wider or more.
         asking: (n,).
+        margin: the other half is added where a half space is asked [m].
     """
     plane = members.is_plane
     solid = np.flatnonzero(~plane)
@@ -53,7 +56,8 @@ def partners(members: Members, wide: Array, asking: BoolArray) -> IntArray:
     reached = [pairs]
     for row in np.flatnonzero(plane):
         asked = solid if asking[row] else some
-        near = asked[below(members, wide[asked], np.full(asked.size, row), 0.0)]
+        rows = np.full(asked.size, row)
+        near = asked[below(members, wide[asked], rows, 0.5 * max(margin, 0.0))]
         reached.append(np.column_stack([np.full(near.size, row), near]))
     return np.sort(np.concatenate(reached), axis=1)
 
