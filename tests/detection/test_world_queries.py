@@ -209,3 +209,26 @@ def test_wrong_questions_are_refused_by_name(said, wrong):
     world.add(Sphere(np.zeros(3), 1.0), body=0)
     with pytest.raises(ValueError, match=said):
         wrong(world)
+
+
+def test_the_kernels_of_a_world_are_compiled_for_one_type_each():
+    """However the arrays come: after ``warm`` nobody waits for the compiler."""
+    pytest.importorskip("numba")
+    from course.detection.world import coarse_loops, ray_loops
+
+    for module in (coarse_loops, ray_loops):
+        module.warm()
+    if not hasattr(ray_loops.ray_pairs, "signatures"):
+        pytest.skip("the compiler is off")
+    rng, world = np.random.default_rng(0), CollisionWorld()
+    boxes = OBB(rng.normal(size=(30, 3)), STILL, np.ones(3))
+    handles = world.add(boxes, body=np.arange(30))
+    world.contacts()
+    world.move(handles[:3], STILL, np.zeros(3))
+    world.remove(handles[5])
+    world.contacts(margin=0.2)
+    world.ray(np.zeros(3), (1.0, 0, 0))
+    world.ray(*np.asfortranarray(rng.normal(size=(2, 4, 3))), length=3.0)
+    world.ray(np.asfortranarray(np.ones((4, 3))), np.asfortranarray(np.ones((4, 3))))
+    for kernel in (coarse_loops.boxes_apart, ray_loops.ray_pairs):
+        assert len(kernel.signatures) == 1
