@@ -137,8 +137,8 @@ def _passed(index: Index, p: Array, u: Array, length: Array) -> tuple[IntArray, 
         way = np.minimum(length, 2.0 * far)[:, None] * u
         arrays = (tree.reach, tree.order, tree.right, tree.ranges)
         # Kernels are compiled for one type: in C order, and writable.
-        rays = (np.array(x, order="C") for x in (p, way))
-        found = ray_pairs(*rays, box, *arrays).astype(np.intp)
+        origin, way = np.array(p, order="C"), np.array(way, order="C")
+        found = ray_pairs(origin, way, box, *arrays).astype(np.intp)
     every = np.arange(len(p))
     q = np.concatenate([found[:, 0], np.repeat(every, index.plane.size)])
     rows = [index.solid[found[:, 1]], np.tile(index.plane, every.size)]
