@@ -35,7 +35,9 @@ def test_coherent_frames_say_what_a_fresh_world_says():
     world.contacts()
     for frame in range(12):
         some = rng.choice(list(told), 4, replace=False).tolist()
-        move_some(world, told, rng, some, step=0.05 if frame % 3 else 1.0)
+        move_some(world, told, rng, some, 0.01, angle=0.01)
+        if frame % 3 == 0:
+            move_some(world, told, rng, some[:1], 1.0)
         if frame % 5 == 4:
             world.remove(some[0])
             del told[some[0]]

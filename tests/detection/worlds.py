@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 from overlap.drawn_shapes import DRAW, turns
+from scipy.spatial.transform import Rotation
 
 from course.detection import CollisionWorld
 from course.overlap import contacts
@@ -71,9 +72,14 @@ def drawn_world(rng, count=6, planes=2, **columns):
     return world, told
 
 
-def move_some(world, told, rng, handles, step=0.3):
-    """Move some colliders by a little, in one call."""
+def move_some(world, told, rng, handles, step=0.3, *, angle=None):
+    """Move some colliders in one call: to drawn poses, or from where they are by a small angle each."""
     turn, shift = turns(rng, len(handles)), rng.normal(0, step, (len(handles), 3))
+    if angle is not None:
+        poses = [told[h].pose or (np.eye(3), np.zeros(3)) for h in handles]
+        small = Rotation.from_rotvec(rng.normal(0, angle, shift.shape)).as_matrix()
+        turn = small @ np.reshape([r for r, _ in poses], (-1, 3, 3))
+        shift += np.reshape([t for _, t in poses], (-1, 3))
     world.move(handles, turn, shift)
     for k, handle in enumerate(handles):
         told[handle] = replace(told[handle], pose=(turn[k], shift[k]))
