@@ -29,8 +29,8 @@ def assert_same(world, told, margin=0.0):
 @pytest.mark.parametrize("margin", [0.0, 0.3, -0.1])
 def test_all_kinds_touch_where_every_pair_by_itself_does(margin):
     rng = np.random.default_rng(1)
-    world, told = drawn_world(rng, count=3)
-    assert len(assert_same(world, told, margin)) > 30
+    world, told = drawn_world(rng, count=2)
+    assert len(assert_same(world, told, margin)) > 12
     handles = rng.permutation(list(told))[:10].tolist()
     move_some(world, told, rng, handles)
     assert_same(world, told, margin)
