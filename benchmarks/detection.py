@@ -10,6 +10,9 @@ for its pairs; coal's stay in C++, since its binding gives none of them out, fcl
 callback. coal is also timed without its calls per object. cKDTree answers for equal cubes
 alone: it is built anew, asked for the centres within a side of each other in the maximum
 norm, and its pairs are sorted.
+
+A world of as many oriented boxes is asked for its contacts: anew, and in a frame in which one
+in a hundred has moved.
 """
 
 from __future__ import annotations
@@ -24,14 +27,16 @@ from scipy.spatial import cKDTree
 
 from benchmarks.measure import Row, ratio, seconds
 from course.arrays import Array
-from course.detection import broad_phase, method_for
+from course.detection import CollisionWorld, broad_phase, method_for
 from course.detection.choosing import METHODS
-from course.shapes import AABB
+from course.shapes import AABB, OBB
 
 COUNT = 100_000
 SIZES = (1_000, 3_000, 10_000, 30_000, 100_000, 300_000)
 #: The default may be this much slower than the best of ours, and grow no faster than so.
 SLOWER, EXPONENT = 1.2, 1.1
+#: A coherent frame of a world is to be so many times as quick as a fresh one.
+COHERENT = 5.0
 #: Those that are timed against the default; all pairs of 100,000 boxes take minutes.
 OURS = ("sweep_and_prune", "uniform_grid", "kd_tree", "sphere_tree", "bvh")
 
@@ -52,6 +57,7 @@ def rows() -> list[Row]:
         made.append(_limit(name, frames[0], side))
     scenes = {"uniform": uniform, "clustered": clustered, "mixed 1:1000": mixed, "one axis": on_one_axis}  # fmt: skip
     made += [_best_of_ours(name, scene) for name, scene in scenes.items()]
+    made.append(_coherent())
     return [*made, _growth("uniform", uniform), _growth("clustered", clustered)]
 
 
@@ -241,3 +247,38 @@ def _growth(name: str, scene: Callable[..., tuple[Array, Array | float]]) -> Row
     told = ", ".join(f"{t * 1e6 / n:.2f}" for n, t in zip(SIZES, spent, strict=True))
     remark = f"N^{exponent:.2f}; {told} us a box from {SIZES[0]} to {SIZES[-1]}"
     return Row(f"{name}: {EXPONENT} / exponent of growth", EXPONENT / exponent, 1.0, remark)  # fmt: skip
+
+
+def _coherent() -> Row:
+    """Contacts of a world that has just been filled against those of the next frame, its moves included."""
+    rng = np.random.default_rng(7)
+    center, side = uniform(COUNT, rng)
+    box = OBB(np.zeros((COUNT, 3)), np.eye(3), np.full(3, 0.5 * side))
+    fresh, frames = [], []
+    for _ in range(3):
+        world = CollisionWorld()
+        handles = world.add(box, body=np.arange(COUNT))
+        world.move(handles, np.eye(3), center)
+        fresh.append(_once(world.contacts))
+        for _ in range(3):
+            some = np.sort(rng.choice(COUNT, COUNT // 100, replace=False))
+            place = center[some] + 0.2 * np.max(side) * rng.normal(size=(some.size, 3))
+
+            def frame(moved=handles[some], place=place, world=world) -> object:
+                world.move(moved, np.eye(3), place)
+                return world.contacts()
+
+            frames.append(_once(frame))
+    counters = world.counters
+    remark = (
+        f"{min(fresh) * 1e3:.0f} against {min(frames) * 1e3:.0f} ms; {counters.contacts} "
+        f"contacts; {counters.boxes.tested} of {counters.pairs} pairs tested"
+    )
+    quotient = min(fresh) / min(frames)
+    return Row(f"{COUNT} boxes: a fresh world / 1 % moved", quotient, COHERENT, remark)
+
+
+def _once(work: Callable[[], object]) -> float:
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin

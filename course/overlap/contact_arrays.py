@@ -148,8 +148,11 @@ class Contacts:
         ones included.
         """
         index = selection("contacts", which, len(self))
-        picked: list[Any] = [None if f is None else f[index] for f in self._arrays()]
-        return Contacts(*picked)
+        picked = {
+            name: None if field is None else field.take(index, axis=0)
+            for name, field in vars(self).items()
+        }
+        return Contacts.unchecked(**picked)  # some of what is good
 
     def require_bodies(self, count: int) -> None:
         """Refuse contacts with a body that is not among the ``count`` there are.
@@ -193,17 +196,14 @@ class Contacts:
         them.
         """
         parts = instances("parts", parts, Contacts)
-        columns: list[Any] = []
-        for field, column in zip(
-            fields(Contacts),
-            zip(*(p._arrays() for p in parts), strict=True),
-            strict=True,
-        ):
-            columns.append(_joined(field.name, column, [len(p) for p in parts]))
-        return Contacts(*columns)
-
-    def _arrays(self) -> tuple[Any, ...]:
-        return tuple(getattr(self, field.name) for field in fields(self))
+        counts = [len(part) for part in parts]
+        columns = {
+            field.name: _joined(
+                field.name, [getattr(part, field.name) for part in parts], counts
+            )
+            for field in fields(Contacts)
+        }
+        return Contacts.unchecked(**columns)  # of parts that are good
 
 
 def _joined(

@@ -80,6 +80,15 @@ class Shape:
             }
         )
 
+    @classmethod
+    def unchecked(cls, **arrays: NDArray[Any]) -> Self:
+        """Shapes of arrays that are known to be good, of one batch: nothing is checked or copied.
+
+        Args:
+            arrays: one for each name in ``core_axes``. Nobody may write to them any more.
+        """
+        return cls._made(**arrays)
+
     def _each(self, change: Callable[[NDArray[Any], int], NDArray[Any]]) -> Self:
         """The same kind, each array (given with its core axes) changed."""
         return self._made(
