@@ -48,7 +48,7 @@ class CollisionWorld:
     shapes themselves, and reuses what it did a frame before; ``counters`` tells of it. Bad
     use is refused by name and leaves the world as it was.
 
-    Source: Ericson, *Real-Time Collision Detection*, sections 2.4 and 7.1; syllabus row 14.
+    Source: Ericson, *Real-Time Collision Detection*, sections 2.4 and 7.1; syllabus row 2.
 
     Attributes:
         counters: what the phases of the last ``contacts`` did (``Counters``).
