@@ -125,7 +125,7 @@ def test_the_square_in_the_notch_is_hidden_by_the_hull():
     (inside,) = said("05", "the square's corner $(1.5, #)$ lies in the hull")
     assert 2 * float(inside) < 4 and greatest(float(inside)) < 0
     out, gap = said(
-        "05", "Moved out to $(2.1, #)$ the square is outside, and on the normal of the "
+        "05", "Moved out to $(2.1, #)$ it is outside, and on the normal of the "
         "hull's slanted side there is a gap of # m",
     )  # fmt: skip
     assert rounds_to((2 * float(out) - 4) / np.sqrt(2), gap)

@@ -100,7 +100,7 @@ def notch(outline: ArrayLike, square: ArrayLike, *, ax: Axes | None = None) -> A
     with style():
         ax = axes(ax, size=(6.4, 4.0))
         _outline(ax, outline, "A", (0.5, 0.5))
-        x, y = np.mean(square, axis=0) + 0.25
+        x, y = np.asarray(square).mean(axis=0) + 0.25
         _outline(ax, square, "B", (x, y))
         line(ax, [[3, 1], [1, 3]], "0.4", ls="-.", label="side of its convex hull")
         line(ax, [[0, 1], [1, 1]], "0.4", ls=":", label="cut in two convex parts")
