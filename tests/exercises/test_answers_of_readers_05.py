@@ -165,6 +165,12 @@ def terms(cosines, e):
     return np.abs(cosines) * e[..., None, :]
 
 
+def crossed_normals(a, normals_a, edges_a, b, normals_b, edges_b):
+    products = np.cross(normals_a[:, None], normals_b[None]).reshape(-1, 3)
+    axes = np.concatenate([normals_a, normals_b, products])
+    return np.all(shadow_gap(*project(a, axes), *project(b, axes)) <= 0)
+
+
 def largest_term(cosines, e):
     return terms(cosines, e).max(axis=-1)
 
@@ -255,6 +261,14 @@ def test_nothing_false_is_said_of_them(seed):
     }.items():
         name, function, _ = ANSWERS[answer]
         assert false not in told(name, function, seed)
+
+
+@pytest.mark.parametrize("seed", [None, 1, 2, 3, 4, 5])
+def test_crossed_normals_are_more_than_the_faces(seed):
+    """They fail as the faces alone do, or in one case only; "faces only" would not be so."""
+    said = told("hulls_overlap", crossed_normals, seed)
+    assert "faces only" not in said
+    assert "not of the normals" in said or "Wrong only in" in said
 
 
 def test_right_answers_written_otherwise_pass():
