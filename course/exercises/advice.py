@@ -75,6 +75,22 @@ EINSUM_DOTS = (
     'In np.einsum put ... before the letters, for the axes of the batch: "...ij,...j->...i" is matrix times '
     "vector for one and for many."
 )
+#: What Python says where a call hands over too little, and NumPy where np.maximum gets three.
+TOO_LITTLE = "required positional argument"
+NO_STAR = (
+    "That call hands over fewer values than the function has names for. If one of them is a pair, as of a function "
+    "that returns two, a star hands over its members: f(*pair)."
+)
+NO_PLACE = "return arrays must be of ArrayType"
+MAXIMUM_OF_THREE = (
+    "np.maximum and np.minimum compare two arrays; what stands third is taken for the place to write to. For three, "
+    "put one call into the other."
+)
+SHAPES_DIFFER = "could not be broadcast together"
+FROM_THE_RIGHT = (
+    "NumPy lays shapes side by side from the right: each two lengths must be the same, or one of them 1. Which of the "
+    "two shapes has a length too many? A sum over one axis, such as axis=-1, takes that one away."
+)
 ONLY_BATCHES = (
     "Right for one, wrong for many at once. A batch has its axes in front of the one's own: look for a line "
     "that takes them for the vector's, or mixes the members."
@@ -155,7 +171,17 @@ def _why_it_stops(
         return ONE_TRUTH
     if any("'...' ellipsis" in o.text for o in outcomes):  # of letters fewer than axes
         return EINSUM_DOTS
-    return ""
+    return _why_a_call_stops(cases, outcomes)
+
+
+def _why_a_call_stops(cases: Sequence[Case], outcomes: Sequence[Outcome]) -> str:
+    """What an error says of a call's arguments or of their shapes, or ""."""
+    if any(_says(o, TOO_LITTLE) for o in outcomes):
+        return NO_STAR
+    if any(_says(o, NO_PLACE) for o in outcomes):
+        return MAXIMUM_OF_THREE
+    single = (o for c, o in zip(cases, outcomes, strict=True) if c.kind == "single")
+    return FROM_THE_RIGHT if any(_says(o, SHAPES_DIFFER) for o in single) else ""
 
 
 def _all_compared(

@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 from lesson_text import rounds_to, said
 
-from course.formulas import box_axes, oriented_boxes_overlap
+from course.formulas import (
+    box_axes,
+    oriented_boxes_overlap,
+    project,
+    shadow_gap,
+)
 from course.study import (
     box_verdict_costs,
     by_axes,
@@ -104,3 +109,24 @@ def test_the_short_form_fails_in_the_order_that_is_said():
     shares = 100 * called_apart([1e-16, 1e-15, 1e-13], count=8000)
     assert shares[:2] == pytest.approx([float(sixteen), float(fifteen)], rel=0.35)
     assert shares[2] == 0.0
+
+
+def test_the_square_in_the_notch_is_hidden_by_the_hull():
+    """No axis of 3,600 shows a gap for the L; farther out the hull's slanted side does."""
+    outline = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3.0]])
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+    angle = np.radians(np.arange(3600) / 20)
+    around = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+    def greatest(corner):
+        shadows = project(outline, around), project(square + corner, around)
+        return shadow_gap(*shadows[0], *shadows[1]).max()
+
+    (inside,) = said("05", "the square's corner $(1.5, #)$ lies in the hull")
+    assert 2 * float(inside) < 4 and greatest(float(inside)) < 0
+    out, gap = said(
+        "05", "Moved out to $(2.1, #)$ it is outside, and on the normal of the "
+        "hull's slanted side there is a gap of # m",
+    )  # fmt: skip
+    assert rounds_to((2 * float(out) - 4) / np.sqrt(2), gap)
+    assert rounds_to(greatest(float(out)), gap)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 
-from course.arrays import ArrayLike
+from course.arrays import Array, ArrayLike
 from course.study import DifferenceBody
 from course.workbook.plots.figure import (
     PALETTE,
@@ -23,11 +25,15 @@ LOOKS = {"A": "-", "B": "--"}
 
 def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
     """Two polygons, and beside them the polygon of all differences a - b, with 0 marked."""
-    _, (left, right) = side_by_side(2, size=(10.4, 4.2))
+    figure, (left, right) = side_by_side(2, size=(9.0, 5.3))
+    both, extra = np.concatenate([found.a, found.b]), np.zeros((1, 2))
     with style():
         for name, polygon in (("A", found.a), ("B", found.b)):
             _outline(left, polygon, name)
         _edges_of_differences(right, found)
+        if found.distance > 0:
+            extra = np.append(extra, _longer(found), axis=0)
+            line(right, _longer(found), "0.4", ls=":", label="0 is beyond this edge")
         right.plot(0, 0, "k+", ms=14, mew=2, ls="none", label="0")
         left.set(title="A and B", xlabel="x [m]", ylabel="y [m]", aspect="equal")
         right.set(
@@ -36,9 +42,8 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
             ylabel="y [m]",
             aspect="equal",
         )
-        for ax in (left, right):
-            ax.margins(0.12)
-        legend_beside(right)
+        _one_scale((left, right), (both, np.concatenate([found.corners, extra])))
+        figure.legend(loc="outside lower center", ncols=4)
     where = (
         "outside, so A and B are apart"
         if found.distance > 0
@@ -54,17 +59,27 @@ def difference_body(found: DifferenceBody) -> tuple[Axes, Axes]:
     return left, right
 
 
+def _one_scale(several: Sequence[Axes], shown: Sequence[Array]) -> None:
+    """Windows of one size, each about the middle of its points: an edge has one length in all."""
+    middles = [(p.min(axis=0) + p.max(axis=0)) / 2 for p in shown]
+    half = 0.56 * max(np.ptp(p, axis=0).max() for p in shown)
+    for ax, (x, y) in zip(several, middles, strict=True):
+        ax.set(xlim=(x - half, x + half), ylim=(y - half, y + half))
+
+
 def _edges_of_differences(ax: Axes, found: DifferenceBody) -> None:
-    """Each edge as the polygon's that it comes from; and the one that 0 is beyond, made longer."""
+    """Each edge as the polygon's that it comes from."""
     for k, owner in enumerate(found.owner):
         ends = found.corners[[k, (k + 1) % len(found.corners)]]
         label = f"edge of {owner}" + (", turned round" if owner == "B" else "")
         first = found.owner.index(owner) == k
         line(ax, ends, COLORS[owner], ls=LOOKS[owner], lw=2.4, label=label if first else None)  # fmt: skip
-    if found.distance > 0:
-        start, end = found.beyond
-        longer = [start - 0.4 * (end - start), end + 0.4 * (end - start)]
-        line(ax, longer, "0.4", ls=":", label="0 is beyond this edge")
+
+
+def _longer(found: DifferenceBody) -> Array:
+    """The edge that 0 is beyond, longer at both ends, (2, 2)."""
+    start, end = found.beyond
+    return np.stack([start - 0.4 * (end - start), end + 0.4 * (end - start)])
 
 
 def _outline(
@@ -81,11 +96,13 @@ def _outline(
 
 
 def notch(outline: ArrayLike, square: ArrayLike, *, ax: Axes | None = None) -> Axes:
-    """An L, the parts of which it can be made, and a square in its notch."""
+    """An L, its convex hull, the parts of which it can be made, and a square in its notch."""
     with style():
-        ax = axes(ax, size=(4.4, 4.0))
+        ax = axes(ax, size=(6.4, 4.0))
         _outline(ax, outline, "A", (0.5, 0.5))
-        _outline(ax, square, "B")
+        x, y = np.asarray(square).mean(axis=0) + 0.25
+        _outline(ax, square, "B", (x, y))
+        line(ax, [[3, 1], [1, 3]], "0.4", ls="-.", label="side of its convex hull")
         line(ax, [[0, 1], [1, 1]], "0.4", ls=":", label="cut in two convex parts")
         ax.set(
             title="A square in the notch of an L",
@@ -94,10 +111,11 @@ def notch(outline: ArrayLike, square: ArrayLike, *, ax: Axes | None = None) -> A
             aspect="equal",
         )
         ax.margins(0.12)
-        ax.legend()
+        legend_beside(ax)
     describe(
         ax,
         "An L, 3 m long and 3 m high with arms 1 m wide, and a square with sides of 1 m in its notch, "
-        "touching neither arm; a dotted line cuts the L in two rectangles.",
+        "touching neither arm; one corner of it lies beyond the slanted side of the L's convex hull, toward the L. "
+        "A dotted line cuts the L in two rectangles.",
     )
     return ax

@@ -143,8 +143,8 @@ HULLS_OVERLAP = Exercise(
                 "[normals_a, normals_b, products]",
                 "[normals_a, normals_b]",
             ),
-            "You try the faces only. Two edges can pass each other where no face shows it: the products of the edges "
-            "are axes too.",
+            "You find what the faces show and no more. Two edges can pass each other where no face shows it: the "
+            "products of A's edges with B's are axes too, not of the normals and not the edges themselves.",
         ),
         Mistake(
             "edges only",

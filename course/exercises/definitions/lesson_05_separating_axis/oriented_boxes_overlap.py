@@ -189,6 +189,15 @@ ORIENTED_BOXES_OVERLAP = Exercise(
             "farther: the sizes of the three terms add up.",
         ),
         _without(
+            "the largest term",
+            _HALF_A,
+            "np.max(np.abs(axes @ rotation_a) * e_a, axis=-1)",
+            _HALF_B,
+            "np.max(np.abs(axes @ rotation_b) * e_b, axis=-1)",
+            message="You take the largest of the three terms: so far the middle of a face reaches. A corner lies away "
+            "from the centre along all three axes of the box, so the sizes of the three terms add up.",
+        ),
+        _without(
             "sides halved",
             "<= half_a + half_b",
             "<= (half_a + half_b) / 2",
@@ -200,7 +209,7 @@ ORIENTED_BOXES_OVERLAP = Exercise(
             "np.any",
             message="By your verdict every pair overlaps. Two things do that. Either one axis is enough for it: np.any "
             "where np.all belongs, for the shadows must overlap on all 15. Or the half shadows are far too long: each "
-            "counts once, and half_extents are already half the sides.",
+            "counts once, half_extents are already half the sides, and np.sum without axis=-1 adds up all 15 axes.",
         ),
         _without(
             "the other way round",
@@ -343,9 +352,6 @@ ORIENTED_BOXES_OVERLAP = Exercise(
         "On each axis: how far are the centres apart along it, and how far do the two half shadows reach together?",
         "axes = box_axes(...) has shape (..., 15, 3). The cosines of all axes with A's axes are axes @ rotation_a, and "
         "your half shadow is the sum of their sizes times e_a, over the last axis. The same for B.",
-        "axes = box_axes(rotation_a, rotation_b)\n"
-        "between = np.sum(axes * (____)[..., None, :], axis=-1)\n"
-        "e_a, e_b = half_extents_a[..., None, :], half_extents_b[..., None, :]\n"
         "half_a = np.sum(np.abs(axes @ rotation_a) * ____, axis=-1)\n"
         "half_b = ____\n"
         "return np.all(np.abs(between) <= ____, axis=-1)",

@@ -222,6 +222,12 @@ POLYGONS_OVERLAP = Exercise(
             "...) each come once.",
         ),
         Mistake(
+            "apart on every axis",
+            slip(formulas.polygons_overlap, "<= 0", ">= 0"),
+            "By your verdict every pair is apart. Two things do that. Either the comparison is the wrong way round: "
+            "two shadows overlap where their gap is at most 0. Or the ends are: shadow_gap wants the lower one first.",
+        ),
+        Mistake(
             "the other way round",
             slip(
                 formulas.polygons_overlap,

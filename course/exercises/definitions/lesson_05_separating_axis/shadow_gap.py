@@ -93,6 +93,26 @@ SHADOW_GAP = Exercise(
             "other, the shorter way out may be past the other end: of the two numbers it is the larger one.",
         ),
         Mistake(
+            "the other number wherever B is not above A",
+            slip(
+                formulas.shadow_gap,
+                _FORMULA,
+                "np.where(lower_b > upper_a, lower_b - upper_a, lower_a - upper_b)",
+            ),
+            "Right where they are apart. Where they overlap you return lower_a - upper_b in every case: the other "
+            "number may be nearer to 0, and then that is the shorter shift.",
+        ),
+        Mistake(
+            "the other number wherever A is not above B",
+            slip(
+                formulas.shadow_gap,
+                _FORMULA,
+                "np.where(lower_a > upper_b, lower_a - upper_b, lower_b - upper_a)",
+            ),
+            "Right where they are apart. Where they overlap you return lower_b - upper_a in every case: the other "
+            "number may be nearer to 0, and then that is the shorter shift.",
+        ),
+        Mistake(
             "sign",
             slip(formulas.shadow_gap, "np.maximum", "-np.maximum"),
             "The size is right and the sign reversed: above 0 means apart.",
