@@ -109,14 +109,26 @@ def test_comparisons_and_tightness():
     assert counts[3] == int(all_parts) and tight[3] == pytest.approx(1.0)
 
 
-def test_shares_of_points_agree_to_a_hundredth():
-    said("01", "The last two columns agree to a hundredth.")
+def test_points_in_the_hull_that_are_in_the_clay():
+    right, wrong = said(
+        "01",
+        "of points spread evenly in the hull, # in 100 are in the clay. Of the other # "
+        "the program says",
+    )
+    assert int(right) + int(wrong) == 100
     points = probes(20_000, seed=1)
     clay = filled(mug(), points)
     for kind in COLLIDERS:
         shape = mug_collider(kind)
         share = clay[inside(shape, points)].mean()
         assert share == pytest.approx(mug().volume() / float(shape.volume()), abs=0.01)
+        if kind == "hull":
+            assert rounds_to(100 * share, right)
+
+
+def test_what_a_tolerance_of_one_metre_a_second_hides():
+    (hidden,) = said("01", "By your formula whatever falls up to # mm lands")
+    assert rounds_to(1000 * formulas.hidden_drop(1.0, 9.81), hidden)
 
 
 def test_the_box_is_tighter_than_the_sphere_and_a_little_worse_over_a_floor():

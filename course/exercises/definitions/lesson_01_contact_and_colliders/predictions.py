@@ -43,10 +43,6 @@ def _fixed_tolerance() -> float:
     return float(rates[np.array(shares) > 0].max())
 
 
-def _no_bounce() -> float:
-    return float(formulas.hidden_drop(1.0, GRAVITY))
-
-
 def _marble() -> str:
     from course.study import marble_height
 
@@ -108,20 +104,6 @@ PREDICTIONS = (
             50: "At 50 steps a second g h is 0.196 m/s, which is within 0.2: it rests.",
             60: "At 60 steps a second g h is 0.16 m/s, which is within 0.2.",
             30: "It fails there, but it fails sooner.",
-        },
-    ),
-    Prediction(
-        "no_bounce",
-        "An engine calls everything below 1 m/s rest. A ball is let go: from how high at most does it land "
-        "without a bounce?",
-        _no_bounce,
-        "s^2/(2 g) = 1/19.62 = 0.051 m, more than five centimetres.",
-        unit="m",
-        wrong={
-            0.102: "Twice too high: while it falls the speed grows from 0.",
-            51: "That is the drop in millimetres. Asked is metres: 0.051 m.",
-            5.1: "That is the drop in centimetres. Asked is metres: 0.051 m.",
-            1: "That is a speed. After a fall from 1 m it is 4.4 m/s.",
         },
     ),
     Prediction(
