@@ -160,11 +160,6 @@ def test_right_answers_written_otherwise_pass():
 @pytest.mark.parametrize(
     ("name", "answer", "right"),
     [
-        ("at_120", 0.08, "it never rests"),
-        ("at_120", 0.083, "not the least"),
-        ("at_120", 9.81 / 120, ""),
-        ("at_120", 0.0818, ""),
-        ("at_120", 0.082, ""),
         ("fixed_tolerance", 50, "it rests"),
         ("fixed_tolerance", 49, ""),
         ("fixed_tolerance", 49.05, ""),
@@ -173,15 +168,12 @@ def test_right_answers_written_otherwise_pass():
         ("lift", 0.033, "gravity's comes on top"),
         ("air_in_the_hull", "half", "The wall is thin"),
         ("air_in_the_hull", "most", "The wall is thin"),
-        ("numbers_left", 3, "summed away"),
         ("lift", 11.81 / 60, ""),
         ("lift", 0.197, ""),
-        ("no_bounce", 51, "Asked is metres"),
-        ("no_bounce", 0.05, ""),
     ],
 )
 def test_a_prediction_of_an_edge_is_on_its_right_side(name, answer, right):
-    """g h is 0.08175 m/s at 120 steps a second, and 0.2 m/s at 49.05."""
+    """g h is 0.2 m/s at 49.05 steps a second, and 0.197 m/s in the lift."""
     message = _outcome_message(find_prediction(name)[1], answer)
     assert (message.state == "passed") == (right == "")
     assert right in str(message).replace("\n", " ")
