@@ -46,14 +46,38 @@ def test_thick_rods_grow_less():
 def test_the_dumbbell_in_many_sides():
     diagonal = {"turn": 45.0, "tilt": 35.0}
     six, fourteen, eighteen, between = said(
-        "02",
-        "the box has # times its volume; 14 sides have #, and 18 sides have #, because three of their directions stand "
-        "square to that diagonal. In the pose in which the film opens, 26 sides still have #.",
+        "02-more",
+        "the box has # times the dumbbell's volume, and 14 sides have #. 18 sides have #: three of their directions, "
+        "$(1, -1, 0)$ and the like, are at right angles to $(1, 1, 1)$. In the pose in which the film opens, "
+        "26 sides still have #.",
     )
     numbers = [n.values[0] for n in growing_dop().made(**diagonal).numbers]
     for value, written in zip(numbers, (six, fourteen, eighteen), strict=False):
         assert rounds_to(value, written)
     assert rounds_to(growing_dop().made().numbers[3].values[0], between)
+
+
+def test_the_list_of_the_slides_goes_up_twice():
+    told = said(
+        "02",
+        "from # for the capsule to # for the AABB, and from # for the oriented box to # for 14 sides",
+    )
+    kinds = study.collider_kinds()
+    ratio = {k.name: k.ratio for k in kinds}
+    for name, written in zip(
+        ("capsule", "AABB", "OBB", "k-DOP, 14 sides"), told, strict=True
+    ):
+        assert rounds_to(ratio[name], written)
+    # In the figure's order, which is the slides'; the half space has no volume.
+    assert [k.name for k in kinds][-1] == "half space"
+    steps = np.diff([k.ratio for k in kinds][:-1])
+    assert np.flatnonzero(steps > 0).tolist() == [1, 3]
+
+
+def test_two_sides_of_the_turned_rod_s_box_are_as_long():
+    (side,) = said("02", "At 45° two sides of its box are # m long")
+    extents = study.turned_rod([45.0]).extents[0]
+    assert rounds_to(2 * extents[0], side) and rounds_to(2 * extents[1], side)
 
 
 def test_what_kinds_cost(costs):
@@ -72,6 +96,19 @@ def test_what_kinds_cost(costs):
     ratio = costs["convex hull", 1]["count"] / costs["capsule", 1]["count"]
     assert 35 < ratio < 45, "forty times as much"
     assert 7.5 < costs["AABB", 1]["error"] < 8, "nearly eight times as much air"
+    (looks,) = said("02", "takes three looks a point, # in all")
+    assert costs["AABB", 1]["count"] == 3 * n == int(looks.replace(",", ""))
+    front = [
+        key
+        for key, row in costs.items()
+        if not any(
+            other["count"] <= row["count"]
+            and other["error"] <= row["error"]
+            and other is not row
+            for other in costs.values()
+        )
+    ]
+    assert front == [("AABB", 1), ("compound of three", 1)], "only these two"
     compound = costs["compound of three", 1]
     assert compound["count"] < 1.2 * costs["AABB", 1]["count"]
     assert compound["error"] == min(r["error"] for r in costs.values())

@@ -40,7 +40,7 @@ MORE = Lesson(
     name="collision-primitives",
     title="Collision primitives, deeper",
     question="How near do quick fits come to the least sphere and the least box?",
-    minutes=45,
+    minutes=49,
     exercises=(BOUNDING_SPHERE, PRINCIPAL_BOX),
     predictions=DEEPER_PREDICTIONS,
 )
