@@ -65,8 +65,8 @@ def swept_boxes_time(
     other = np.where(still, np.inf, other)
     enter, leave = np.minimum(one, other), np.maximum(one, other)
     rubs = np.any(still & ((before == 0) | (after == 0)), axis=-1)
+    slides = rubs & np.all(between, axis=-1)
     first, last = np.max(enter, axis=-1), np.min(leave, axis=-1)
-    slides = rubs & (first <= 0)
     meets = (first <= last) & (last > 0) & (first <= horizon) & ~slides
     return np.where(meets, np.maximum(first, 0), np.inf)
 

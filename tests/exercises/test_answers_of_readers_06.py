@@ -80,7 +80,7 @@ def boxes(
     meets=at_once,
     between=lambda v, w: v - w,
     ends=lambda one, other: (np.minimum(one, other), np.maximum(one, other)),
-    slide=lambda rubs, first: rubs & (first <= 0),
+    slide=lambda rubs, enter, inside: rubs & np.all(inside, axis=-1),
 ):
     """By the lines that are given, and a combination of one's own."""
 
@@ -93,16 +93,21 @@ def boxes(
         one = np.where(still, np.where(inside, -np.inf, np.inf), one)
         other = np.where(still, np.inf, other)
         rubs = np.any(still & ((before == 0) | (after == 0)), axis=-1)
-        first, last = combined(*ends(one, other))
-        slides = slide(rubs, first)
+        enter, leave = ends(one, other)
+        slides = slide(rubs, enter, inside)
+        first, last = combined(enter, leave)
         meet = meets(first, last) & (first <= horizon) & ~slides
         return np.where(meet, np.maximum(first, 0), np.inf)
 
     return time
 
 
-def never(rubs, first):
+def never(rubs, enter, inside):
     return np.zeros_like(rubs)
+
+
+def before_the_start(rubs, enter, inside):
+    return rubs & np.all(enter < 0, axis=-1)
 
 
 def tiny(v, w):
@@ -143,7 +148,7 @@ ANSWERS = {
     "(j) the last entry and an end after the start": (
         "swept_boxes_time", boxes(meets=lambda first, last: last > 0, slide=never), "pass each other"),
     "(k) sliding before the start alone": (
-        "swept_boxes_time", boxes(slide=lambda rubs, first: rubs & (first < 0)), "just at the start"),
+        "swept_boxes_time", boxes(slide=before_the_start), "just at the start"),
     "(f) at both ends": (
         "swept_boxes_time", boxes(lambda e, f: (e.max(), f.min())), "without axis=-1"),
 }  # fmt: skip

@@ -38,7 +38,7 @@ MORE = Lesson(
     name="moving-objects",
     title="Moving objects, deeper",
     question="A rod turns half round within one step: when does its tip meet the ball?",
-    minutes=35,
+    minutes=43,
     exercises=(CONSERVATIVE_ADVANCEMENT,),
     predictions=DEEPER_PREDICTIONS,
 )

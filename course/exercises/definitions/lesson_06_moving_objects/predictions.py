@@ -25,10 +25,6 @@ def _enough() -> str:
     return "none"
 
 
-def _along() -> float:
-    return float(np.array([3.0, -4.0]) @ np.array([0.6, 0.8]))
-
-
 def _sign_of_c() -> float:
     m = np.array([1.0, 2.0, 2.0])
     return float(m @ m - (1.0 + 1.5) ** 2)
@@ -115,14 +111,6 @@ PREDICTIONS = (
         later="See",
     ),
     Prediction(
-        "approach",
-        "From lesson 00: a ball moves at (3, -4) m/s. How fast does it move along the unit vector n = (0.6, 0.8)?",
-        _along,
-        "The dot product: 3 * 0.6 - 4 * 0.8 = -1.4: it moves against n.",
-        unit="m/s",
-        wrong={1.4: "The size is right. The sign says that it moves against n.", 5: "That is its speed."},
-    ),
-    Prediction(
         "without_a_root",
         "From lesson 04: the centres of two spheres differ by m = (1, 2, 2) m, their radii are 1 and 1.5 m. What is "
         "m.m - r^2, with r the sum of the radii?",
@@ -165,22 +153,6 @@ PREDICTIONS = (
         wrong={"20": "Then the looks are half a metre apart: only the largest balls are hit surely.",
             "60": "Through the middle of each ball that would do. But most do not hit the middle.",
             "more": "Some are missed with any number, but fewer than 1 in 100 with 200."},
-    ),
-    Prediction(
-        "far_marble",
-        "Two balls, each 4 mm across, in numbers of 32 bits (7 digits). From how far away will your function judge "
-        "one shot "
-        "in 20 wrongly?",
-        _single,
-        "Under the root stands a difference of two numbers of about v^2 m^2, and what counts is v^2 r^2. At 12 "
-        "m the one "
-        "is ten million times the other: the seven digits are used up.",
-        choices={
-            "ten": "about ten metres",
-            "kilometre": "about a kilometre",
-            "farther": "farther still",
-        },
-        wrong={"kilometre": "There a place is known to 0.06 mm, which would be enough. But the function squares it."},
     ),
     Prediction(
         "thrown_back",
@@ -229,6 +201,23 @@ DEEPER_PREDICTIONS = (
         choices={"few": "about ten", "many": "a hundred times as many"},
         wrong={
             "many": "So it would be if the steps were of one length. They shrink with the gap."
+        },
+    ),
+    Prediction(
+        "far_marble",
+        "Two balls, each 4 mm across, in numbers of 32 bits (7 digits). From how far away will lesson 06's function "
+        "judge one shot in 20 wrongly?",
+        _single,
+        "Under the root stands a difference of two numbers of about v^2 m^2, and what counts is v^2 r^2. At 12 "
+        "m the one "
+        "is ten million times the other: the seven digits are used up.",
+        choices={
+            "ten": "about ten metres",
+            "kilometre": "about a kilometre",
+            "farther": "farther still",
+        },
+        wrong={
+            "kilometre": "There a place is known to 0.06 mm, which would be enough. But the function squares it."
         },
     ),
 )

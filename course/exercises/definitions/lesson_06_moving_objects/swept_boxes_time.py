@@ -257,7 +257,7 @@ SWEPT_BOXES_TIME = Exercise(
             " & ~slides",
             "",
             message="Where the first end is not after the start, last <= 0, they are parting: inf. So it is where they "
-            "touch and slide along, which rubs tells.",
+            "touch and slide along: use slides.",
         ),
         _wrong(
             "the last entry alone",
@@ -286,8 +286,8 @@ SWEPT_BOXES_TIME = Exercise(
         ),
         _wrong(
             "sliding from the start on",
-            "rubs & (first <= 0)",
-            "rubs & (first < 0)",
+            "rubs & np.all(between, axis=-1)",
+            "rubs & np.all(enter < 0, axis=-1)",
             message="Those whose last entry is just at the start, first = 0, touch already. Where their shadows rub "
             "on an axis besides, they slide: inf.",
         ),
@@ -313,7 +313,7 @@ SWEPT_BOXES_TIME = Exercise(
         ),
         _wrong(
             "sliding and grazing",
-            "rubs & (first <= 0)",
+            "rubs & np.all(between, axis=-1)",
             "rubs",
             message="Those that slide along while they touch do not meet. But boxes that come from farther away at a "
             "gap of 0 on an axis on which nothing moves graze, and meet.",
@@ -372,7 +372,6 @@ SWEPT_BOXES_TIME = Exercise(
         "last, last is after the start, first is within the horizon, and they do not slide. Then the time is first, or "
         "0 where that is in the past.",
         "first, last = np.max(enter, axis=-1), ____\n"
-        "slides = rubs & (____ <= 0)\n"
         "meets = (first <= ____) & (____ > 0) & (first <= horizon) & ~slides\n"
         "return np.where(meets, np.maximum(first, ____), np.inf)",
     ),
