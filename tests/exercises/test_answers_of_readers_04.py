@@ -121,6 +121,21 @@ ANSWERS = {
         "closest_point_on_segment",
         lambda p, a, b: a + np.clip(dot(p, b) / np.maximum(dot(b - a, b - a), 1e-300), 0, 1) * (b - a),
         "two places as seen from the origin"),
+    "the point from the origin, not guarded": (
+        "closest_point_on_segment",
+        lambda p, a, b: a + np.clip(dot(p, b - a) / dot(b - a, b - a), 0, 1) * (b - a),
+        "of the point as seen from the origin"),
+    "no limit, not guarded": ("closest_point_on_segment", on_line, "only a point you divide 0 by 0"),
+    "the length, not guarded": (
+        "closest_point_on_segment",
+        lambda p, a, b: a + np.clip(dot(p - a, b - a) / dot(b - a, b - a) ** 0.5, 0, 1) * (b - a),
+        "divided by the square of the length. And where"),
+    "as derived": (
+        "closest_point_on_segment",
+        lambda p, a, b: np.clip(dot(p, b) / dot(b, b), 0, 1) * b, "share of the derivation as it stands"),
+    "as derived, along the way": (
+        "closest_point_on_segment",
+        lambda p, a, b: a + np.clip(dot(p, b) / dot(b, b), 0, 1) * (b - a), "share of the derivation as it stands"),
     "coordinates": ("closest_point_on_segment", np.clip, "You limit x, y and z one by one"),
     "coordinates in order": (
         "closest_point_on_segment",

@@ -32,7 +32,9 @@ def test_how_wrong_so_many_bytes_are():
         "4 bytes give # percent of wrong verdicts, and only 8 bytes give none. Seen from "
         "$A$ first, 2 bytes give # percent and 4 bytes none.",
     )
-    found = sphere_verdict_bytes(sphere_pairs(10_000, 1e6, seed=4, clear=1e-3)).error
+    pairs = sphere_pairs(10_000, 1e6, seed=4, clear=1e-3)
+    assert 1 / 3 < np.mean(np.abs(pairs.gap) < 0.01) < 0.4, "over a third below 1 cm"
+    found = sphere_verdict_bytes(pairs).error
     assert rounds_to(100 * found[1], as_they_are) and rounds_to(100 * found[3], from_a)
     assert found[2] == found[4] == 0.0 and found[0] > 0.45
     assert 45 < found[1] / found[3] < 60, "fifty times fewer"
@@ -73,8 +75,8 @@ def test_where_the_spheres_of_the_question_are_stopped():
     early, late = said(
         "04",
         "at $10^8$ m the true gap is # m when $B$ stops. Stored, the distance of the "
-        "centres goes from 16 m to 8 m at once, and 8 is less than 9. With $B$ aside by "
-        "5 m it ends # m deep in $A$ instead",
+        "centres goes from 16 m to 8 m at once, and 8 m is less than both radii together. "
+        "With $B$ aside by 5 m it ends # m deep in $A$ instead",
     )
     for lane, number, sign in ((0.0, early, 1), (5.0, late, -1)):
         found = far_meeting(1e8, lane, times, 4, VERDICT)

@@ -30,7 +30,7 @@ LESSON = Lesson(
     name="overlap-tests",
     title="Overlap tests",
     question="At 100,000 km from the origin float32 moves in steps of 8 m: do these spheres touch?",
-    minutes=75,
+    minutes=72,
     exercises=(
         FOOT_SHARE,
         SPHERES_OVERLAP,
@@ -46,7 +46,7 @@ MORE = Lesson(
     name="overlap-tests",
     title="Overlap tests, deeper",
     question="Where are two sticks nearest to each other, and how does a sphere leave a box?",
-    minutes=48,
+    minutes=53,
     exercises=(CAPSULE_GAP, SPHERE_BOX_GAP),
     predictions=DEEPER_PREDICTIONS,
 )

@@ -21,6 +21,18 @@ from course.exercises.slips import slip
 
 _CLAMPED = "np.clip(share, 0.0, 1.0)"
 _SAFE = "np.where(square == 0, 1.0, square)"
+#: Edits that are often made by who has not yet thought of a segment that is only a point, with what is said of them.
+_UNGUARDED = (
+    ("not limited", "You go on along the line before the start and beyond the end.", _CLAMPED, "share"),
+    ("limited at the start only", "Beyond the end you go on along the line.", _CLAMPED, "np.maximum(share, 0.0)"),
+    ("limited at the end only", "Before the start you go on along the line.", _CLAMPED, "np.minimum(share, 1.0)"),
+    ("point from the origin", "You take the dot product of the point as seen from the *origin*. Both have to be seen "
+     "from the start.", "(point - start)", "point"),
+    ("divided by the length", "You divide the dot product by the length of the segment, so your share is in metres. "
+     "It has to be divided by the square of the length.", _SAFE, "np.sqrt(square)"),
+    ("seen from the start", "You return the way from the start to the nearest point. Asked is the place: add the "
+     "start.", "return start + ", "return "),
+)  # fmt: skip
 
 
 def _given(p: Any, a: Any, b: Any) -> Given:
@@ -229,6 +241,34 @@ CLOSEST_POINT_ON_SEGMENT = Exercise(
             "axis only.",
             "np.sum((point - start) * way, axis=-1, keepdims=True)",
             "np.sum((point - start) * way)",
+        ),
+        *(
+            _wrong(
+                f"as derived, {where}",
+                "That is the share of the derivation as it stands there, with the origin at the start. Here the start "
+                f"is elsewhere: see both from it, point - start and end - start. {more}",
+                "(point - start) * way",
+                "point * end",
+                "way * way",
+                "end * end",
+                *edits,
+            )
+            for where, more, *edits in (
+                ("along the way", "From the start you go along the way, as it should be."),
+                ("along the end", "The place is then the start and a share of the way.",
+                 "return start + ", "return ", f"{_CLAMPED} * way", f"{_CLAMPED} * end"),
+                ("from the start along the end", "From the start you go along the way, not along the end.",
+                 f"{_CLAMPED} * way", f"{_CLAMPED} * end"),
+            )
+        ),
+        *(
+            _wrong(
+                f"{name}, not guarded",
+                f"{said} And where the segment is only a point you divide 0 by 0.",
+                *edits,
+                *(() if _SAFE in edits else (_SAFE, "square")),
+            )
+            for name, said, *edits in _UNGUARDED
         ),
     ),
     hints=(
