@@ -368,8 +368,11 @@ def least_translations(
 def warm() -> None:
     """Call the kernels once (``course.jit``)."""
     from course.overlap.convex.closest import closest_points, least_translation
+    from course.overlap.convex.convex_pairs import closest_convex
     from course.shapes import AABB, polytopes
 
-    box = polytopes(AABB(np.zeros((1, 3)), np.ones((1, 3))))
+    cube = AABB(np.zeros((1, 3)), np.ones((1, 3)))
+    closest_convex(cube, cube)
+    box = polytopes(cube)
     closest_points(box, box, [0], [0])
     least_translation(box, box, [0], [0])
