@@ -89,12 +89,11 @@ def conservative_advancement(pivot, arm, omega, center, radius, horizon, toleran
 
     t' = t + d(t)/mu,  mu = |omega| |arm|, until d <= tolerance    (syllabus row 12)
 
-    It ends for a tolerance of 0 as well: where t + d/mu is t in the computer's numbers.
-
     No point of the rod is faster than mu, so that none reaches the ball before t'.
 
     pivot, arm from there to the other end, centre (3,) [m], omega (3,) [rad/s], radius
-    [m], horizon [s], tolerance [m]; returns [s], inf if they do not meet.
+    [m], horizon [s], tolerance [m], above 0: with 0 its steps may never end; returns [s],
+    inf if they do not meet.
     Source: Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996.
     """
     rate, way, t = np.linalg.norm(omega), center - pivot, 0.0
@@ -104,8 +103,7 @@ def conservative_advancement(pivot, arm, omega, center, radius, horizon, toleran
         rod = c * arm + s * np.cross(axis, arm) + (1 - c) * (axis @ arm) * axis
         along = np.clip(way @ rod / (arm @ arm), 0, 1)
         gap = np.linalg.norm(way - along * rod) - radius
-        later = t + gap / (rate * np.linalg.norm(arm)) if rate > 0 else np.inf
-        if gap <= tolerance or later == t:  # or nearer than numbers can tell
+        if gap <= tolerance:
             return t
-        t = later
+        t = t + gap / (rate * np.linalg.norm(arm)) if rate > 0 else np.inf
     return np.inf

@@ -248,6 +248,10 @@ def _numbers(exercise: Exercise, cases, name: str) -> list:
     return sorted({*map(float, single), *usual})
 
 
+#: Without a tolerance the steps of conservative advancement have no end.
+ENDLESS = ("conservative_advancement", "tolerance", 0.0)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
 def test_no_argument_can_be_written_in(exercise):
@@ -257,6 +261,8 @@ def test_no_argument_can_be_written_in(exercise):
             if (exercise.name, argument.name) in CANCELLED:
                 continue
             for value in _numbers(exercise, cases, argument.name):
+                if (exercise.name, argument.name, value) == ENDLESS:
+                    continue
                 wrong = _written_in(exercise, argument.name, value)
                 try:
                     passed = right(exercise.name, wrong, seed)

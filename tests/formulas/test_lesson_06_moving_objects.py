@@ -124,17 +124,6 @@ def test_a_rod_comes_to_the_ball_from_below():
     assert exact - 1e-6 <= found <= exact + 1e-8
 
 
-@pytest.mark.timeout(20)
-def test_without_a_tolerance_it_ends_at_the_last_number_before_the_meeting():
-    """It would go on for ever by steps that no longer change the time."""
-    for angle in np.linspace(0.2, 3.0, 15):
-        ball = np.array([np.cos(angle), np.sin(angle), 0])
-        found = formulas.conservative_advancement(
-            STILL, 2 * X, np.array([0, 0, 1.0]), ball, 0.1, 9.0, 0.0
-        )
-        assert found == pytest.approx(angle - np.arcsin(0.1), abs=1e-12)
-
-
 def test_a_rod_that_passes_or_rests_never_meets():
     ball = np.array([0, 1.0, 0.5])
     spin = np.array([0, 0, 1.0])
