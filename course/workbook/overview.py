@@ -168,6 +168,7 @@ def _cell(
     inner: str, tag: str = "td", *, scope: str = "row", code: bool = False
 ) -> str:
     extra = f' scope="{scope}"' if tag == "th" else ""
-    inner = f"<code>{inner}</code>" if code and inner else inner
-    nowrap = "" if tag == "th" else "; white-space: nowrap"
+    if code and inner:  # a long name may break, or the titles get no room
+        inner = f"<code>{inner.replace('_', '_<wbr>')}</code>"
+    nowrap = "" if tag == "th" or code else "; white-space: nowrap"
     return f'<{tag}{extra} style="text-align: left{nowrap}">{inner}</{tag}>'
