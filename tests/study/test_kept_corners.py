@@ -38,3 +38,9 @@ def test_an_octagon_with_four_corners_as_the_lesson_says():
     assert rounds_to(100 * kept_support(8, [4])[0], eight)
     assert rounds_to(100 * kept_support(16, [4])[0], sixteen)
     assert kept_support(8, [4])[0] == pytest.approx(np.sqrt(0.5))
+
+
+def test_with_three_the_farthest_corner_is_not_the_best_choice():
+    """What the lesson says of its way of choosing; with four of eight it is."""
+    assert kept_support(8, [3])[0] < 0.9 * largest_share(8, [3])[0]
+    assert kept_support(8, [4])[0] == pytest.approx(largest_share(8, [4])[0])

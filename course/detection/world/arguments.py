@@ -28,6 +28,7 @@ def vectors_of(x: Array, batch: tuple[int, ...]) -> Array:
 
 
 def shaped_as(x: Any, batch: tuple[int, ...]) -> Any:
+    """Rows (n, ...) in the shape of their batch, (..., ...)."""
     return x.reshape((*batch, *x.shape[1:]))
 
 
