@@ -80,9 +80,10 @@ def test_no_other_halves_are_farther_along_the_axis(n):
 
 
 def test_boxes_with_one_centre_are_halved_too():
-    lower, upper = np.full((6, 3), -1.0), np.full((6, 3), 1.0)
+    """In their order: of more than sixteen a sort that is not stable would mix them."""
+    lower, upper = np.full((60, 3), -1.0), np.full((60, 3), 1.0)
     first, second = median_split(lower, upper)
-    assert first.tolist() == [0, 1, 2] and second.tolist() == [3, 4, 5]
+    assert first.tolist() == list(range(30)) and second.tolist() == list(range(30, 60))
 
 
 def test_costs_of_cuts_by_hand_and_by_dice():
