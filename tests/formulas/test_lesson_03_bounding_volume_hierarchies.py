@@ -80,10 +80,16 @@ def test_no_other_halves_are_farther_along_the_axis(n):
 
 
 def test_boxes_with_one_centre_are_halved_too():
-    """In their order: of more than sixteen a sort that is not stable would mix them."""
-    lower, upper = np.full((60, 3), -1.0), np.full((60, 3), 1.0)
+    lower, upper = np.full((6, 3), -1.0), np.full((6, 3), 1.0)
     first, second = median_split(lower, upper)
-    assert first.tolist() == list(range(30)) and second.tolist() == list(range(30, 60))
+    assert first.tolist() == [0, 1, 2] and second.tolist() == [3, 4, 5]
+
+
+def test_boxes_with_the_same_place_on_the_axis_keep_their_order():
+    lower = np.zeros((300, 3))
+    lower[:, 2] = np.random.default_rng(1).integers(0, 4, 300)
+    halves = np.concatenate(median_split(lower, lower + 1))
+    assert halves.tolist() == sorted(range(300), key=lambda k: lower[k, 2])
 
 
 def test_costs_of_cuts_by_hand_and_by_dice():
