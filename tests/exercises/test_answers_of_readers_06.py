@@ -172,3 +172,16 @@ def test_right_answers_written_otherwise_pass():
         assert told("miss_probability", miss, seed) == "passed"
         assert told("swept_spheres_time", spheres(approaching), seed) == "passed"
         assert told("swept_boxes_time", boxes(), seed) == "passed"
+
+
+@pytest.mark.parametrize("seed", [None, 1, 2, 3])
+def test_the_later_root_without_any_question_is_told_both(seed):
+    def later(x, r, v, y, s, w, horizon):
+        m, v, r = x - y, v - w, r + s
+        a, b = np.sum(v * v, -1), np.sum(m * v, -1)
+        c = np.sum(m * m, -1) - r**2
+        t = (-b + np.sqrt(b * b - a * c)) / a
+        return np.where(t <= horizon, t, np.inf)
+
+    said = told("swept_spheres_time", later, seed)
+    assert "You return the later root" in said and "ask neither" in said

@@ -142,6 +142,13 @@ SWEPT_SPHERES_TIME = Exercise(
             message="c is m.m - r^2: a square of metres minus a square of metres. Your r is not squared.",
         ),
         _wrong(
+            "the later root, and nothing asked",
+            "time = np.where(c < 0, 0.0, np.where(meets, c / below, np.inf))",
+            "time = (-b + np.sqrt(inside_root)) / a",
+            message="You return the later root, at which they part again on the far side. And you ask neither "
+            "whether they overlap at the start, nor whether they approach and meet at all.",
+        ),
+        _wrong(
             "the later root",
             "-b + np.sqrt",
             "-b - np.sqrt",
